@@ -1,0 +1,31 @@
+# A room is a static library placedpar_NAME, known to consumers as PlacedPar::NAME, built from the
+# sources in its own folder. Includes read "room/header.hpp" from the top of the tree.
+
+add_library(placedpar_options INTERFACE)
+target_compile_features(placedpar_options INTERFACE cxx_std_20)
+# Contracted multiply-adds round differently from one compiler to the next: the same netlist and seed
+# must give the same fingerprint everywhere.
+target_compile_options(placedpar_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
+if(PLACEDPAR_WARNINGS_AS_ERRORS)
+    target_compile_options(placedpar_options INTERFACE -Werror)
+endif()
+
+function(placedpar_room name)
+    cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
+    add_library(placedpar_${name} STATIC ${ROOM_SOURCES})
+    add_library(PlacedPar::${name} ALIAS placedpar_${name})
+    set_target_properties(placedpar_${name} PROPERTIES EXPORT_NAME ${name})
+    target_include_directories(placedpar_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/placedpar>)
+    target_compile_features(placedpar_${name} PUBLIC cxx_std_20)
+    target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
+endfunction()
+
+# placedpar_test(room file.cpp...): one doctest program a room, run by ctest under the room's name.
+function(placedpar_test name)
+    cmake_parse_arguments(TEST "" "" "SOURCES;LINKS" ${ARGN})
+    add_executable(test_${name} ${TEST_SOURCES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+    target_link_libraries(test_${name} PRIVATE placedpar_options doctest::doctest ${TEST_LINKS})
+    target_compile_definitions(test_${name} PRIVATE PLACEDPAR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    add_test(NAME ${name} COMMAND test_${name})
+endfunction()

@@ -1,0 +1,46 @@
+#include "runtime/random.hpp"
+
+namespace placedpar {
+
+namespace {
+
+/// FNV-1a, 64 bits: a published, stable hash, for std::hash may differ from one library to the next.
+std::uint64_t path_hash(std::string_view path) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (unsigned char c : path)
+        hash = (hash ^ c) * 0x100000001b3u;
+    return hash;
+}
+
+} // namespace
+
+RandomStream::RandomStream(std::uint64_t seed, std::string_view path)
+    : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}}, block_{},
+      drawn_from_block_(4) {
+    // The upper half of the counter names the stream, the lower half counts its blocks.
+    std::uint64_t stream = path_hash(path);
+    counter_ = {{0, 0, static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)}};
+}
+
+RandomStream::result_type RandomStream::operator()() {
+    if (drawn_from_block_ == 4) {
+        block_ = Philox{}(counter_, key_);
+        if (++counter_[0] == 0)
+            ++counter_[1];
+        drawn_from_block_ = 0;
+    }
+    return block_[drawn_from_block_++];
+}
+
+std::uint32_t RandomStream::below(std::uint32_t n) {
+    // Lemire's multiplication with rejection (ACM TOMACS 29, 2019).
+    std::uint64_t product = std::uint64_t{(*this)()} * n;
+    if (auto low = static_cast<std::uint32_t>(product); low < n) {
+        std::uint32_t threshold = (0u - n) % n;
+        while (static_cast<std::uint32_t>(product) < threshold)
+            product = std::uint64_t{(*this)()} * n;
+    }
+    return static_cast<std::uint32_t>(product >> 32);
+}
+
+} // namespace placedpar

@@ -1,0 +1,36 @@
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+using namespace placedpar;
+
+TEST_CASE("a stream depends on seed and path alone") {
+    RandomStream a(1, "cluster[0].master"), b(1, "cluster[0].master"), c(1, "cluster[1].master"), d(2, "cluster[0].master");
+    auto first = a();
+    CHECK(b() == first);
+    CHECK(c() != first);
+    CHECK(d() != first);
+}
+
+TEST_CASE("Philox 4x32-10 gives the known answer of Random123's kat_vectors for key 0, counter 0") {
+    r123::Philox4x32 philox;
+    auto block = philox({{0, 0, 0, 0}}, {{0, 0}});
+    CHECK(block[0] == 0x6627e8d5);
+    CHECK(block[1] == 0xe169c58d);
+    CHECK(block[2] == 0xbc57ac4c);
+    CHECK(block[3] == 0x9b00dbd8);
+}
+
+TEST_CASE("below(n) is uniform over 0 ... n - 1") {
+    RandomStream stream(7, "dice");
+    std::array<int, 6> seen{};
+    constexpr int throws = 60000;
+    for (int i = 0; i < throws; ++i)
+        ++seen.at(stream.below(6));
+    double chi_squared = 0;
+    for (int count : seen)
+        chi_squared += (count - throws / 6.0) * (count - throws / 6.0) / (throws / 6.0);
+    CHECK(chi_squared < 20.5); // 5 degrees of freedom, 99.9 %
+}
