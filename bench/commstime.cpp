@@ -1,0 +1,87 @@
+// The communication-time benchmark of the occam tradition: prefix, delta, successor and consumer in a ring
+// (P. Welch, "commstime"). A loop is four communications. It prints nanoseconds of wall time per loop, once
+// with all communications at one moment of virtual time and once with time passing in every loop.
+
+#include "runtime/channel.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/timer.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+
+using namespace placedpar;
+
+namespace {
+
+struct Timing {
+    double nanoseconds_per_loop;
+    std::uint64_t fingerprint;
+};
+
+/// `pause`: how long each of the four processes waits in every loop.
+Timing commstime(long loops, Time pause) {
+    Kernel kernel;
+    Channel<long> a("a"), b("b"), c("c"), d("d");
+    auto rest = [pause] {
+        if (pause > Time{0})
+            wait_for(pause);
+    };
+    auto prefix = [&] {
+        a.out().output(0);
+        for (long i = 0; i < loops; ++i) {
+            long x = b.in().input();
+            rest();
+            if (i + 1 < loops)
+                a.out().output(x);
+        }
+    };
+    auto delta = [&] {
+        for (long i = 0; i < loops; ++i) {
+            long x = a.in().input();
+            rest();
+            c.out().output(x);
+            d.out().output(x);
+        }
+    };
+    auto successor = [&] {
+        for (long i = 0; i < loops; ++i) {
+            long x = c.in().input();
+            rest();
+            b.out().output(x + 1);
+        }
+    };
+    auto consumer = [&] {
+        for (long i = 0; i < loops; ++i) {
+            if (d.in().input() != i)
+                std::abort();
+            rest();
+        }
+    };
+    Process main(kernel, "commstime", [&] { par(prefix, delta, successor, consumer); }, nullptr, Priority::low);
+    kernel.make_ready(main);
+    auto start = std::chrono::steady_clock::now();
+    kernel.run(Time::max(), [](Ending) {});
+    std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
+    return {took.count() / static_cast<double>(loops), kernel.fingerprint().value()};
+}
+
+void report(const char* what, Time pause, long loops) {
+    commstime(loops / 10, pause); // warm-up
+    Timing timing = commstime(loops, pause);
+    fmt::print("{:<28} {:7.1f} ns/loop   fingerprint {:016x}\n", what, timing.nanoseconds_per_loop, timing.fingerprint);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    long loops = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 1'000'000;
+    if (loops < 10) {
+        fmt::print(stderr, "usage: commstime [LOOPS, at least 10]\n");
+        return 1;
+    }
+    report("no time passing", Time{0}, loops);
+    report("1 ns passing in each process", std::chrono::nanoseconds{1}, loops);
+}

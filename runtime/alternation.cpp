@@ -1,0 +1,108 @@
+#include "runtime/alternation.hpp"
+
+#include "runtime/instructions.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/processor.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+bool is_ready(const Guard& guard) {
+    switch (guard.kind) {
+    case Guard::input: return guard.channel->message_waits();
+    case Guard::timeout: return guard.due <= now();
+    case Guard::skip: return true;
+    case Guard::never: break;
+    }
+    return false;
+}
+
+std::optional<std::size_t> first_ready(std::span<const Guard> guards) {
+    auto found = std::ranges::find_if(guards, is_ready);
+    if (found == guards.end())
+        return std::nullopt;
+    return found - guards.begin();
+}
+
+std::optional<Time> earliest_timeout(std::span<const Guard> guards) {
+    std::optional<Time> earliest;
+    for (const Guard& guard : guards)
+        if (guard.kind == Guard::timeout)
+            earliest = std::min(earliest.value_or(guard.due), guard.due);
+    return earliest;
+}
+
+std::vector<AnyChannel*> awaited_channels(std::span<const Guard> guards) {
+    std::vector<AnyChannel*> channels;
+    for (const Guard& guard : guards)
+        if (guard.kind == Guard::input)
+            channels.push_back(guard.channel);
+    return channels;
+}
+
+/// What enbc, enbt and their likes, altwt, and the disabling instructions come to.
+Cycles cost(std::size_t guards, bool has_to_wait) {
+    using namespace instructions;
+    return alt_start_and_end + static_cast<std::int64_t>(guards) * (enable_guard + disable_guard) +
+           (has_to_wait ? alt_wait : alt_wait_ready);
+}
+
+} // namespace
+
+/// A process that sleeps on its guards: enabled on their channels for as long as it exists.
+class Alternation final : Event {
+public:
+    Alternation(Process& process, std::span<AnyChannel* const> channels, std::optional<Time> timeout)
+        : process_(process), channels_(channels) {
+        for (AnyChannel* channel : channels_)
+            channel->enable(*this);
+        if (timeout)
+            process.kernel().future().schedule(*this, *timeout, EventQueue::timer);
+    }
+    ~Alternation() {
+        for (AnyChannel* channel : channels_)
+            channel->disable();
+    }
+    /// Wakes the process, once.
+    void wake() {
+        if (!std::exchange(woken_, true))
+            process_.kernel().make_ready(process_);
+    }
+
+private:
+    void happen() noexcept override { wake(); }
+
+    Process& process_;
+    std::span<AnyChannel* const> channels_;
+    bool woken_ = false;
+};
+
+void AnyChannel::announce() {
+    if (alternation_)
+        alternation_->wake();
+}
+
+std::size_t select(std::span<const Guard> guards, const std::source_location& where) {
+    Process& self = Kernel::current()->running();
+    auto ready = first_ready(guards);
+    compute(cost(guards.size(), !ready));
+    if (!ready)
+        ready = first_ready(guards); // time may have passed while enabling
+    if (!ready) {
+        auto channels = awaited_channels(guards);
+        auto timeout = earliest_timeout(guards);
+        if (channels.empty() && !timeout)
+            throw std::logic_error("process " + self.path() + ": an alternation none of whose guards can be ready");
+        Alternation alternation(self, channels, timeout);
+        self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where);
+        ready = first_ready(guards);
+    }
+    return ready.value();
+}
+
+} // namespace placedpar

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "runtime/channel.hpp"
+#include "runtime/timer.hpp"
+
+#include <cstddef>
+#include <source_location>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// One guard of an alternation, without what follows it.
+struct Guard {
+    enum Kind { never, input, timeout, skip } kind;
+    AnyChannel* channel = nullptr; ///< of an input guard
+    Time due{};                    ///< of a timeout guard
+};
+
+/// Waits until one of the guards is ready and returns its index: the first ready one in the order given,
+/// which is occam's PRI ALT, and the choice that the transputer's own instructions make for ALT.
+/// `never` guards (a condition that is false) are passed over. Nothing has been input yet.
+/// Throws std::logic_error when no guard could ever be ready (occam: such an ALT acts as STOP).
+std::size_t select(std::span<const Guard> guards, const std::source_location& = std::source_location::current());
+
+/// An input guard and the process that it guards: `on(c, [&](int x) { ... })`.
+template <class T, class Body>
+auto on(Input<T> from, Body body) {
+    return std::pair(Guard{Guard::input, &from.channel()}, [from, body] { body(from.input()); });
+}
+
+/// A timeout guard, occam's `timer ? AFTER t`: ready when the virtual time `due` has come.
+template <class Body>
+auto after(Time due, Body body) {
+    return std::pair(Guard{Guard::timeout, nullptr, due}, std::move(body));
+}
+
+/// occam's SKIP guard: always ready, so whatever stands behind it is reached only if nothing before is ready.
+template <class Body>
+auto skip(Body body) {
+    return std::pair(Guard{Guard::skip}, std::move(body));
+}
+
+/// A condition before a guard: `when(free > 0, on(c, ...))`.
+template <class Body>
+auto when(bool condition, std::pair<Guard, Body> guarded) {
+    if (!condition)
+        guarded.first.kind = Guard::never;
+    return guarded;
+}
+
+/// occam's PRI ALT: waits for the first ready guard, inputs if it is an input, and runs what it guards.
+/// Returns its index.
+template <class... Bodies>
+std::size_t alt(const std::pair<Guard, Bodies>&... alternatives) {
+    const Guard guards[] = {alternatives.first...};
+    std::size_t chosen = select(guards);
+    std::size_t index = 0;
+    ((index++ == chosen ? static_cast<void>(alternatives.second()) : void()), ...);
+    return chosen;
+}
+
+/// The replicated form, `ALT i = 0 FOR n`: `alt(inputs, [&](std::size_t i, T message) { ... })`.
+template <class T, class Body>
+std::size_t alt(std::span<const Input<T>> inputs, Body body) {
+    std::vector<Guard> guards;
+    for (const Input<T>& from : inputs)
+        guards.push_back({Guard::input, &from.channel()});
+    std::size_t chosen = select(guards);
+    body(chosen, inputs[chosen].input());
+    return chosen;
+}
+
+} // namespace placedpar

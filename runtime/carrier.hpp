@@ -1,0 +1,26 @@
+#pragma once
+
+#include "runtime/protocol.hpp"
+
+#include <source_location>
+
+namespace placedpar {
+
+class AnyChannel;
+class Process;
+
+/// What carries a hard channel's messages from one processor to another: a direction of a link, alone or
+/// shared with other channels. Both halves return when their process may go on.
+class Carrier {
+public:
+    virtual ~Carrier() = default;
+
+    /// Sends the message that waits in the channel. REQUIRES: called by the outputting process.
+    virtual void output(AnyChannel&, const WireForm&, const std::source_location&) = 0;
+    /// Receives a message into the channel's waiting slot. REQUIRES: called by the inputting process.
+    virtual void input(AnyChannel&, const std::source_location&) = 0;
+    /// Whether the first byte of a message has arrived that nobody has asked for yet.
+    virtual bool message_waits(const AnyChannel&) const = 0;
+};
+
+} // namespace placedpar

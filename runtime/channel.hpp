@@ -1,0 +1,139 @@
+#pragma once
+
+#include "runtime/carrier.hpp"
+#include "runtime/protocol.hpp"
+
+#include <optional>
+#include <source_location>
+#include <string>
+#include <typeindex>
+#include <utility>
+
+namespace placedpar {
+
+class Alternation;
+class Process;
+
+/// A channel of any protocol: synchronous, unbuffered, from one process to one other.
+///
+/// The processes at its ends do not know whether it is soft (both on one processor: the second to arrive
+/// copies the message and goes on, the first goes to the back of its run queue) or hard (a carrier takes the
+/// message along a link). The simulation decides that by `put_on` before it runs.
+///
+/// Throws std::logic_error when two processes are in the same end of a channel at once.
+class AnyChannel {
+public:
+    explicit AnyChannel(std::string name) : name_(std::move(name)) {}
+    virtual ~AnyChannel() = default;
+    AnyChannel(const AnyChannel&) = delete;
+    AnyChannel& operator=(const AnyChannel&) = delete;
+
+    const std::string& name() const { return name_; }
+    virtual std::type_index protocol() const = 0;
+    /// Makes the channel hard. REQUIRES: no process uses it yet; the carrier outlives it.
+    void put_on(Carrier& carrier) { carrier_ = &carrier; }
+
+    /// The process that used this end last, null if none did: who must come to wake the other end.
+    const Process* outputter() const { return outputter_; }
+    const Process* inputter() const { return inputter_; }
+    /// Foretells who will use the ends, for the report of a deadlock before their first communication.
+    void expect(const Process* outputter, const Process* inputter) { outputter_ = outputter, inputter_ = inputter; }
+
+    // For alternations: whether an input would find a message; whom to wake when one comes.
+    bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
+    void enable(Alternation& alternation) { alternation_ = &alternation; }
+    void disable() { alternation_ = nullptr; }
+
+    // For carriers.
+    /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
+    void hand_over() {
+        move_message(message_, slot_);
+        message_ = slot_ = nullptr;
+    }
+    /// A message has arrived that nobody asked for: an alternating process may want it.
+    void announce();
+    bool input_waits() const { return slot_ != nullptr; }
+
+protected:
+    void output_any(void* message, const WireForm&, const std::source_location&);
+    void input_any(void* slot, const std::source_location&);
+
+private:
+    virtual void move_message(void* from, void* to) = 0;
+    void output_soft(Process&, const WireForm&, const std::source_location&);
+    void input_soft(Process&, const std::source_location&);
+
+    std::string name_;
+    Carrier* carrier_ = nullptr;
+    const Process* outputter_ = nullptr;
+    const Process* inputter_ = nullptr;
+    void* message_ = nullptr; ///< set while an outputter is in the channel
+    void* slot_ = nullptr;    ///< set while an inputter is
+    Process* waiting_ = nullptr; ///< on a soft channel, the first to arrive
+    WireForm waiting_form_{0};
+    Alternation* alternation_ = nullptr; ///< that of an inputter which sleeps on several channels
+};
+
+template <class T>
+class Channel;
+
+/// occam's `c ! x`: the only end that can output.
+template <class T>
+class Output {
+public:
+    Output() = default;
+    void output(T message, const std::source_location& where = std::source_location::current()) const {
+        channel_->output(std::move(message), where);
+    }
+    AnyChannel& channel() const { return *channel_; }
+    explicit operator bool() const { return channel_ != nullptr; }
+
+private:
+    friend class Channel<T>;
+    explicit Output(Channel<T>& channel) : channel_(&channel) {}
+    Channel<T>* channel_ = nullptr;
+};
+
+/// occam's `c ? x`: the only end that can input.
+template <class T>
+class Input {
+public:
+    Input() = default;
+    T input(const std::source_location& where = std::source_location::current()) const {
+        return channel_->input(where);
+    }
+    AnyChannel& channel() const { return *channel_; }
+    explicit operator bool() const { return channel_ != nullptr; }
+
+private:
+    friend class Channel<T>;
+    explicit Input(Channel<T>& channel) : channel_(&channel) {}
+    Channel<T>* channel_ = nullptr;
+};
+
+/// occam's `CHAN OF T`.
+template <class T>
+class Channel final : public AnyChannel {
+public:
+    using AnyChannel::AnyChannel;
+
+    Output<T> out() { return Output<T>(*this); }
+    Input<T> in() { return Input<T>(*this); }
+    std::type_index protocol() const override { return typeid(T); }
+
+private:
+    friend class Output<T>;
+    friend class Input<T>;
+
+    void output(T message, const std::source_location& where) { output_any(&message, wire_form(message), where); }
+    T input(const std::source_location& where) {
+        std::optional<T> slot;
+        input_any(&slot, where);
+        return std::move(*slot);
+    }
+    void move_message(void* from, void* to) override {
+        static_cast<std::optional<T>*>(to)->emplace(std::move(*static_cast<T*>(from)));
+    }
+};
+
+} // namespace placedpar

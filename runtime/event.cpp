@@ -1,0 +1,76 @@
+#include "runtime/event.hpp"
+
+#include <cassert>
+
+namespace placedpar {
+
+Event::~Event() {
+    if (queue_)
+        queue_->cancel(*this);
+}
+
+EventQueue::~EventQueue() {
+    for (auto& entry : heap_)
+        entry.event->queue_ = nullptr;
+}
+
+void EventQueue::schedule(Event& event, Time time, Priority priority) {
+    assert(!event.scheduled());
+    event.queue_ = this;
+    heap_.emplace_back();
+    sift_up({time, (std::uint64_t{priority} << 56) | inserted_++, &event}, heap_.size() - 1);
+}
+
+void EventQueue::cancel(Event& event) {
+    if (!event.scheduled())
+        return;
+    event.queue_ = nullptr;
+    remove(event.position_);
+}
+
+void EventQueue::happen_next() {
+    Event& event = *heap_.front().event;
+    event.queue_ = nullptr;
+    remove(0);
+    event.happen();
+}
+
+void EventQueue::remove(std::size_t position) {
+    Entry last = heap_.back();
+    heap_.pop_back();
+    if (position == heap_.size())
+        return;
+    if (position > 0 && last.before(heap_[(position - 1) / 2]))
+        sift_up(last, position);
+    else
+        sift_down(last, position);
+}
+
+void EventQueue::put(Entry entry, std::size_t position) {
+    heap_[position] = entry;
+    entry.event->position_ = position;
+}
+
+void EventQueue::sift_up(Entry entry, std::size_t position) {
+    while (position > 0) {
+        std::size_t parent = (position - 1) / 2;
+        if (!entry.before(heap_[parent]))
+            break;
+        put(heap_[parent], position);
+        position = parent;
+    }
+    put(entry, position);
+}
+
+void EventQueue::sift_down(Entry entry, std::size_t position) {
+    for (std::size_t child; (child = 2 * position + 1) < heap_.size(); position = child) {
+        if (child + 1 < heap_.size() && heap_[child + 1].before(heap_[child]))
+            ++child;
+        if (!heap_[child].before(entry))
+            break;
+        put(heap_[child], position);
+    }
+    put(entry, position);
+}
+
+} // namespace placedpar

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace placedpar {
+
+/// A hash of what happened, in its order. Equal fingerprints of two runs mean: the same processes
+/// communicated with each other at the same virtual times in the same order.
+class Fingerprint {
+public:
+    void mix(std::uint64_t word) {
+        hash_ = (hash_ ^ word) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio, an odd number with no pattern
+        hash_ ^= hash_ >> 32;
+    }
+    std::uint64_t value() const { return hash_; }
+
+private:
+    std::uint64_t hash_ = 0x243f6a8885a308d3u; // the first digits of pi
+};
+
+} // namespace placedpar

@@ -1,0 +1,29 @@
+#include "runtime/parallel.hpp"
+
+#include "runtime/instructions.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/processor.hpp"
+
+#include <list>
+
+namespace placedpar {
+
+Priority own_priority() { return Kernel::current()->running().priority(); }
+
+void run_in_parallel(std::vector<Component> components, const std::source_location& where) {
+    if (components.empty())
+        return;
+    Kernel& kernel = *Kernel::current();
+    Process& self = kernel.running();
+    auto n = static_cast<std::int64_t>(components.size());
+    compute(n * (instructions::start_process + instructions::end_process));
+    Join join{components.size(), self};
+    std::list<Process> processes;
+    for (std::size_t i = 0; i < components.size(); ++i)
+        processes.emplace_back(self, i, std::move(components[i].body), components[i].priority, join);
+    for (Process& process : processes)
+        kernel.make_ready(process);
+    self.wait_for(Activity::joining, nullptr, where);
+}
+
+} // namespace placedpar

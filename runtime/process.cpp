@@ -1,0 +1,50 @@
+#include "runtime/process.hpp"
+
+#include "runtime/kernel.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace placedpar {
+
+Process::Process(Kernel& kernel, std::string name, Body body, Processor* processor, Priority priority)
+    : kernel_(kernel), name_(std::move(name)), body_(std::move(body)), processor_(processor),
+      priority_(priority) {
+    kernel_.add(*this);
+}
+
+Process::Process(Process& parent, std::size_t index, Body body, Priority priority, Join& join)
+    : kernel_(parent.kernel_), index_(index), body_(std::move(body)), processor_(parent.processor_),
+      priority_(priority), join_(&join) {
+    kernel_.add(*this);
+}
+
+Process::~Process() { kernel_.remove(*this); }
+
+std::string Process::path() const { return join_ ? fmt::format("{}/{}", join_->parent.path(), index_) : name_; }
+
+void Process::wait_for(Activity activity, const AnyChannel* channel, const std::source_location& where) {
+    awaited_.clear();
+    if (channel)
+        awaited_.push_back(channel);
+    where_ = where;
+    wait(activity);
+}
+
+void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels,
+                       const std::source_location& where) {
+    awaited_.assign(channels.begin(), channels.end());
+    where_ = where;
+    wait(activity);
+}
+
+void Process::wait(Activity activity) {
+    activity_ = activity;
+    Time since = kernel_.now();
+    kernel_.wait();
+    waited_ += kernel_.now() - since;
+    activity_ = Activity::ready;
+}
+
+} // namespace placedpar

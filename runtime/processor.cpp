@@ -1,0 +1,120 @@
+#include "runtime/processor.hpp"
+
+#include "runtime/instructions.hpp"
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace placedpar {
+
+Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call)
+    : kernel_(kernel), name_(std::move(name)), clock_hz_(clock_hz), channel_call_(channel_call) {
+    assert(clock_hz > 0);
+}
+
+Time Processor::time_busy() const { return turn_.scheduled() ? busy_ + (kernel_.now() - turn_began_) : busy_; }
+
+void Processor::make_ready(Process& p) {
+    (p.priority() == Priority::high ? high_ : low_).push_back(p);
+    if (!current_) {
+        dispatch();
+    } else if (turn_.scheduled() && current_->priority() == Priority::low) {
+        if (p.priority() == Priority::high) {
+            preempt();
+        } else { // the current one had no rival so far: now its timeslice counts
+            stop_turn();
+            begin_turn();
+        }
+    }
+}
+
+void Processor::release([[maybe_unused]] Process& p) {
+    assert(current_ == &p);
+    current_ = nullptr;
+    dispatch();
+}
+
+void Processor::dispatch() {
+    if (Process* p = high_.pop_front()) {
+        current_ = p;
+    } else if (preempted_) {
+        current_ = std::exchange(preempted_, nullptr);
+    } else if (Process* waiting = low_.pop_front()) {
+        current_ = waiting;
+        dispatched_at_ = kernel_.now();
+    } else {
+        return;
+    }
+    if (current_->work_left_ > Time{0})
+        begin_turn();
+    else
+        kernel_.enqueue(*current_);
+}
+
+void Processor::compute(Cycles cycles) {
+    Process& self = kernel_.running();
+    assert(current_ == &self && static_cast<std::int64_t>(cycles) >= 0);
+    self.work_left_ += duration_of(static_cast<std::int64_t>(cycles), clock_hz_);
+    if (self.priority() == Priority::low && !high_.empty()) {
+        preempt();
+    } else {
+        bool alone = self.priority() == Priority::high || low_.empty();
+        if (alone && kernel_.pass_time(kernel_.now() + self.work_left_)) {
+            busy_ += std::exchange(self.work_left_, Time{0});
+            return;
+        }
+        begin_turn();
+    }
+    kernel_.give_way();
+}
+
+/// The end of the first timeslice period that ends with the current process having run for a whole one.
+Time Processor::slice_end() const {
+    Time earliest = std::max(dispatched_at_ + timeslice, kernel_.now());
+    return (earliest + timeslice - Time{1}) / timeslice * timeslice;
+}
+
+void Processor::begin_turn() {
+    turn_began_ = kernel_.now();
+    Time end = turn_began_ + current_->work_left_;
+    if (current_->priority() == Priority::low && !low_.empty())
+        end = std::min(end, slice_end());
+    kernel_.future().schedule(turn_, end, EventQueue::processor);
+}
+
+void Processor::stop_turn() {
+    Time worked = kernel_.now() - turn_began_;
+    current_->work_left_ -= worked;
+    busy_ += worked;
+    kernel_.future().cancel(turn_);
+}
+
+void Processor::end_turn() {
+    stop_turn();
+    if (current_->work_left_ > Time{0}) {
+        low_.push_back(*std::exchange(current_, nullptr));
+        dispatch();
+    } else {
+        kernel_.enqueue(*current_);
+    }
+}
+
+/// A high-priority process waits in the queue and a low one has the processor.
+void Processor::preempt() {
+    if (turn_.scheduled())
+        stop_turn();
+    preempted_ = std::exchange(current_, nullptr);
+    Process* high = high_.pop_front();
+    high->work_left_ += duration_of(static_cast<std::int64_t>(instructions::preemption), clock_hz_);
+    current_ = high;
+    begin_turn();
+}
+
+void compute(Cycles cycles) {
+    if (Processor* processor = Kernel::current()->running().processor())
+        processor->compute(cycles);
+}
+
+} // namespace placedpar

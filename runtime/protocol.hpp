@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace placedpar {
+
+/// How a message looks on a wire: the lengths in bytes of the communications that carry it, one after the
+/// other. A value of fixed size is one; occam's counted array `INT::[]BYTE` is two, the count and the bytes.
+class WireForm {
+public:
+    static constexpr std::size_t most_parts = 4;
+
+    template <std::convertible_to<std::uint32_t>... Bytes>
+        requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts)
+    constexpr WireForm(Bytes... bytes) : bytes_{static_cast<std::uint32_t>(bytes)...}, parts_(sizeof...(Bytes)) {}
+
+    constexpr std::size_t parts() const { return parts_; }
+    constexpr std::uint32_t operator[](std::size_t part) const { return bytes_[part]; }
+    constexpr std::uint32_t total() const {
+        std::uint32_t sum = 0;
+        for (std::size_t part = 0; part < parts_; ++part)
+            sum += bytes_[part];
+        return sum;
+    }
+
+private:
+    std::array<std::uint32_t, most_parts> bytes_{};
+    std::size_t parts_;
+};
+
+/// The protocol of a channel is the C++ type of its messages; its length on the wire is a property of the
+/// type. A type of fixed size needs nothing; others have a member `WireForm wire_form() const`.
+template <class T>
+WireForm wire_form(const T& message) {
+    if constexpr (requires {
+                      { message.wire_form() } -> std::same_as<WireForm>;
+                  })
+        return message.wire_form();
+    else {
+        static_assert(std::is_trivially_copyable_v<T>, "a message of varying size needs wire_form() const");
+        return WireForm(sizeof(T));
+    }
+}
+
+/// occam's counted array `INT::[]T`.
+template <class T>
+    requires std::is_trivially_copyable_v<T>
+WireForm wire_form(const std::vector<T>& message) {
+    return WireForm(4u, message.size() * sizeof(T));
+}
+
+} // namespace placedpar

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+
+/// Virtual time since the start of the simulation. An integer of picoseconds, so that the cycles of 20 and
+/// 25 MHz clocks and the bits of 5, 10 and 20 Mbit/s links are exact; it lasts for 106 days.
+using Time = std::chrono::duration<std::int64_t, std::pico>;
+
+/// Processor cycles. A tag of its own, so that cycles and times cannot be mistaken for each other.
+enum class Cycles : std::int64_t {};
+
+constexpr Cycles operator+(Cycles a, Cycles b) {
+    return Cycles{static_cast<std::int64_t>(a) + static_cast<std::int64_t>(b)};
+}
+constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_cast<std::int64_t>(c)}; }
+
+/// How long a count of periods lasts at a frequency, to the nearest picosecond. REQUIRES: hertz > 0.
+/// Used for cycles of a clock and for bits on a wire.
+constexpr Time duration_of(std::int64_t periods, std::int64_t hertz) {
+    constexpr std::int64_t picoseconds_in_a_second = 1'000'000'000'000;
+    __extension__ typedef __int128 Wide; // periods * 1e12 does not fit 64 bits after nine seconds
+    return Time{static_cast<std::int64_t>((Wide{periods} * picoseconds_in_a_second + hertz / 2) / hertz)};
+}
+
+constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }
+
+/// For people: "1.234567 ms", the unit chosen by size.
+std::string to_string(Time);
+
+} // namespace placedpar

@@ -1,0 +1,48 @@
+#include "runtime/timer.hpp"
+
+#include "runtime/instructions.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/processor.hpp"
+
+namespace placedpar {
+
+namespace {
+
+struct Alarm final : Event {
+    explicit Alarm(Process& p) : process(p) {}
+    void happen() noexcept override { process.kernel().make_ready(process); }
+    Process& process;
+};
+
+} // namespace
+
+Time now() { return Kernel::current()->now(); }
+
+void wait_until(Time due, const std::source_location& where) {
+    Kernel& kernel = *Kernel::current();
+    Process& self = kernel.running();
+    if (due <= kernel.now() || (!self.processor() && kernel.pass_time(due)))
+        return;
+    Alarm alarm(self);
+    kernel.future().schedule(alarm, due, EventQueue::timer);
+    self.wait_for(Activity::delayed, nullptr, where);
+}
+
+void wait_for(Time how_long, const std::source_location& where) { wait_until(now() + how_long, where); }
+
+Time Timer::tick() const {
+    const Process& self = Kernel::current()->running();
+    return self.processor() && self.priority() == Priority::low ? low_tick : high_tick;
+}
+
+std::int64_t Timer::read() const {
+    compute(instructions::load_timer);
+    return now() / tick();
+}
+
+void Timer::wait_after(std::int64_t ticks, const std::source_location& where) const {
+    compute(instructions::timer_input);
+    wait_until(moment_after(ticks), where);
+}
+
+} // namespace placedpar
