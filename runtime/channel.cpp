@@ -18,11 +18,6 @@ namespace {
         self.path(), verb, channel.name()));
 }
 
-void charge_call(const Process& self) {
-    if (Processor* processor = self.processor())
-        processor->compute(processor->channel_call() + instructions::input_or_output);
-}
-
 /// What the second process to arrive at a soft channel pays for the copy.
 void charge_copy(const Process& self, const WireForm& form) {
     if (Processor* processor = self.processor()) {
@@ -42,7 +37,7 @@ void AnyChannel::output_any(void* message, const WireForm& form, const std::sour
         message_ = message;
         carrier_->output(*this, form, where);
     } else {
-        charge_call(self);
+        charge_channel_call();
         message_ = message;
         output_soft(self, form, where);
     }
@@ -57,10 +52,18 @@ void AnyChannel::input_any(void* slot, const std::source_location& where) {
         slot_ = slot;
         carrier_->input(*this, where);
     } else {
-        charge_call(self);
+        charge_channel_call();
         slot_ = slot;
         input_soft(self, where);
     }
+}
+
+void AnyChannel::hand_over() {
+    Kernel& kernel = inputter_->kernel();
+    kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
+    kernel.fingerprint().mix(std::uint64_t{outputter_->ordinal()} << 32 | inputter_->ordinal());
+    move_message(message_, slot_);
+    message_ = slot_ = nullptr;
 }
 
 void AnyChannel::output_soft(Process& self, const WireForm& form, const std::source_location& where) {
@@ -68,8 +71,6 @@ void AnyChannel::output_soft(Process& self, const WireForm& form, const std::sou
     if (slot_) {
         Process& inputter = *waiting_;
         hand_over();
-        kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
-        kernel.fingerprint().mix(std::uint64_t{self.ordinal()} << 32 | inputter.ordinal());
         charge_copy(self, form);
         kernel.make_ready(inputter);
         return;
@@ -85,8 +86,6 @@ void AnyChannel::input_soft(Process& self, const std::source_location& where) {
     if (message_) {
         Process& outputter = *waiting_;
         hand_over();
-        kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
-        kernel.fingerprint().mix(std::uint64_t{outputter.ordinal()} << 32 | self.ordinal());
         charge_copy(self, waiting_form_);
         kernel.make_ready(outputter);
         return;

@@ -46,10 +46,7 @@ public:
 
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
-    void hand_over() {
-        move_message(message_, slot_);
-        message_ = slot_ = nullptr;
-    }
+    void hand_over();
     /// A message has arrived that nobody asked for: an alternating process may want it.
     void announce();
     bool input_waits() const { return slot_ != nullptr; }

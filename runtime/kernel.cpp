@@ -170,7 +170,7 @@ Ending Kernel::run(Time limit, const std::function<void(Ending)>& at_end) {
         employ(*first);
         switch_to(first);
     }
-    bool all_ended = std::ranges::all_of(processes_, &Process::ended);
+    bool all_ended = living().empty();
     Ending ending = all_ended        ? Ending::completed
                     : interrupted_   ? Ending::interrupted
                     : limit_reached_ ? Ending::time_limit
@@ -210,7 +210,7 @@ void Kernel::unwind_all() {
 std::vector<const Process*> Kernel::living() const {
     std::vector<const Process*> result;
     for (const Process* p : processes_)
-        if (!p->ended())
+        if (!p->ended() && !p->serves_machine())
             result.push_back(p);
     std::ranges::sort(result, {}, &Process::ordinal_);
     return result;

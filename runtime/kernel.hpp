@@ -63,7 +63,7 @@ public:
     /// Ends the run at the next occasion. May be called from a signal handler.
     void interrupt() { interrupted_.store(true, std::memory_order_relaxed); }
 
-    /// Every process that exists and has not ended, in order of creation.
+    /// Every process of the program that exists and has not ended, in order of creation.
     std::vector<const Process*> living() const;
 
 private:

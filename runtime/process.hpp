@@ -49,10 +49,15 @@ public:
     std::string path() const;
     /// Counts the processes of a simulation in the order of their creation.
     std::uint32_t ordinal() const { return ordinal_; }
+    /// The process whose PAR this one is a component of; null at the outermost level.
+    const Process* parent() const { return join_ ? &join_->parent : nullptr; }
     Processor* processor() const { return processor_; }
     Priority priority() const { return priority_; }
     Kernel& kernel() const { return kernel_; }
     bool ended() const { return activity_ == Activity::ended; }
+    /// A part of the machine and not of the program: a run can end while it still waits.
+    void serve_machine() { machine_ = true; }
+    bool serves_machine() const { return machine_; }
 
     /// What it does or waits for, and where in its program, for reports.
     Activity activity() const { return activity_; }
@@ -81,6 +86,7 @@ private:
     Priority priority_;
     std::uint32_t ordinal_;
 
+    bool machine_ = false;
     Activity activity_ = Activity::ready;
     std::vector<const AnyChannel*> awaited_;
     std::source_location where_;

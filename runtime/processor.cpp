@@ -117,4 +117,9 @@ void compute(Cycles cycles) {
         processor->compute(cycles);
 }
 
+void charge_channel_call() {
+    if (Processor* processor = Kernel::current()->running().processor())
+        processor->compute(processor->channel_call() + instructions::input_or_output);
+}
+
 } // namespace placedpar

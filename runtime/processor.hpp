@@ -73,4 +73,8 @@ private:
 /// infinitely fast.
 void compute(Cycles);
 
+/// What one channel operation costs the running process before its message moves: the call of its
+/// communication library, and the instruction `in` or `out`.
+void charge_channel_call();
+
 } // namespace placedpar

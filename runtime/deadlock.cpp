@@ -1,0 +1,131 @@
+#include "runtime/deadlock.hpp"
+
+#include "runtime/channel.hpp"
+#include "runtime/kernel.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace placedpar {
+
+namespace {
+
+std::string path_of(const Process* process) { return process ? process->path() : "nobody yet"; }
+
+/// The processes of which one would have to act for this one to go on.
+std::vector<const Process*> awaited_by(const Process& process, const std::vector<const Process*>& living) {
+    std::vector<const Process*> partners;
+    for (const AnyChannel* channel : process.awaited_channels())
+        partners.push_back(process.activity() == Activity::outputting ? channel->inputter() : channel->outputter());
+    if (process.activity() == Activity::joining)
+        for (const Process* other : living)
+            if (other->parent() == &process)
+                partners.push_back(other);
+    std::erase(partners, nullptr);
+    return partners;
+}
+
+/// Follows who waits for whom, depth first, until it comes back to a process on its way.
+class CycleSearch {
+public:
+    explicit CycleSearch(const std::vector<const Process*>& living) : living_(living) {}
+
+    std::vector<const Process*> find() {
+        for (const Process* process : living_)
+            if (visit(process))
+                return cycle_;
+        return {};
+    }
+
+private:
+    bool visit(const Process* process) {
+        if (process->ended() || done_.contains(process))
+            return false;
+        if (auto on_way = std::ranges::find(way_, process); on_way != way_.end()) {
+            cycle_.assign(on_way, way_.end());
+            return true;
+        }
+        way_.push_back(process);
+        for (const Process* partner : awaited_by(*process, living_))
+            if (visit(partner))
+                return true;
+        way_.pop_back();
+        done_.insert(process);
+        return false;
+    }
+
+    const std::vector<const Process*>& living_;
+    std::vector<const Process*> way_, cycle_;
+    std::set<const Process*> done_;
+};
+
+StuckProcess describe(const Process& process) {
+    StuckProcess stuck{process.path(), process.activity(), {}, ""};
+    for (const AnyChannel* channel : process.awaited_channels())
+        stuck.channels.push_back(channel->name());
+    const auto& where = process.place_in_program();
+    if (where.line())
+        stuck.where = fmt::format("{}:{}", std::filesystem::path(where.file_name()).filename().string(), where.line());
+    return stuck;
+}
+
+std::vector<StuckChannel> describe_channels(const std::vector<const Process*>& living) {
+    std::map<std::string, StuckChannel> by_name;
+    for (const Process* process : living)
+        for (const AnyChannel* channel : process->awaited_channels())
+            by_name.try_emplace(channel->name(),
+                                StuckChannel{channel->name(), path_of(channel->outputter()), path_of(channel->inputter()),
+                                             process->activity() == Activity::outputting ? "outputter" : "inputter"});
+    std::vector<StuckChannel> result;
+    for (auto& [name, channel] : by_name)
+        result.push_back(std::move(channel));
+    return result;
+}
+
+} // namespace
+
+const char* name_of(Activity activity) {
+    switch (activity) {
+    case Activity::ready: return "is ready";
+    case Activity::delayed: return "waits for its timer";
+    case Activity::outputting: return "outputs";
+    case Activity::inputting: return "inputs";
+    case Activity::alternating: return "alternates";
+    case Activity::joining: return "waits for its components";
+    case Activity::ended: return "has ended";
+    }
+    return "";
+}
+
+Deadlock find_deadlock(const Kernel& kernel) {
+    auto living = kernel.living();
+    Deadlock deadlock;
+    for (const Process* process : CycleSearch(living).find())
+        deadlock.cycle.push_back(process->path());
+    for (const Process* process : living)
+        deadlock.processes.push_back(describe(*process));
+    deadlock.channels = describe_channels(living);
+    return deadlock;
+}
+
+std::string Deadlock::text() const {
+    std::string out;
+    if (!cycle.empty())
+        out += fmt::format("wait cycle: {} -> {}\n", fmt::join(cycle, " -> "), cycle.front());
+    out += fmt::format("\n{:<28} {:<26} {:<44} {}\n", "process", "operation", "channel", "program");
+    for (const auto& process : processes)
+        out += fmt::format("{:<28} {:<26} {:<44} {}\n", process.path, name_of(process.activity),
+                           fmt::format("{}", fmt::join(process.channels, ", ")), process.where);
+    if (!channels.empty())
+        out += fmt::format("\n{:<44} {:<28} {:<28} {}\n", "channel", "outputter", "inputter", "who waits");
+    for (const auto& channel : channels)
+        out += fmt::format("{:<44} {:<28} {:<28} {}\n", channel.name, channel.outputter, channel.inputter, channel.waiting);
+    return out;
+}
+
+} // namespace placedpar

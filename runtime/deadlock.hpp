@@ -1,0 +1,44 @@
+#pragma once
+
+#include "runtime/process.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+class Kernel;
+
+/// A process that nothing will ever wake.
+struct StuckProcess {
+    std::string path;
+    Activity activity;
+    std::vector<std::string> channels; ///< those that it waits on
+    std::string where;                 ///< "slave.cpp:57": the file and line of its program
+};
+
+/// A channel on which somebody waits for a partner that never comes.
+struct StuckChannel {
+    std::string name;
+    std::string outputter, inputter; ///< paths; "nobody yet" for an end that was never used
+    std::string waiting;             ///< "outputter" or "inputter"
+};
+
+/// Who waits for whom when a simulation can go no further. It holds no addresses: two reports of the same
+/// deadlock are equal.
+struct Deadlock {
+    std::vector<std::string> cycle; ///< paths, each waiting for the next and the last for the first; may be empty
+    std::vector<StuckProcess> processes;
+    std::vector<StuckChannel> channels;
+
+    /// The cycle first, then the two tables.
+    std::string text() const;
+};
+
+/// REQUIRES: called at the end of a run, before the processes are unwound.
+Deadlock find_deadlock(const Kernel&);
+
+/// "outputs", "alternates", ...
+const char* name_of(Activity);
+
+} // namespace placedpar

@@ -1,0 +1,24 @@
+#include "runtime/wire.hpp"
+
+#include "runtime/kernel.hpp"
+
+#include <utility>
+
+namespace placedpar {
+
+void Wire::serve() {
+    Time now = kernel_.now();
+    if (now >= free_at_) {
+        if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
+            free_at_ = now + timing_.acknowledge();
+            user->acknowledge_started();
+        } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
+            free_at_ = now + timing_.data();
+            sender->byte_started();
+        }
+    }
+    if ((acknowledge_for_ || byte_for_) && !freed_.scheduled())
+        kernel_.future().schedule(freed_, free_at_, EventQueue::wire);
+}
+
+} // namespace placedpar

@@ -1,0 +1,45 @@
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace placedpar;
+
+TEST_CASE("a message passes from one process to the other") {
+    Simulation simulation;
+    Channel<int> c("c");
+    int received = 0;
+    simulation.process("sender", [&] { c.out().output(42); });
+    simulation.process("receiver", [&] { received = c.in().input(); });
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::completed);
+    CHECK(received == 42);
+}
+
+TEST_CASE("two processes that both output first are reported as a cycle") {
+    Simulation simulation;
+    Channel<int> there("there"), back("back");
+    simulation.process("ping", [&] { there.out().output(1), back.in().input(); });
+    simulation.process("pong", [&] { back.out().output(1), there.in().input(); });
+    there.expect(&simulation.processes().front(), &simulation.processes().back());
+    back.expect(&simulation.processes().back(), &simulation.processes().front());
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle == std::vector<std::string>{"ping", "pong"});
+}
+
+TEST_CASE("a message over a link takes its time on the wire") {
+    Simulation simulation;
+    Channel<int> c("c");
+    c.put_on(simulation.link().from_a_to_b());
+    simulation.process("sender", [&] { c.out().output(42); });
+    Time at{};
+    simulation.process("receiver", [&] { c.in().input(), at = now(); });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(at == 3 * std::chrono::nanoseconds{575} + std::chrono::nanoseconds{550});
+}
