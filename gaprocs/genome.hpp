@@ -1,0 +1,72 @@
+#pragma once
+
+#include "runtime/random.hpp"
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace placedpar {
+
+/// A binary string of any length: the parameters of a search, coded and concatenated (thesis 1.1, eq. 1.6).
+///
+/// Bit 0 is the first, leftmost character. It is the most significant bit of words()[0], so that a field of
+/// bits read as a natural binary number needs shifts only:
+///
+///     bit        0 1 2 ... 63    64 65 ...
+///     words()   [0]              [1]            bits past size() are zero, always
+class Genome {
+public:
+    Genome() = default;
+    /// `size` zeros.
+    explicit Genome(std::size_t size) : words_((size + 63) / 64, 0), size_(size) {}
+
+    /// From characters '0' and '1'. Throws std::invalid_argument at any other.
+    static Genome from_string(std::string_view text);
+    /// Every bit an even chance. Draws one 32-bit number for each begun half word.
+    static Genome random(std::size_t size, RandomStream& random);
+
+    std::size_t size() const { return size_; }
+    /// Bytes the string takes in a message.
+    std::size_t bytes() const { return (size_ + 7) / 8; }
+    std::span<const std::uint64_t> words() const { return {words_.data(), words_.size()}; }
+
+    /// REQUIRES (these three): position < size().
+    bool bit(std::size_t position) const { return (words_[position / 64] & mask(position)) != 0; }
+    void set(std::size_t position, bool value);
+    void flip(std::size_t position) { words_[position / 64] ^= mask(position); }
+
+    /// The natural binary number in `count` bits from `first`, the leftmost bit the most significant.
+    /// REQUIRES: 1 <= count <= 64, first + count <= size().
+    std::uint64_t field(std::size_t first, std::size_t count) const;
+    /// REQUIRES: as field(); value < 2^count.
+    void set_field(std::size_t first, std::size_t count, std::uint64_t value);
+
+    /// Exchanges characters 0 ... count - 1 of two strings of the same size.
+    /// REQUIRES: a.size() == b.size(), count <= a.size().
+    friend void swap_leading(Genome& a, Genome& b, std::size_t count);
+
+    std::string to_string() const;
+    friend bool operator==(const Genome&, const Genome&) = default;
+
+private:
+    static std::uint64_t mask(std::size_t position) { return 0x8000000000000000u >> (position % 64); }
+
+    // Strings of up to 64 bits need no memory of their own.
+    boost::container::small_vector<std::uint64_t, 1> words_;
+    std::size_t size_ = 0;
+};
+
+inline std::uint64_t Genome::field(std::size_t first, std::size_t count) const {
+    std::size_t word = first / 64, offset = first % 64;
+    std::uint64_t bits = words_[word] << offset;
+    if (offset + count > 64)
+        bits |= words_[word + 1] >> (64 - offset);
+    return bits >> (64 - count);
+}
+
+} // namespace placedpar

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "gaprocs/genome.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// The three operators of the simple genetic algorithm (thesis 1.1), each by itself. None keeps a state: the
+/// same stream at the same place gives the same offspring.
+
+/// Reproduction by roulette: individual i is drawn with probability max(f_i, 0) / sum, with replacement, so
+/// that individuals of fitness <= 0 (or not a number) are discarded (thesis 3.1.1, step 4).
+struct RouletteReproduction {
+    /// Indices of `count` parents; nothing, and nothing drawn, when no fitness is positive.
+    /// One number of the stream a parent. Throws std::invalid_argument when the sum is beyond a double.
+    std::optional<std::vector<std::size_t>> operator()(std::span<const double> fitness, std::size_t count,
+                                                       RandomStream& random) const;
+};
+
+/// One-point crossover: neighbours 0 and 1, 2 and 3, ... are mates; with the given probability they exchange
+/// the characters 1 ... k, k uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). After roulette neighbours are
+/// mates at random already. The last of an odd number goes over alone, and strings of length 1 have no cut.
+struct OnePointCrossover {
+    double probability = 0.8;
+    /// REQUIRES: all strings of one length.
+    void operator()(std::span<Genome> population, RandomStream& random) const;
+};
+
+/// Mutation: every bit is flipped with the given probability. One number of the stream a bit.
+struct BitMutation {
+    double probability = 0.01;
+    void operator()(std::span<Genome> population, RandomStream& random) const;
+};
+
+/// `count` random strings of `bits` bits.
+std::vector<Genome> random_population(std::size_t count, std::size_t bits, RandomStream& random);
+
+} // namespace placedpar

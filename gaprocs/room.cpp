@@ -1,1 +1,0 @@
-// filled by the branch of this room

@@ -1,0 +1,78 @@
+#include "gaprocs/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar {
+
+std::size_t best_index(std::span<const double> fitness) {
+    return static_cast<std::size_t>(std::max_element(fitness.begin(), fitness.end()) - fitness.begin());
+}
+
+std::size_t worst_index(std::span<const double> fitness) {
+    return static_cast<std::size_t>(std::min_element(fitness.begin(), fitness.end()) - fitness.begin());
+}
+
+Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
+    : bits_(bits), crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability},
+      random_(std::move(random)) {
+    settings.validate();
+    if (bits == 0)
+        throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
+    population_ = random_population(settings.population, bits, random_);
+}
+
+void Search::next_generation(std::span<const double> fitness) {
+    best_ = emigrant(fitness);
+    ++generation_;
+    auto parents = reproduction_(fitness, population_.size(), random_);
+    if (!parents) {
+        ++redraws_;
+        population_ = random_population(population_.size(), bits_, random_);
+        return;
+    }
+    std::vector<Genome> offspring;
+    offspring.reserve(population_.size());
+    for (std::size_t parent : *parents)
+        offspring.push_back(population_[parent]);
+    crossover_(offspring, random_);
+    mutation_(offspring, random_);
+    population_ = std::move(offspring);
+}
+
+const Individual& Search::best() const {
+    if (!best_)
+        throw std::logic_error("no generation has been evaluated yet, so there is no best individual");
+    return *best_;
+}
+
+Individual Search::emigrant(std::span<const double> fitness) const {
+    require_fitness(fitness);
+    std::size_t index = best_index(fitness);
+    return {population_[index], fitness[index]};
+}
+
+void Search::accept(const Individual& immigrant, std::span<double> fitness) {
+    require_fitness(fitness);
+    if (immigrant.genome.size() != bits_)
+        throw std::invalid_argument(fmt::format("an immigrant of {} bits comes to an island of {} bits",
+                                                immigrant.genome.size(), bits_));
+    std::size_t index = worst_index(fitness);
+    population_[index] = immigrant.genome;
+    fitness[index] = immigrant.fitness;
+}
+
+void Search::require_fitness(std::span<const double> fitness) const {
+    if (fitness.size() != population_.size())
+        throw std::invalid_argument(
+            fmt::format("{} fitness values for a population of {}", fitness.size(), population_.size()));
+    for (std::size_t i = 0; i < fitness.size(); ++i)
+        if (!std::isfinite(fitness[i]))
+            throw std::invalid_argument(fmt::format("the fitness of individual {} is {}", i, fitness[i]));
+}
+
+} // namespace placedpar

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "gaprocs/genome.hpp"
+#include "gaprocs/operators.hpp"
+#include "gaprocs/settings.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+struct Individual {
+    Genome genome;
+    double fitness = 0;
+
+    friend bool operator==(const Individual&, const Individual&) = default;
+};
+
+/// Index of the greatest (smallest) fitness; the lowest index among equals. REQUIRES: not empty.
+std::size_t best_index(std::span<const double> fitness);
+std::size_t worst_index(std::span<const double> fitness);
+
+/// The state of a traditional genetic algorithm, one generation at a time. It does not evaluate: whoever
+/// holds it (a plain loop, a master with its slaves, an island) finds the fitness of population() and hands
+/// it in. What follows depends on the settings, the stream and those numbers alone, not on who found them:
+/// this is what makes algorithm A give exactly the generations of the traditional algorithm.
+///
+/// An island goes: evaluate; emigrant() to the neighbour; accept() the immigrant; next_generation().
+/// No elitism: the thesis mentions none.
+class Search {
+public:
+    /// Draws the first population. Throws std::invalid_argument: 0 bits, or SearchSettings::validate().
+    Search(std::size_t bits, const SearchSettings& settings, RandomStream random);
+
+    const std::vector<Genome>& population() const { return population_; }
+    /// Generations evaluated so far.
+    std::uint64_t generation() const { return generation_; }
+    /// How often nobody had positive fitness and the whole population was drawn anew: the thesis is silent on
+    /// this case, but roulette has no answer to it.
+    std::uint64_t redraws() const { return redraws_; }
+
+    /// Ends the evaluated generation: remembers its best, then reproduction, crossover and mutation.
+    /// Throws std::invalid_argument when the number of fitness values is not that of the population, or one
+    /// of them is not finite.
+    void next_generation(std::span<const double> fitness);
+
+    /// The best of the last evaluated generation, not of all time: the window, and with it fitness, moves.
+    /// Throws std::logic_error before the first next_generation().
+    const Individual& best() const;
+
+    /// The best of the population with this fitness, to be sent to another island. Throws as
+    /// next_generation().
+    Individual emigrant(std::span<const double> fitness) const;
+    /// The immigrant takes the place of the worst: its string in population(), its fitness in `fitness`. It
+    /// comes in whether better or not. Throws as next_generation(), or when its length is another.
+    void accept(const Individual& immigrant, std::span<double> fitness);
+
+private:
+    void require_fitness(std::span<const double> fitness) const;
+
+    std::size_t bits_;
+    RouletteReproduction reproduction_;
+    OnePointCrossover crossover_;
+    BitMutation mutation_;
+    RandomStream random_;
+    std::vector<Genome> population_;
+    std::optional<Individual> best_;
+    std::uint64_t generation_ = 0;
+    std::uint64_t redraws_ = 0;
+};
+
+} // namespace placedpar

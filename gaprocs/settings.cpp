@@ -1,0 +1,52 @@
+#include "gaprocs/settings.hpp"
+
+#include "gaprocs/fitness.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string_view>
+
+namespace placedpar {
+
+namespace {
+
+void require_probability(std::string_view name, double value) {
+    if (!(value >= 0 && value <= 1))
+        throw std::invalid_argument(fmt::format("{} is {}, expected 0 to 1", name, value));
+}
+
+} // namespace
+
+void WindowSettings::validate() const {
+    if (length == 0)
+        throw std::invalid_argument("the window holds 0 samples, expected at least 1");
+    if (length > exact_fitness_terms)
+        throw std::invalid_argument(
+            fmt::format("the window holds {} samples, expected at most {}", length, exact_fitness_terms));
+    if (first == 0)
+        throw std::invalid_argument("the first generation waits for 0 samples, expected at least 1");
+    if (trials == 0)
+        throw std::invalid_argument("0 generations per sample, expected at least 1");
+    if (!(bias > 0 && bias <= fitness_term_limit))
+        throw std::invalid_argument(
+            fmt::format("the fitness bias is {}, expected above 0 and at most {}", bias, fitness_term_limit));
+}
+
+void WindowSettings::validate_for(std::size_t record_length) const {
+    validate();
+    if (length > record_length)
+        throw std::invalid_argument(
+            fmt::format("the window holds {} samples, the record only {}", length, record_length));
+}
+
+void SearchSettings::validate() const {
+    if (population < 2)
+        throw std::invalid_argument(fmt::format(
+            "the population is {}, expected at least 2: crossover needs two parents", population));
+    require_probability("the crossover probability", crossover_probability);
+    require_probability("the mutation probability", mutation_probability);
+    window.validate();
+}
+
+} // namespace placedpar

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+namespace placedpar {
+
+/// How the measured record is presented to the search (thesis 3.1.1 and 4.3).
+struct WindowSettings {
+    std::size_t length = 10; // samples a fitness is summed over
+    std::size_t first = 5;   // samples needed before the first generation; ours, the thesis is silent.
+                             // A window shorter than this starts when it is full.
+    std::size_t trials = 5;  // generations per new sample
+    double bias = 400;       // B of eq. 3.9, in the unit of the problem's error squared
+
+    /// Throws std::invalid_argument: a zero, a length beyond exact_fitness_terms, a bias that is not
+    /// positive.
+    void validate() const;
+    /// Also when the window is longer than a record of that many samples.
+    void validate_for(std::size_t record_length) const;
+};
+
+/// A genetic algorithm's numbers; the defaults are the thesis's (rates of 5.4, "identical" by 4.3).
+struct SearchSettings {
+    std::size_t population = 120;
+    double crossover_probability = 0.8;
+    double mutation_probability = 0.01;
+    WindowSettings window;
+
+    /// Throws std::invalid_argument: population < 2, a probability outside 0 ... 1, or as the window's.
+    void validate() const;
+};
+
+} // namespace placedpar

@@ -1,0 +1,39 @@
+#include "gaprocs/traditional.hpp"
+
+#include "gaprocs/window.hpp"
+
+#include <utility>
+
+namespace placedpar {
+
+std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genome> population,
+                             std::span<const Sample> window, double bias) {
+    std::vector<double> fitness;
+    fitness.reserve(population.size());
+    for (const Genome& genome : population)
+        fitness.push_back(problem.fitness(genome, window, bias));
+    return fitness;
+}
+
+SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
+                             const SearchSettings& settings, RandomStream random) {
+    settings.window.validate_for(record.size());
+    Search search(problem.bits(), settings, std::move(random));
+    SlidingWindow window(settings.window);
+    SearchResult result;
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        window.push(record[i]);
+        if (!window.ready())
+            continue;
+        for (std::size_t trial = 0; trial < settings.window.trials; ++trial)
+            search.next_generation(
+                evaluate(problem, search.population(), window.samples(), settings.window.bias));
+        result.estimates.push_back({i, search.best(), problem.decode(search.best().genome)});
+    }
+    result.generations = search.generation();
+    result.redraws = search.redraws();
+    result.population = search.population();
+    return result;
+}
+
+} // namespace placedpar

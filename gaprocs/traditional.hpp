@@ -1,0 +1,37 @@
+#pragma once
+
+#include "gaprocs/search.hpp"
+#include "gaprocs/search_problem.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// What a search has to say after the last generation of a sample.
+struct Estimate {
+    std::size_t sample; // its number in the record, from 0
+    Individual best;    // of the sample's last generation
+    std::vector<double> parameters;
+};
+
+struct SearchResult {
+    std::vector<Estimate> estimates; // one for each sample from the first full enough window on
+    std::uint64_t generations = 0;
+    std::uint64_t redraws = 0;
+    std::vector<Genome> population; // as the last generation left it, not yet evaluated
+};
+
+/// The fitness of each individual over the samples of the window.
+std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genome> population,
+                             std::span<const Sample> window, double bias);
+
+/// The traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1): no processes, no machine, no
+/// time. This is the reference that algorithm A must reproduce bit for bit.
+/// Throws std::invalid_argument: SearchSettings::validate(), or a window longer than the record.
+SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
+                             const SearchSettings& settings, RandomStream random);
+
+} // namespace placedpar

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hydraulics/boom_scenario.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+/// The true state of the boom circuit at one instant.
+struct BoomState {
+    double time_s;
+    double inlet_psi;         // P_i
+    double outlet_psi;        // P_o
+    double piston_in;         // x, 0 at the start
+    double velocity_in_per_s; // v
+    double spool_in;
+};
+
+/// Forward simulation of equations 3.1 to 3.4 with the load check, the mass on the cylinder and a first-order
+/// spool, by the classical Runge-Kutta method of order 4 with a fixed step (Boost.Odeint). One state a step,
+/// the first at time 0: at rest, the load held, the drain side at tank pressure.
+/// The desired spool is constant within a step.
+/// Throws std::invalid_argument when a step, duration, mass or compliance is not positive.
+std::vector<BoomState> simulate_boom(const BoomScenario& scenario);
+
+} // namespace placedpar

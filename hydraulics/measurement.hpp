@@ -1,0 +1,48 @@
+#pragma once
+
+#include "hydraulics/boom_motion.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// What the sensors of the boom say at one sampling instant.
+struct BoomMeasurement {
+    double time_s;
+    double inlet_psi;
+    double angle_deg;
+    double spool_in;
+};
+
+/// Standard deviations of white Gaussian noise on each sensor.
+struct MeasurementNoise {
+    double pressure_psi = 0;
+    double angle_deg = 0;
+    double spool_in = 0;
+};
+
+/// Noise levels of the identification studies (ours).
+inline constexpr MeasurementNoise no_noise{};
+inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003};
+inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005};
+inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001};
+
+/// Numbers uniform in [0, 1), drawn by the caller so that the record is a function of the caller's seed.
+using UniformSource = std::function<double()>;
+
+/// One number from the standard normal distribution, by Box and Muller's cosine: two uniform numbers.
+double standard_normal(const UniformSource& uniform);
+
+/// The thesis samples every 20 ms.
+inline constexpr double sampling_period_s = 0.020;
+
+/// Samples a motion every `period_s`, from its first state on; draws three normal numbers a sample in the
+/// order pressure, angle, spool, whatever the noise, so that two levels see the same disturbance in
+/// proportion. Throws std::invalid_argument when the period is no whole multiple of the motion's step.
+std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in,
+                                          double period_s, const MeasurementNoise& noise,
+                                          const UniformSource& uniform);
+
+} // namespace placedpar
