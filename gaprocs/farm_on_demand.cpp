@@ -1,0 +1,80 @@
+#include "gaprocs/farm.hpp"
+
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// Deals out individuals one by one, to whoever is idle: slaves by their tasks, the master's own evaluator,
+/// a process of low priority beside the dealer, over soft channels.
+class Dealer {
+public:
+    Dealer(std::size_t population, std::size_t window) : population_(population), window_(window) {}
+
+    bool anything_left() const { return next_ < population_; }
+    bool everything_in() const { return received_ == population_; }
+    Share next() {
+        std::size_t individual = next_++;
+        return {individual * window_, (individual + 1) * window_, window_};
+    }
+    void received() { ++received_; }
+
+private:
+    std::size_t population_, window_;
+    std::size_t next_ = 0, received_ = 0;
+};
+
+struct Done {};
+
+} // namespace
+
+void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
+    Dealer dealer(population.size(), window_->size());
+    Channel<Share> work("own work");
+    Channel<Done> done("own work done");
+    std::vector<bool> has_measurements(settings_.slaves, !measurements_are_new_);
+
+    auto send_to = [&](std::size_t slave) {
+        if (!dealer.anything_left())
+            return;
+        to_slaves_.output(
+            make_task(Task::Kind::evaluate, slave, dealer.next(), population, !has_measurements[slave]));
+        has_measurements[slave] = true;
+    };
+    auto deal_out = [&] {
+        for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+            send_to(slave);
+        bool own_evaluator_works = true;
+        auto deal_to_self = [&] {
+            own_evaluator_works = dealer.anything_left();
+            work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends it
+        };
+        deal_to_self();
+        while (!dealer.everything_in())
+            alt(on(from_slaves_,
+                   [&](const Fitnesses& result) {
+                       take(result, fitness);
+                       dealer.received();
+                       send_to(result.slave);
+                   }),
+                when(own_evaluator_works, on(done.in(), [&](Done) {
+                         dealer.received();
+                         deal_to_self();
+                     })));
+    };
+    auto evaluate_own_share = [&] {
+        own_evaluation.start();
+        for (Share share = work.in().input(); share.evaluations() > 0; share = work.in().input()) {
+            evaluate_own(share, population, fitness);
+            done.out().output(Done{});
+        }
+        own_evaluation.stop();
+    };
+    pri_par(deal_out, evaluate_own_share);
+}
+
+} // namespace placedpar

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "gaprocs/search.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "gaprocs/share.hpp"
+#include "runtime/protocol.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace placedpar {
+
+/// How many bytes of each message travel is stated by the netlist (thesis, appendix E: 148 bytes of
+/// measurements, 240 of strings, 240 of fitness), not by how this program keeps its data. A word before
+/// the bytes says what they are and how many: occam's counted array.
+struct Parcel {
+    std::uint32_t bytes = 0;
+    WireForm wire_form() const { return WireForm(4u, bytes); }
+};
+
+/// From the host: a sample of the record, or the end of it.
+struct HostMessage : Parcel {
+    bool end = false;
+    Sample sample;
+};
+
+using Window = std::shared_ptr<const std::vector<Sample>>;
+
+/// From a master to one of its slaves: evaluate these strings.
+struct Task : Parcel {
+    enum class Kind { evaluate, rehearse, end } kind = Kind::end;
+    std::size_t slave = 0;     ///< for whom, counted from the master
+    std::size_t hops_left = 0; ///< slaves that are still to pass it on
+    Share share;
+    std::vector<Genome> strings; ///< the individuals that the share touches
+    Window window;               ///< the measurements, when they are new; null when the slave has them
+    double bias = 0;
+};
+
+/// From a slave to its master: what the share adds to the fitness of each individual that it touches.
+struct Fitnesses : Parcel {
+    bool end = false; ///< the answer to Task::Kind::end
+    std::size_t slave = 0;
+    Share share;
+    std::vector<double> terms;
+};
+
+/// From an island to the next one in the ring.
+struct Emigrant : Parcel {
+    Individual individual;
+};
+
+} // namespace placedpar

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gaprocs/farm.hpp"
+#include "gaprocs/settings.hpp"
+#include "gaprocs/workload.hpp"
+
+namespace placedpar {
+
+class ProcessEnvironment;
+
+// The parameters of the process kinds, as kinds.cpp describes them, in the form that the processes use.
+
+Workload read_workload(const ProcessEnvironment&);
+Workload read_slave_workload(const ProcessEnvironment&); ///< only what a slave uses
+SearchSettings read_search_settings(const ProcessEnvironment&);
+Farm::Settings read_farm_settings(const ProcessEnvironment&);
+
+} // namespace placedpar

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "gaprocs/genome.hpp"
+#include "gaprocs/search_problem.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// A part of the work of one generation: error evaluations first ... last - 1, where evaluation e is that of
+/// individual e / window at sample e % window.
+struct Share {
+    std::size_t first = 0, last = 0;
+    std::size_t window = 1; ///< samples in the window
+
+    std::size_t evaluations() const { return last - first; }
+    std::size_t first_individual() const { return first / window; }
+    /// The individuals that it touches, whole or in part.
+    std::size_t individuals() const { return first == last ? 0 : (last - 1) / window - first_individual() + 1; }
+};
+
+/// How the evaluations of a generation are split between a master and its slaves.
+enum class Split {
+    individuals, ///< whole individuals, dealt out equally; the first evaluators get one more
+    demand,      ///< whole individuals, to whoever is idle
+    evaluations  ///< single error evaluations, dealt out equally
+};
+
+/// Equal shares, in order. REQUIRES: evaluators > 0, window > 0. Split::demand deals as Split::individuals.
+std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t evaluators, Split);
+
+/// What the share adds to the fitness of each individual that it touches. `strings` are those individuals.
+std::vector<double> evaluate_share(const SearchProblem&, const Share&, std::span<const Genome> strings,
+                                   std::span<const Sample> window, double bias);
+
+/// Adds them to the fitness of the whole population.
+void add_terms(const Share&, std::span<const double> terms, std::span<double> fitness);
+
+} // namespace placedpar

@@ -1,0 +1,115 @@
+#include "gaprocs/kinds.hpp"
+
+#include "gaprocs/messages.hpp"
+#include "gaprocs/parameters.hpp"
+#include "gaprocs/workload.hpp"
+#include "netlist/environment.hpp"
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/processor.hpp"
+
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// A slave of algorithm A: three processes on one processor. Two of high priority pass messages on, tasks
+/// away from the master and results towards it; one of low priority evaluates.
+class Slave {
+public:
+    Slave(const ProcessEnvironment& environment, const SearchProblem& problem)
+        : problem_(problem), workload_(read_slave_workload(environment)), has_next_(environment.connected("to_next")),
+          from_master_(environment.input<Task>("from_master")),
+          to_master_(environment.output<Fitnesses>("to_master")) {
+        if (has_next_) {
+            to_next_ = environment.output<Task>("to_next");
+            from_next_ = environment.input<Fitnesses>("from_next");
+        }
+    }
+
+    void run() {
+        pri_par([this] { par([this] { pass_tasks_on(); }, [this] { pass_results_on(); }); }, [this] { evaluate(); });
+    }
+
+private:
+    void pass_tasks_on() {
+        for (bool ended = false; !ended;) {
+            Task task = from_master_.input();
+            ended = task.kind == Task::Kind::end;
+            if (has_next_ && (ended || task.hops_left > 0)) {
+                Task next = task;
+                --next.hops_left;
+                to_next_.output(std::move(next));
+            }
+            if (ended || task.hops_left == 0)
+                own_tasks_.out().output(std::move(task));
+        }
+    }
+
+    /// What comes from beyond goes first. The results end when those of this slave and of all beyond have.
+    void pass_results_on() {
+        bool own_open = true, next_open = has_next_;
+        while (own_open || next_open) {
+            Fitnesses result;
+            auto take = [&](bool& open) {
+                return [&](Fitnesses message) {
+                    open = !message.end;
+                    result = std::move(message);
+                };
+            };
+            if (has_next_)
+                alt(when(next_open, on(from_next_, take(next_open))), when(own_open, on(own_results_.in(), take(own_open))));
+            else
+                take(own_open)(own_results_.in().input());
+            if (!result.end)
+                to_master_.output(std::move(result));
+        }
+        Fitnesses end;
+        end.end = true;
+        to_master_.output(std::move(end));
+    }
+
+    void evaluate() {
+        for (Task task = own_tasks_.in().input(); task.kind != Task::Kind::end; task = own_tasks_.in().input())
+            own_results_.out().output(answer(task));
+        Fitnesses end;
+        end.end = true;
+        own_results_.out().output(std::move(end));
+    }
+
+    Fitnesses answer(const Task& task) {
+        compute(block_move(task.bytes)); // unpack
+        if (task.window)
+            window_ = task.window;
+        Fitnesses result;
+        result.slave = task.slave;
+        result.share = task.share;
+        if (task.kind == Task::Kind::evaluate) {
+            compute(static_cast<std::int64_t>(task.share.evaluations()) * workload_.error_evaluation);
+            result.terms = evaluate_share(problem_, task.share, task.strings, *window_, task.bias);
+        }
+        result.bytes = static_cast<std::uint32_t>(task.strings.size()) * workload_.fitness_bytes;
+        compute(block_move(result.bytes)); // pack
+        return result;
+    }
+
+    const SearchProblem& problem_;
+    Workload workload_;
+    bool has_next_;
+    Input<Task> from_master_;
+    Output<Fitnesses> to_master_;
+    Output<Task> to_next_;
+    Input<Fitnesses> from_next_;
+    Channel<Task> own_tasks_{"own tasks"};
+    Channel<Fitnesses> own_results_{"own results"};
+    Window window_;
+};
+
+} // namespace
+
+void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {
+    Slave(environment, *problems.find(environment.text("problem")).problem).run();
+}
+
+} // namespace placedpar

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "runtime/time.hpp"
+
+#include <cstdint>
+
+namespace placedpar {
+
+class ProcessEnvironment;
+
+/// What the program costs on the machine, as the netlist states it.
+struct Workload {
+    Cycles error_evaluation{};      ///< one individual at one sample
+    Cycles genetic_operators{};     ///< reproduction, crossover and mutation of one individual
+    Cycles measurement_conversion{}; ///< one word of the measurements, made ready for a slave
+    std::uint32_t string_bytes = 0;
+    std::uint32_t fitness_bytes = 0;
+    std::uint32_t measurement_bytes = 0;
+};
+
+/// Copying between two blocks of external memory: 13.3 Mbyte/s at 20 MHz with three-cycle memory (T800
+/// databook), so 6 cycles a word; 8 to begin.
+constexpr Cycles block_move(std::uint32_t bytes) { return Cycles{8 + 6 * ((std::int64_t{bytes} + 3) / 4)}; }
+
+} // namespace placedpar

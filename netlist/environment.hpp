@@ -1,0 +1,113 @@
+#pragma once
+
+#include "netlist/value.hpp"
+#include "runtime/channel.hpp"
+#include "runtime/random.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+/// Something that a process found out and wants reported at the end of the run.
+struct Measurement {
+    std::string process;
+    std::string name;
+    std::variant<double, std::string> value;
+    std::string unit; ///< "" where it has none
+};
+
+/// What a running process sees of the netlist that placed it: the channels at its ports, its parameters, its
+/// random streams. It does not see where it is placed, nor what its channels run over.
+///
+/// Asking for a port, or a parameter, that its kind does not have, or with another protocol or type, is a
+/// defect of the kind and throws std::logic_error.
+class ProcessEnvironment {
+public:
+    struct Port {
+        std::string name; ///< as the netlist writes it: "to_slaves", "out[2]"
+        AnyChannel* channel;
+    };
+
+    ProcessEnvironment(std::string process, std::map<std::string, Value> parameters, std::vector<Port> ports,
+                       std::uint64_t seed, std::vector<Measurement>& measurements)
+        : process_(std::move(process)), parameters_(std::move(parameters)), ports_(std::move(ports)), seed_(seed),
+          measurements_(measurements) {}
+
+    /// The process's name in the netlist, such as "slave[2]".
+    const std::string& process() const { return process_; }
+
+    std::int64_t integer(std::string_view parameter) const { return get<std::int64_t>(parameter); }
+    double real(std::string_view parameter) const { return get<double>(parameter); }
+    const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
+
+    bool connected(std::string_view port) const { return find(port) != nullptr; }
+    template <class T>
+    Input<T> input(std::string_view port) const {
+        return channel<T>(require(port)).in();
+    }
+    template <class T>
+    Output<T> output(std::string_view port) const {
+        return channel<T>(require(port)).out();
+    }
+    /// All the ends of a port that is an array, in the order of their subscripts.
+    template <class T>
+    std::vector<Output<T>> outputs(std::string_view port) const {
+        std::vector<Output<T>> ends;
+        for (AnyChannel* each : all(port))
+            ends.push_back(channel<T>(*each).out());
+        return ends;
+    }
+    template <class T>
+    std::vector<Input<T>> inputs(std::string_view port) const {
+        std::vector<Input<T>> ends;
+        for (AnyChannel* each : all(port))
+            ends.push_back(channel<T>(*each).in());
+        return ends;
+    }
+
+    /// The stream of the run's seed and the given name: two processes that name the same stream draw the
+    /// same numbers.
+    RandomStream random_stream(std::string_view name) const { return RandomStream(seed_, name); }
+    std::uint64_t seed() const { return seed_; }
+
+    void measure(std::string name, double value, std::string unit = "") {
+        measurements_.push_back({process_, std::move(name), value, std::move(unit)});
+    }
+    void measure(std::string name, std::string value) {
+        measurements_.push_back({process_, std::move(name), std::move(value), ""});
+    }
+
+private:
+    template <class T>
+    const T& get(std::string_view parameter) const {
+        auto found = parameters_.find(std::string(parameter));
+        if (found == parameters_.end() || !std::holds_alternative<T>(found->second))
+            throw std::logic_error(fmt::format("process {} has no parameter {} of that type", process_, parameter));
+        return std::get<T>(found->second);
+    }
+    template <class T>
+    Channel<T>& channel(AnyChannel& any) const {
+        if (auto* typed = dynamic_cast<Channel<T>*>(&any))
+            return *typed;
+        throw std::logic_error(fmt::format("process {}: channel {} has another protocol", process_, any.name()));
+    }
+    AnyChannel* find(std::string_view port) const;
+    AnyChannel& require(std::string_view port) const;
+    std::vector<AnyChannel*> all(std::string_view port) const;
+
+    std::string process_;
+    std::map<std::string, Value> parameters_;
+    std::vector<Port> ports_;
+    std::uint64_t seed_;
+    std::vector<Measurement>& measurements_;
+};
+
+} // namespace placedpar
