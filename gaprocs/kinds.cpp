@@ -139,7 +139,9 @@ ProcessKind slave_kind() {
              port<Task>("to_next", Direction::output, "task", "to the slave beyond", true),
              port<Fitnesses>("from_next", Direction::input, "fitnesses", "from the slave beyond", true)},
             {problem(), integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
-             integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message")},
+             integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message"),
+             integer("beyond", "slaves", 0, 0, 4096,
+                     "slaves beyond this one whose results go before its own in every round; 0: results go as they come")},
             {},
             {}};
 }

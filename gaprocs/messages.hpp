@@ -46,6 +46,13 @@ struct Fitnesses : Parcel {
     std::vector<double> terms;
 };
 
+/// A message between two processes of one processor, which share its memory: what passes is its address.
+template <class T>
+struct InPlace {
+    T message;
+    WireForm wire_form() const { return WireForm(4u); }
+};
+
 /// From an island to the next one in the ring.
 struct Emigrant : Parcel {
     Individual individual;

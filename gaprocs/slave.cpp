@@ -21,7 +21,7 @@ public:
     Slave(const ProcessEnvironment& environment, const SearchProblem& problem)
         : problem_(problem), workload_(read_slave_workload(environment)), has_next_(environment.connected("to_next")),
           from_master_(environment.input<Task>("from_master")),
-          to_master_(environment.output<Fitnesses>("to_master")) {
+          to_master_(environment.output<Fitnesses>("to_master")), beyond_(environment.integer("beyond")) {
         if (has_next_) {
             to_next_ = environment.output<Task>("to_next");
             from_next_ = environment.input<Fitnesses>("from_next");
@@ -43,39 +43,59 @@ private:
                 to_next_.output(std::move(next));
             }
             if (ended || task.hops_left == 0)
-                own_tasks_.out().output(std::move(task));
+                own_tasks_.out().output({std::move(task)});
         }
     }
 
-    /// What comes from beyond goes first. The results end when those of this slave and of all beyond have.
     void pass_results_on() {
-        bool own_open = true, next_open = has_next_;
-        while (own_open || next_open) {
-            Fitnesses result;
-            auto take = [&](bool& open) {
-                return [&](Fitnesses message) {
-                    open = !message.end;
-                    result = std::move(message);
-                };
-            };
-            if (has_next_)
-                alt(when(next_open, on(from_next_, take(next_open))), when(own_open, on(own_results_.in(), take(own_open))));
-            else
-                take(own_open)(own_results_.in().input());
-            if (!result.end)
-                to_master_.output(std::move(result));
+        if (beyond_ > 0)
+            while (pass_round_on()) {
+            }
+        else
+            while (pass_next_result_on()) {
+            }
+        to_master_.output(end_of_results());
+    }
+
+    /// The results of all slaves beyond, the farthest first, and then the own one. False at the end.
+    bool pass_round_on() {
+        for (std::int64_t i = 0; i < beyond_; ++i) {
+            Fitnesses result = from_next_.input();
+            if (result.end) // and so does the own evaluator
+                return pass_on(own_results_.in().input().message);
+            pass_on(std::move(result));
         }
-        Fitnesses end;
-        end.end = true;
-        to_master_.output(std::move(end));
+        return pass_on(own_results_.in().input().message);
+    }
+
+    /// Whichever result is ready. False at the end of all.
+    bool pass_next_result_on() {
+        auto own = when(own_open_, on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = pass_on(std::move(r.message)); }));
+        if (has_next_)
+            alt(when(next_open_, on(from_next_, [&](Fitnesses r) { next_open_ = pass_on(std::move(r)); })), own);
+        else
+            alt(own);
+        return own_open_ || next_open_;
+    }
+
+    bool pass_on(Fitnesses result) {
+        if (result.end)
+            return false;
+        to_master_.output(std::move(result));
+        return true;
     }
 
     void evaluate() {
-        for (Task task = own_tasks_.in().input(); task.kind != Task::Kind::end; task = own_tasks_.in().input())
-            own_results_.out().output(answer(task));
+        for (Task task = own_tasks_.in().input().message; task.kind != Task::Kind::end;
+             task = own_tasks_.in().input().message)
+            own_results_.out().output({answer(task)});
+        own_results_.out().output({end_of_results()});
+    }
+
+    static Fitnesses end_of_results() {
         Fitnesses end;
         end.end = true;
-        own_results_.out().output(std::move(end));
+        return end;
     }
 
     Fitnesses answer(const Task& task) {
@@ -101,8 +121,10 @@ private:
     Output<Fitnesses> to_master_;
     Output<Task> to_next_;
     Input<Fitnesses> from_next_;
-    Channel<Task> own_tasks_{"own tasks"};
-    Channel<Fitnesses> own_results_{"own results"};
+    std::int64_t beyond_;
+    bool own_open_ = true, next_open_ = has_next_;
+    Channel<InPlace<Task>> own_tasks_{"own tasks"};
+    Channel<InPlace<Fitnesses>> own_results_{"own results"};
     Window window_;
 };
 

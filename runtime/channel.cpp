@@ -37,7 +37,7 @@ void AnyChannel::output_any(void* message, const WireForm& form, const std::sour
         message_ = message;
         carrier_->output(*this, form, where);
     } else {
-        charge_channel_call();
+        compute(instructions::input_or_output);
         message_ = message;
         output_soft(self, form, where);
     }
@@ -52,7 +52,7 @@ void AnyChannel::input_any(void* slot, const std::source_location& where) {
         slot_ = slot;
         carrier_->input(*this, where);
     } else {
-        charge_channel_call();
+        compute(instructions::input_or_output);
         slot_ = slot;
         input_soft(self, where);
     }

@@ -54,6 +54,7 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const std::source_
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
     taken_ = false;
+    ++part_;
     began_ = kernel_.now();
     if (kernel_.now() >= may_start_)
         start_byte();
@@ -94,8 +95,11 @@ void LinkDirection::byte_started() {
         kernel_.future().cancel(first_byte_arrived_); // of a part that was taken: it changes nothing
         schedule(first_byte_arrived_, seen + timing_.data());
     }
-    if (--bytes_left_ == 0)
-        schedule(last_byte_arrived_[last_byte_arrived_[0].scheduled()], seen + timing_.data());
+    if (--bytes_left_ == 0) {
+        LastByte& arrival = last_byte_arrived_[part_ % 2];
+        arrival.part = part_;
+        schedule(arrival, seen + timing_.data());
+    }
     ++bytes_carried_;
 }
 
@@ -113,9 +117,10 @@ void LinkDirection::first_byte_arrived() {
     }
 }
 
-void LinkDirection::last_byte_arrived() {
+void LinkDirection::last_byte_arrived(std::uint32_t part) {
     if (receiver_) {
-        take_part();
+        if (part == part_) // else its acknowledge is under way: the sender has begun the next part
+            take_part();
         kernel_.make_ready(*std::exchange(receiver_, nullptr));
     }
 }

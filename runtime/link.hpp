@@ -38,7 +38,7 @@ private:
     void byte_started() override;
     void byte_noticed();
     void first_byte_arrived();
-    void last_byte_arrived();
+    void last_byte_arrived(std::uint32_t part);
     void acknowledge_started() override;
     void sending_ended();
     void take_part();
@@ -49,6 +49,12 @@ private:
         void happen() noexcept override { (direction.*Step)(); }
         LinkDirection& direction;
     };
+    struct LastByte final : Event {
+        LastByte(LinkDirection& d) : direction(d) {}
+        void happen() noexcept override { direction.last_byte_arrived(part); }
+        LinkDirection& direction;
+        std::uint32_t part = 0;
+    };
     void schedule(Event&, Time);
 
     Kernel& kernel_;
@@ -58,6 +64,7 @@ private:
     AnyChannel* channel_ = nullptr; ///< of the message under way
 
     Process* sender_ = nullptr;
+    std::uint32_t part_ = 0; ///< counts the parts sent
     std::uint32_t bytes_in_part_ = 0;
     std::uint32_t bytes_left_ = 0; ///< not yet started
     bool last_part_ = false;
@@ -73,8 +80,8 @@ private:
     StepEvent<&LinkDirection::start_byte> start_byte_{*this};
     StepEvent<&LinkDirection::byte_noticed> byte_noticed_{*this};
     StepEvent<&LinkDirection::first_byte_arrived> first_byte_arrived_{*this};
-    /// Two, for on a long wire the next part can start before the last byte of this one has arrived.
-    StepEvent<&LinkDirection::last_byte_arrived> last_byte_arrived_[2]{*this, *this};
+    /// Two, for the sender can begin its next part before the last byte of this one has arrived.
+    LastByte last_byte_arrived_[2]{*this, *this};
     StepEvent<&LinkDirection::sending_ended> sending_ended_{*this};
 
     std::uint64_t bytes_carried_ = 0;

@@ -23,8 +23,8 @@ public:
     /// 5120 cycles of the 5 MHz input clock (databook), whatever the processor's own clock.
     static constexpr Time timeslice = std::chrono::nanoseconds{1'024'000};
 
-    /// `channel_call`: what the program's communication library charges for each channel operation, on top
-    /// of the instructions; none for occam, which compiles them in line. REQUIRES: clock_hz > 0.
+    /// `channel_call`: what the program's communication library charges for each operation on a hard channel,
+    /// on top of the instructions; none for occam, which compiles them in line. REQUIRES: clock_hz > 0.
     Processor(Kernel&, std::string name, std::int64_t clock_hz, Cycles channel_call = Cycles{0});
 
     const std::string& name() const { return name_; }
@@ -73,8 +73,8 @@ private:
 /// infinitely fast.
 void compute(Cycles);
 
-/// What one channel operation costs the running process before its message moves: the call of its
-/// communication library, and the instruction `in` or `out`.
+/// What one operation on a hard channel costs the running process before its message moves: the call of
+/// its communication library, and the instruction `in` or `out`.
 void charge_channel_call();
 
 } // namespace placedpar
