@@ -1,0 +1,20 @@
+#pragma once
+
+#include "netlist/network.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+
+/// The canonical form in the netlist language: loads again to the same network.
+std::string print_cfs(const Network& network);
+/// For Graphviz: processors as boxes with their processes, wires labelled with their links.
+std::string print_dot(const Network& network);
+/// One JSON document with keys in a fixed order; ends with a newline.
+std::string print_json(const Network& network);
+
+/// FNV-1a, 64 bits, of print_cfs(network).
+std::uint64_t network_hash(const Network& network);
+
+} // namespace placedpar

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "netlist/catalogue.hpp"
+#include "netlist/diagnostic.hpp"
+#include "netlist/network.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// `--set NAME=VALUE`: the val NAME takes the value of the expression VALUE. Only vals outside blocks.
+using Overrides = std::map<std::string, std::string>;
+
+struct ReadResult {
+    std::optional<Network> network;      ///< there exactly if no diagnostic is an error
+    std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
+};
+
+/// Reads, elaborates and checks a netlist. Throws nothing that the text can cause.
+ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue,
+                        const Overrides& overrides = {});
+
+/// The same for a text that is no file; `#include` is then relative to the working directory.
+ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
+                             const std::string& shown_path = "netlist");
+
+} // namespace placedpar
