@@ -13,7 +13,7 @@ namespace {
 LinkTiming timing_of(const LinkConnection& connection) {
     LinkTiming timing{.bits_per_second = connection.bits_per_second};
     timing.wire_delay = Time{static_cast<std::int64_t>(connection.metres * 5000.0)} +
-                        duration_of(175 * connection.switches, 100 * connection.bits_per_second);
+                        duration_of(175 * connection.switches(), 100 * connection.bits_per_second);
     return timing;
 }
 
@@ -27,9 +27,6 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
         "process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run", process.name,
         process.kind));
 }
-
-/// "out[2]" is an element of the port "out".
-std::string_view base_name(std::string_view port) { return port.substr(0, port.find('[')); }
 
 double fraction(Time part, Time whole) {
     return whole > Time{0} ? static_cast<double>(part.count()) / static_cast<double>(whole.count()) : 0;
@@ -58,8 +55,8 @@ void Machine::make_links() {
     multiplexers_.resize(links_.size());
     // A link that is shared in one direction is shared in both: acknowledge packets travel the other way.
     for (const NetworkChannel& channel : network_.channels) {
-        std::size_t c = channel.carrier.connection;
-        if (channel.carrier.kind != CarrierKind::link || !channel.carrier.shared || multiplexers_[c])
+        std::size_t c = channel.placement.connection;
+        if (channel.placement.kind != ChannelPlacement::Kind::link || !channel.placement.shared || multiplexers_[c])
             continue;
         const LinkConnection& connection = network_.connections[c];
         multiplexers_[c] = &simulation_.multiplexer(fmt::format("{} - {}", link_name(connection.a), link_name(connection.b)),
@@ -70,20 +67,20 @@ void Machine::make_links() {
 
 void Machine::make_channels(const Catalogue& catalogue) {
     for (const NetworkChannel& channel : network_.channels) {
-        if (channel.carrier.kind == CarrierKind::edge)
+        if (channel.placement.kind == ChannelPlacement::Kind::edge)
             throw std::invalid_argument(fmt::format(
                 "channel {} leads to an edge, where nobody is: to run it, place a process there on a workstation",
                 channel.name));
         const ProcessKind& kind = kind_of(network_.processes[channel.from.process], catalogue);
         channels_.push_back(kind.port(base_name(channel.from.port))->make_channel(channel.name));
-        if (channel.carrier.kind == CarrierKind::link)
+        if (channel.placement.kind == ChannelPlacement::Kind::link)
             carry(*channels_.back(), channel);
     }
 }
 
 void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
-    std::size_t c = description.carrier.connection;
-    bool forth = description.carrier.from_a_to_b;
+    std::size_t c = description.placement.connection;
+    bool forth = description.placement.from_a_to_b;
     if (multiplexers_[c])
         channel.put_on(multiplexers_[c]->add_channel(forth));
     else

@@ -89,20 +89,20 @@ struct ChannelEnd {
 };
 
 /// What carries a channel.
-struct Carrier {
+struct ChannelPlacement {
     enum class Kind { soft, link, edge };
     Kind kind = Kind::soft;
     std::size_t connection = nowhere; ///< for link and edge
     bool from_a_to_b = true;
     bool shared = false; ///< more than one channel runs this way over this link
 
-    bool operator==(const Carrier&) const = default;
+    bool operator==(const ChannelPlacement&) const = default;
 };
 
 struct NetworkChannel {
     std::string name;    ///< of the `connection` it was connected by, or "a.out -> b.in"
     ChannelEnd from, to; ///< at most one of them is at an edge
-    Carrier carrier;
+    ChannelPlacement placement;
     Location connected;
 };
 
