@@ -20,8 +20,8 @@ std::optional<std::vector<std::size_t>> RouletteReproduction::operator()(std::sp
         return std::nullopt;
     std::vector<std::size_t> parents(count);
     for (std::size_t& parent : parents) {
-        // The first sector that ends beyond the ball: never an empty one. uniform() < 1 - 2^-33, so that the
-        // product is below the total even when rounded.
+        // The first sector that ends beyond the ball: never an empty one. uniform() is at most 1 - 2^-32, so
+        // that the product is below the total even when rounded.
         double ball = random.uniform() * total;
         parent = static_cast<std::size_t>(std::upper_bound(wheel.begin(), wheel.end(), ball) - wheel.begin());
     }

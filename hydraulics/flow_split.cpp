@@ -28,7 +28,7 @@ double common_psi(const Branch& high, const Branch& low, double flow) {
         return low.psi + square(flow / b);
     if (a == 0 && b == 0)
         return std::numeric_limits<double>::infinity();
-    double u = rest / (flow * a + std::sqrt(flow * flow * a * a - (a * a - b * b) * rest));
+    double u = rest / (flow * a + b * std::sqrt(rest + a * a * difference_psi));
     return high.psi + u * u;
 }
 
