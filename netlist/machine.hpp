@@ -54,6 +54,8 @@ public:
 
     RunReport run(Time limit = Time::max());
     void interrupt() { simulation_.interrupt(); }
+    /// REQUIRES: before run(); the sink outlives it.
+    void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 
 private:
     void make_processors();

@@ -3,6 +3,7 @@
 #include "runtime/instructions.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/processor.hpp"
+#include "runtime/trace.hpp"
 
 #include <fmt/format.h>
 
@@ -62,6 +63,8 @@ void AnyChannel::hand_over() {
     Kernel& kernel = inputter_->kernel();
     kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
     kernel.fingerprint().mix(std::uint64_t{outputter_->ordinal()} << 32 | inputter_->ordinal());
+    if (TraceSink* trace = kernel.trace())
+        trace->communicated(*this, kernel.now());
     move_message(message_, slot_);
     message_ = slot_ = nullptr;
 }

@@ -13,6 +13,7 @@
 namespace placedpar {
 
 class FiberScheduler;
+class TraceSink;
 
 /// Why a run ended. `stuck`: processes are left that nothing will ever wake.
 enum class Ending { completed, stuck, time_limit, interrupted };
@@ -42,6 +43,9 @@ public:
     Process& running() const { return *running_; }
     EventQueue& future() { return future_; }
     Fingerprint& fingerprint() { return fingerprint_; }
+    /// Null when nobody wants a trace.
+    TraceSink* trace() const { return trace_; }
+    void trace_to(TraceSink& sink) { trace_ = &sink; }
 
     /// Lets a process go on: at once if it is not placed, else when its processor gets to it.
     void make_ready(Process&);
@@ -85,6 +89,7 @@ private:
     ProcessQueue ready_;
     EventQueue future_;
     Fingerprint fingerprint_;
+    TraceSink* trace_ = nullptr;
     Process* running_ = nullptr;
     std::vector<Process*> processes_;
     std::uint32_t next_ordinal_ = 0;

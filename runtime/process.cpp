@@ -1,6 +1,7 @@
 #include "runtime/process.hpp"
 
 #include "runtime/kernel.hpp"
+#include "runtime/trace.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +45,8 @@ void Process::wait(Activity activity) {
     Time since = kernel_.now();
     kernel_.wait();
     waited_ += kernel_.now() - since;
+    if (TraceSink* trace = kernel_.trace())
+        trace->waited(*this, since, kernel_.now());
     activity_ = Activity::ready;
 }
 

@@ -2,6 +2,7 @@
 
 #include "runtime/instructions.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/trace.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -62,7 +63,8 @@ void Processor::compute(Cycles cycles) {
     } else {
         bool alone = self.priority() == Priority::high || low_.empty();
         if (alone && kernel_.pass_time(kernel_.now() + self.work_left_)) {
-            busy_ += std::exchange(self.work_left_, Time{0});
+            turn_began_ = kernel_.now() - self.work_left_;
+            account(self, std::exchange(self.work_left_, Time{0}));
             return;
         }
         begin_turn();
@@ -87,8 +89,14 @@ void Processor::begin_turn() {
 void Processor::stop_turn() {
     Time worked = kernel_.now() - turn_began_;
     current_->work_left_ -= worked;
-    busy_ += worked;
+    account(*current_, worked);
     kernel_.future().cancel(turn_);
+}
+
+void Processor::account(const Process& process, Time worked) {
+    busy_ += worked;
+    if (TraceSink* trace = kernel_.trace())
+        trace->computed(process, turn_began_, kernel_.now());
 }
 
 void Processor::end_turn() {

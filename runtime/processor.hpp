@@ -52,6 +52,7 @@ private:
     void begin_turn();
     void stop_turn();
     void end_turn();
+    void account(const Process&, Time worked);
     void preempt();
     Time slice_end() const;
 

@@ -59,6 +59,9 @@ public:
     /// Ends a run that is under way. May be called from a signal handler or another thread.
     void interrupt() { kernel_.interrupt(); }
 
+    /// REQUIRES: before run(); the sink outlives it.
+    void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }
+
     const std::list<Processor>& processors() const { return processors_; }
     const std::list<Link>& links() const { return links_; }
     const std::list<Process>& processes() const { return processes_; }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "runtime/process.hpp"
+#include "runtime/time.hpp"
+
+namespace placedpar {
+
+/// Takes the records of a run, in the order in which their stretches of time end. Processes and channels
+/// are only to be looked at during the call.
+class TraceSink {
+public:
+    /// The process had its processor and computed.
+    virtual void computed(const Process&, Time begin, Time end) = 0;
+    /// The process waited, as its activity and awaited_channels() say.
+    virtual void waited(const Process&, Time begin, Time end) = 0;
+    /// A message passed over the channel.
+    virtual void communicated(const AnyChannel&, Time at) = 0;
+
+protected:
+    ~TraceSink() = default;
+};
+
+} // namespace placedpar
