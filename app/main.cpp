@@ -1,1 +1,152 @@
-int main() {}
+#include "app/exit_code.hpp"
+#include "app/kinds_command.hpp"
+#include "app/manifest.hpp"
+#include "app/netlist_run.hpp"
+#include "app/output_file.hpp"
+#include "app/perfetto_trace.hpp"
+#include "app/replay_command.hpp"
+#include "app/run_report.hpp"
+#include "netlist/print.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+namespace {
+
+/// What the command line may say, of all commands.
+struct Options {
+    std::string file, format = "cfs", json, trace, kind, experiment;
+    std::vector<std::string> set;
+    std::uint64_t seed = 1;
+    std::string command; ///< as typed
+};
+
+Overrides overrides_of(const Options& options) {
+    Overrides overrides;
+    for (const std::string& each : options.set) {
+        std::size_t equals = each.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw std::runtime_error(fmt::format("--set {}: it takes NAME=VALUE, such as --set slaves=3", each));
+        if (!overrides.emplace(each.substr(0, equals), each.substr(equals + 1)).second)
+            throw std::runtime_error(fmt::format("--set {}: {} is set twice", each, each.substr(0, equals)));
+    }
+    return overrides;
+}
+
+ExitCode run(const Options& options) {
+    Manifest manifest{options.command, options.seed, overrides_of(options)};
+    for (const std::string& path : {options.json, options.trace})
+        if (!path.empty())
+            require_writable(path);
+    Network network = load_network(options.file, manifest.overrides);
+    PerfettoTrace trace;
+    RunReport report = run_netlist(network, options.seed, Time::max(), options.trace.empty() ? nullptr : &trace);
+    fmt::print("{}", print_report(report, network));
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(report_json(report, network, manifest)));
+    if (!options.trace.empty())
+        write_whole(options.trace, trace.json());
+    return exit_code_of(report.result.ending);
+}
+
+ExitCode check(const Options& options) {
+    Network network = load_network(options.file, overrides_of(options));
+    fmt::print("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n", network.source_path,
+               std::ranges::count(network.nodes, NodeKind::processor, &Node::kind), network.connections.size(),
+               network.processes.size(), network.channels.size(), network.hash);
+    return ExitCode::success;
+}
+
+ExitCode show(const Options& options) {
+    Network network = load_network(options.file, overrides_of(options));
+    fmt::print("{}", options.format == "cfs"   ? print_cfs(network)
+                     : options.format == "dot" ? print_dot(network)
+                                               : print_json(network));
+    return ExitCode::success;
+}
+
+ExitCode kinds(const Options& options) {
+    fmt::print("{}", options.kind.empty() ? print_kinds() : print_kind(options.kind));
+    return ExitCode::success;
+}
+
+void add_netlist_arguments(CLI::App& command, Options& options) {
+    command.add_option("FILE", options.file, "the netlist")->required();
+    command.add_option("--set", options.set, "NAME=VALUE: gives a val of the netlist another value")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+}
+
+void add_seed(CLI::App& command, Options& options) {
+    command.add_option("--seed", options.seed, "of every random stream")->type_name("N")->capture_default_str();
+}
+
+using Command = ExitCode (*)(const Options&);
+
+/// Declares the commands; the one that was typed is put into `chosen`.
+void declare_commands(CLI::App& app, Options& options, Command& chosen) {
+    auto add = [&](const char* name, const char* about, Command command) {
+        auto* sub = app.add_subcommand(name, about);
+        sub->callback([&chosen, command] { chosen = command; });
+        return sub;
+    };
+    auto* run_command = add("run", "Runs a netlist and reports what it computed and what it cost", run);
+    add_netlist_arguments(*run_command, options);
+    add_seed(*run_command, options);
+    run_command->add_option("--json", options.json, "writes the report for machines")->type_name("FILE");
+    run_command->add_option("--trace", options.trace, "writes a timeline that ui.perfetto.dev shows")->type_name("FILE");
+
+    add_netlist_arguments(*add("check", "Reads and checks a netlist", check), options);
+
+    auto* show_command = add("show", "Prints the elaborated network", show);
+    add_netlist_arguments(*show_command, options);
+    show_command->add_option("--format", options.format, "the netlist language, Graphviz, or JSON")
+        ->check(CLI::IsMember({"cfs", "dot", "json"}))
+        ->capture_default_str();
+
+    add("kinds", "Lists the process kinds that a netlist can use", kinds)
+        ->add_option("NAME", options.kind, "everything about this kind");
+
+    auto* replay_sub = add("replay", "Runs an experiment of the thesis beside the thesis's figures", [](const Options& o) {
+        return replay(o.experiment, o.seed, o.json, o.command);
+    });
+    replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
+    add_seed(*replay_sub, options);
+    replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
+    replay_sub->footer("experiments:\n" + list_experiments());
+}
+
+int main(int argc, char** argv) {
+    CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them."};
+    app.name("placedpar");
+    app.set_version_flag("--version", std::string("placedpar ") + version);
+    app.require_subcommand(1);
+    app.footer("exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
+               "            130 interrupted");
+    Options options;
+    Command chosen = nullptr;
+    declare_commands(app, options, chosen);
+    for (int i = 0; i < argc; ++i)
+        options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
+    try {
+        app.parse(argc, argv);
+        return static_cast<int>(chosen(options));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+    } catch (const RefusedNetlist& refused) {
+        fmt::print(stderr, "{}", refused.what());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "placedpar: {}\n", error.what());
+    }
+    return static_cast<int>(ExitCode::bad_input);
+}
+
+} // namespace
+} // namespace placedpar
+
+int main(int argc, char** argv) { return placedpar::main(argc, argv); }

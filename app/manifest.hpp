@@ -1,0 +1,30 @@
+#pragma once
+
+#include "netlist/network.hpp"
+#include "netlist/read.hpp"
+
+#include <boost/json.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+
+/// What is needed to run it again.
+struct Manifest {
+    std::string command; ///< as it was typed
+    std::uint64_t seed;
+    Overrides overrides;
+};
+
+extern const char* const version;
+
+/// {"version", "command", "netlist", "netlist_hash", "overrides", "seed"}
+boost::json::object manifest_json(const Manifest&, const Network&);
+
+/// Indented, so that people can read it; ends with a newline.
+std::string print_pretty(const boost::json::value&);
+
+std::string hex(std::uint64_t);
+
+} // namespace placedpar
