@@ -30,7 +30,7 @@ std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::s
 
 } // namespace
 
-TEST_CASE("the slope of a line is found within two codes of 256 from every seed") {
+TEST_CASE("a line is found with 99.9 % of the greatest fitness there is, from every seed") {
     auto record = line_record(20);
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         SearchResult result = run_traditional(*line, record, {}, RandomStream(seed, "line"));
@@ -41,7 +41,7 @@ TEST_CASE("the slope of a line is found within two codes of 256 from every seed"
         const Estimate& last = result.estimates.back();
         CHECK(last.parameters == line->decode(last.best.genome));
         CHECK(last.best.fitness == line->fitness(last.best.genome, std::span(record).last(10), 400));
-        CHECK(std::abs(static_cast<double>(last.best.genome.field(0, 8)) - 152) <= 2);
+        CHECK(last.best.fitness >= 0.999 * 10 * 400); // nobody's error: B from each of 10 samples
     }
 }
 
