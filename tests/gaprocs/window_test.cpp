@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 using namespace placedpar;
@@ -19,9 +20,9 @@ WindowSettings window_of(std::size_t length, std::size_t first) {
 
 TEST_CASE("the window slides: the last samples, oldest first, ready from the first five") {
     SlidingWindow window{WindowSettings{}};
-    for (int k = 0; k < 25; ++k) {
+    for (std::size_t k = 0; k < 25; ++k) {
         window.push({double(k), -1});
-        std::size_t expected = std::min(k + 1, 10);
+        std::size_t expected = std::min<std::size_t>(k + 1, 10);
         REQUIRE(window.samples().size() == expected);
         CHECK(window.ready() == (k >= 4));
         for (std::size_t i = 0; i < expected; ++i)
