@@ -51,6 +51,15 @@ TEST_CASE("roulette draws in proportion to fitness, and nobody of fitness <= 0")
     CHECK(chi_squared < 16.27); // 3 degrees of freedom, 99.9 %
 }
 
+TEST_CASE("a ball on the border of two sectors lies in the upper one, and never where there is no sector") {
+    RouletteWheel wheel(std::array<double, 7>{0, -3, 1, 0, 1, 2, 0});
+    CHECK(wheel.sector(0) == 2);
+    CHECK(wheel.sector(0.25 - 0x1p-32) == 2);
+    CHECK(wheel.sector(0.25) == 4);
+    CHECK(wheel.sector(0.5) == 5);
+    CHECK(wheel.sector(1 - 0x1p-32) == 5);
+}
+
 TEST_CASE("roulette has no answer when no fitness is positive, and draws nothing") {
     RandomStream random(1, "roulette"), untouched = random;
     std::array<double, 3> fitness{0, -1, -4000};
