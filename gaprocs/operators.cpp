@@ -7,24 +7,34 @@
 
 namespace placedpar {
 
+RouletteWheel::RouletteWheel(std::span<const double> fitness) : ends_(fitness.size()) {
+    double end = 0;
+    for (std::size_t i = 0; i < fitness.size(); ++i)
+        ends_[i] = end += fitness[i] > 0 ? fitness[i] : 0; // not a number is not above 0
+    if (!std::isfinite(end))
+        throw std::invalid_argument("roulette: the fitness values add up beyond a double");
+}
+
+bool RouletteWheel::empty() const {
+    return ends_.empty() || ends_.back() < std::numeric_limits<double>::min();
+}
+
+std::size_t RouletteWheel::sector(double turn) const {
+    // The first sector that ends beyond the ball is not an empty one. There is one: with turn <= 1 - 2^-32
+    // the product is below the last end even when rounded.
+    double ball = turn * ends_.back();
+    return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), ball) - ends_.begin());
+}
+
 std::optional<std::vector<std::size_t>> RouletteReproduction::operator()(std::span<const double> fitness,
                                                                          std::size_t count,
                                                                          RandomStream& random) const {
-    std::vector<double> wheel(fitness.size());
-    double total = 0;
-    for (std::size_t i = 0; i < fitness.size(); ++i)
-        wheel[i] = total += fitness[i] > 0 ? fitness[i] : 0;
-    if (!std::isfinite(total))
-        throw std::invalid_argument("roulette: the fitness values add up beyond a double");
-    if (total < std::numeric_limits<double>::min())
+    RouletteWheel wheel(fitness);
+    if (wheel.empty())
         return std::nullopt;
     std::vector<std::size_t> parents(count);
-    for (std::size_t& parent : parents) {
-        // The first sector that ends beyond the ball: never an empty one. uniform() is at most 1 - 2^-32, so
-        // that the product is below the total even when rounded.
-        double ball = random.uniform() * total;
-        parent = static_cast<std::size_t>(std::upper_bound(wheel.begin(), wheel.end(), ball) - wheel.begin());
-    }
+    for (std::size_t& parent : parents)
+        parent = wheel.sector(random.uniform());
     return parents;
 }
 

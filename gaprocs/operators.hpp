@@ -12,11 +12,27 @@ namespace placedpar {
 /// The three operators of the simple genetic algorithm (thesis 1.1), each by itself. None keeps a state: the
 /// same stream at the same place gives the same offspring.
 
+/// A wheel with a sector as wide as max(f_i, 0) for each individual.
+class RouletteWheel {
+public:
+    /// Throws std::invalid_argument when the sum is beyond a double.
+    explicit RouletteWheel(std::span<const double> fitness);
+
+    /// No fitness is positive (a sum too small to be told from zero counts as none).
+    bool empty() const;
+    /// The individual whose sector the ball lies in, never one without a sector. Sector i holds its lower
+    /// end, not its upper. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
+    std::size_t sector(double turn) const;
+
+private:
+    std::vector<double> ends_;
+};
+
 /// Reproduction by roulette: individual i is drawn with probability max(f_i, 0) / sum, with replacement, so
 /// that individuals of fitness <= 0 (or not a number) are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
     /// Indices of `count` parents; nothing, and nothing drawn, when no fitness is positive.
-    /// One number of the stream a parent. Throws std::invalid_argument when the sum is beyond a double.
+    /// One number of the stream a parent. Throws as RouletteWheel.
     std::optional<std::vector<std::size_t>> operator()(std::span<const double> fitness, std::size_t count,
                                                        RandomStream& random) const;
 };

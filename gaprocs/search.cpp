@@ -26,6 +26,22 @@ Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream ra
     population_ = random_population(settings.population, bits, random_);
 }
 
+Search::Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random)
+    : bits_(population.empty() ? 0 : population.front().size()),
+      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability},
+      random_(std::move(random)), population_(std::move(population)) {
+    settings.validate();
+    if (population_.size() != settings.population)
+        throw std::invalid_argument(fmt::format("{} strings are given for a population of {}",
+                                                population_.size(), settings.population));
+    if (bits_ == 0)
+        throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
+    for (const Genome& genome : population_)
+        if (genome.size() != bits_)
+            throw std::invalid_argument(
+                fmt::format("a population of strings of {} and of {} bits", bits_, genome.size()));
+}
+
 void Search::next_generation(std::span<const double> fitness) {
     best_ = emigrant(fitness);
     ++generation_;

@@ -34,6 +34,9 @@ class Search {
 public:
     /// Draws the first population. Throws std::invalid_argument: 0 bits, or SearchSettings::validate().
     Search(std::size_t bits, const SearchSettings& settings, RandomStream random);
+    /// Starts from a given population. Throws std::invalid_argument also when it is not settings.population
+    /// strings of one length.
+    Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random);
 
     const std::vector<Genome>& population() const { return population_; }
     /// Generations evaluated so far.

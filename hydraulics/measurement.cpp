@@ -23,6 +23,11 @@ std::size_t stride_of(std::span<const BoomState> motion, double period_s) {
     return static_cast<std::size_t>(whole);
 }
 
+/// REQUIRES: resolution is a power of two, so that nothing but the rounding to it rounds.
+double reading(double value, double resolution) {
+    return std::nearbyint(value / resolution) * resolution;
+}
+
 } // namespace
 
 double standard_normal(const UniformSource& uniform) {
@@ -41,9 +46,10 @@ std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, dou
         double pressure_noise = noise.pressure_psi * standard_normal(uniform);
         double angle_noise = noise.angle_deg * standard_normal(uniform);
         double spool_noise = noise.spool_in * standard_normal(uniform);
-        record.push_back({state.time_s, state.inlet_psi + pressure_noise,
-                          state.piston_in / moment_arm_in * deg_per_rad + angle_noise,
-                          state.spool_in + spool_noise});
+        double angle_deg = state.piston_in / moment_arm_in * deg_per_rad;
+        record.push_back({state.time_s, reading(state.inlet_psi + pressure_noise, pressure_resolution_psi),
+                          reading(angle_deg + angle_noise, angle_resolution_deg),
+                          reading(state.spool_in + spool_noise, spool_resolution_in)});
     }
     return record;
 }

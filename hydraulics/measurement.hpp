@@ -38,6 +38,12 @@ double standard_normal(const UniformSource& uniform);
 /// The thesis samples every 20 ms.
 inline constexpr double sampling_period_s = 0.020;
 
+/// Readings come in steps, far below any noise. This keeps the last bits of exp, log and tanh, in which one
+/// processor's mathematical library may differ from another's, out of the record and of all that follows.
+inline constexpr double pressure_resolution_psi = 0x1p-20;
+inline constexpr double angle_resolution_deg = 0x1p-30;
+inline constexpr double spool_resolution_in = 0x1p-30;
+
 /// Samples a motion every `period_s`, from its first state on; draws three normal numbers a sample in the
 /// order pressure, angle, spool, whatever the noise, so that two levels see the same disturbance in
 /// proportion. Throws std::invalid_argument when the period is no whole multiple of the motion's step.

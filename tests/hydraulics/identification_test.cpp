@@ -63,9 +63,9 @@ double quantile(std::vector<double> values, double share) {
 }
 
 void check_study(const Study& study, double median_percent, double ninetieth_percent) {
-    MESSAGE("error median ", quantile(study.error_percent, 0.5), " %, 90th percentile ",
-            quantile(study.error_percent, 0.9), " %, greatest ", quantile(study.error_percent, 1),
-            " %; codes from the optimum, 90th percentile ", quantile(study.codes_from_optimum, 0.9));
+    CAPTURE(quantile(study.error_percent, 0.5));
+    CAPTURE(quantile(study.error_percent, 0.9));
+    CAPTURE(quantile(study.codes_from_optimum, 0.9));
     CHECK(quantile(study.error_percent, 0.5) <= median_percent);
     CHECK(quantile(study.error_percent, 0.9) <= ninetieth_percent);
     CHECK(quantile(study.codes_from_optimum, 0.9) <= 3);

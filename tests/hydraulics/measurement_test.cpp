@@ -41,8 +41,8 @@ TEST_CASE("without noise the sensors tell the state, every 20 ms") {
     for (std::size_t i = 0; i < record.size(); ++i) {
         const BoomState& state = motion[40 * i];
         CHECK(record[i].time_s == state.time_s);
-        CHECK(record[i].inlet_psi == state.inlet_psi);
-        CHECK(record[i].spool_in == state.spool_in);
+        CHECK(std::abs(record[i].inlet_psi - state.inlet_psi) <= pressure_resolution_psi / 2);
+        CHECK(std::abs(record[i].spool_in - state.spool_in) <= spool_resolution_in / 2);
         CHECK(record[i].angle_deg == doctest::Approx(state.piston_in / 22.4 * 180 / std::numbers::pi));
     }
 }
@@ -58,7 +58,7 @@ TEST_CASE("the same seed gives the same record; noise scales with its level") {
     CHECK(once[7].inlet_psi == again[7].inlet_psi);
     CHECK(once[7].inlet_psi != other[7].inlet_psi);
     CHECK((five_psi[7].inlet_psi - none[7].inlet_psi) / (once[7].inlet_psi - none[7].inlet_psi) ==
-          doctest::Approx(2.5));
+          doctest::Approx(2.5).epsilon(1e-5));
 }
 
 TEST_CASE("a sampling period that is no multiple of the step is refused") {

@@ -1,0 +1,106 @@
+#include "gaprocs/fitness.hpp"
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+std::uint64_t bits_of(double value) {
+    return std::bit_cast<std::uint64_t>(value);
+}
+
+void shuffle(std::vector<double>& terms, RandomStream& random) {
+    for (std::size_t i = terms.size(); i > 1; --i)
+        std::swap(terms[i - 1], terms[random.below(static_cast<std::uint32_t>(i))]);
+}
+
+/// The terms cut at random places into runs, each added by itself, the partial sums added in random order.
+double partitioned_sum(const std::vector<double>& terms, RandomStream& random) {
+    std::vector<double> partial(1, 0);
+    for (double term : terms) {
+        if (random.chance(0.1))
+            partial.push_back(0);
+        partial.back() += term;
+    }
+    shuffle(partial, random);
+    double sum = 0;
+    for (double part : partial)
+        sum += part;
+    return sum;
+}
+
+double any_error(RandomStream& random) {
+    switch (random.below(8)) {
+    case 0:
+        return 1e300; // clamped
+    case 1:
+        return std::numeric_limits<double>::quiet_NaN();
+    case 2:
+        return 2896 * random.uniform(); // up to the clamp
+    case 3:
+        return 1e-6 * random.uniform();
+    default:
+        return 40 * random.uniform();
+    }
+}
+
+} // namespace
+
+TEST_CASE("a term is B - E^2 to half a quantum") {
+    CHECK(fitness_term(400, 0) == 400);
+    CHECK(fitness_term(400, 20) == 0);
+    CHECK(fitness_term(400, -30) == -500);
+    RandomStream random(1, "terms");
+    for (int i = 0; i < 10000; ++i) {
+        double error = 100 * random.uniform(), term = fitness_term(400, error);
+        REQUIRE(std::abs(term - (400 - error * error)) <= fitness_quantum / 2);
+        REQUIRE(std::nearbyint(term / fitness_quantum) == term / fitness_quantum);
+    }
+}
+
+TEST_CASE("ties round to even") {
+    CHECK(fitness_term(0.5 * fitness_quantum, 0) == 0);
+    CHECK(fitness_term(1.5 * fitness_quantum, 0) == 2 * fitness_quantum);
+    CHECK(fitness_term(2.5 * fitness_quantum, 0) == 2 * fitness_quantum);
+}
+
+TEST_CASE("what is no number, or too large, is clamped") {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    CHECK(fitness_term(400, std::numeric_limits<double>::quiet_NaN()) == -fitness_term_limit);
+    CHECK(fitness_term(400, infinity) == -fitness_term_limit);
+    CHECK(fitness_term(400, -infinity) == -fitness_term_limit);
+    CHECK(fitness_term(400, 1e200) == -fitness_term_limit);
+    CHECK(fitness_term(1e9, 0) == fitness_term_limit);
+}
+
+TEST_CASE("any partition and order of a window of 1024 samples give the same bits") {
+    RandomStream random(2, "partitions");
+    for (int i = 0; i < 200; ++i) {
+        std::vector<double> terms;
+        for (std::size_t w = 0; w < exact_fitness_terms; ++w)
+            terms.push_back(fitness_term(400, any_error(random)));
+        std::uint64_t expected = bits_of(partitioned_sum(terms, random));
+        for (int j = 0; j < 20; ++j) {
+            shuffle(terms, random);
+            REQUIRE(bits_of(partitioned_sum(terms, random)) == expected);
+        }
+    }
+}
+
+TEST_CASE("1024 terms at the limit still take one quantum") {
+    double sum = 0;
+    for (std::size_t w = 1; w < exact_fitness_terms; ++w)
+        sum += -fitness_term_limit;
+    double before = sum;
+    sum += -fitness_term_limit + fitness_quantum;
+    CHECK(before - sum == fitness_term_limit - fitness_quantum);
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// A search problem that includes nothing of gaprocs, as those of another room do not: the slope of a line
+/// through the origin, 0 ... 1 in 8 bits, from samples (u, y).
+struct LineProblem {
+    std::size_t bits() const { return 8; }
+    std::size_t channels() const { return 2; }
+
+    template <typename G>
+    double error(const G& genome, std::span<const double> sample) const {
+        return sample[1] - decode(genome)[0] * sample[0];
+    }
+    template <typename G>
+    std::vector<double> decode(const G& genome) const {
+        return {static_cast<double>(genome.field(0, 8)) / 256};
+    }
+    std::vector<std::string> parameter_names() const { return {"slope"}; }
+    std::vector<std::string> parameter_units() const { return {"1"}; }
+};
+
+/// Samples of the line y = 0.59375 u: code 152.
+inline std::vector<std::vector<double>> line_record(std::size_t samples) {
+    std::vector<std::vector<double>> record;
+    for (std::size_t k = 0; k < samples; ++k) {
+        double u = 20 + 15 * std::sin(static_cast<double>(k));
+        record.push_back({u, 152.0 / 256 * u});
+    }
+    return record;
+}

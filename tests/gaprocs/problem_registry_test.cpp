@@ -1,0 +1,37 @@
+#include "gaprocs/problem_registry.hpp"
+#include "tests/gaprocs/line_problem.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+using namespace placedpar;
+
+static_assert(Searchable<LineProblem>);
+static_assert(!Searchable<int>);
+
+TEST_CASE("a problem is found by its name, with its record") {
+    ProblemRegistry registry;
+    registry.add("line", make_search_problem(LineProblem{}), line_record(3));
+    registry.add("another", make_search_problem(LineProblem{}), {});
+    CHECK(registry.find("line").record == line_record(3));
+    CHECK(registry.find("line").problem->bits() == 8);
+    CHECK(registry.find("line").problem->true_parameters().empty());
+    CHECK(registry.names() == std::vector<std::string>{"another", "line"});
+    CHECK_THROWS_WITH_AS(registry.find("lime"), "there is no search problem 'lime'; known: another, line",
+                         std::invalid_argument);
+}
+
+TEST_CASE("what cannot be registered is refused with a reason") {
+    ProblemRegistry registry;
+    auto problem = make_search_problem(LineProblem{});
+    CHECK_THROWS_WITH_AS(registry.add("", problem, {}), "a search problem needs a name",
+                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(registry.add("line", nullptr, {}), "search problem 'line': there is none",
+                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(registry.add("line", problem, {{1, 2}, {1}}),
+                         "search problem 'line': sample 1 has 1 numbers, expected 2", std::invalid_argument);
+    registry.add("line", problem, {});
+    CHECK_THROWS_WITH_AS(registry.add("line", problem, {}), "search problem 'line' is named twice",
+                         std::invalid_argument);
+}
