@@ -1,0 +1,20 @@
+# Installs the program, the rooms as an exported package, their headers, and the examples.
+include(CMakePackageConfigHelpers)
+
+set(rooms runtime netlist gaprocs hydraulics)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/PlacedPar)
+
+foreach(room ${rooms})
+    install(TARGETS placedpar_${room} EXPORT PlacedParTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/placedpar
+            FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(TARGETS placedpar RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar)
+
+install(EXPORT PlacedParTargets NAMESPACE PlacedPar:: DESTINATION ${package_folder})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/PlacedParConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/PlacedParConfig.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/PlacedParConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/PlacedParConfig.cmake ${PROJECT_BINARY_DIR}/PlacedParConfigVersion.cmake
+        DESTINATION ${package_folder})
