@@ -152,7 +152,9 @@ private:
 } // namespace
 
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
-    SearchProcess(environment, *problems.find(environment.text("problem")).problem).run();
+    const RecordedProblem& recorded = problems.find(environment.text("problem"));
+    read_search_settings(environment).window.validate_for(recorded.record.size());
+    SearchProcess(environment, *recorded.problem).run();
 }
 
 } // namespace placedpar

@@ -1,0 +1,84 @@
+// Algorithm A must produce exactly the generations of the traditional algorithm, whatever the machine.
+
+#include "gaprocs/search.hpp"
+#include "gaprocs/traditional.hpp"
+#include "gaprocs/window.hpp"
+#include "runtime/fingerprint.hpp"
+#include "tests/gaprocs/cluster.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+namespace {
+
+/// A hash of every population of the traditional algorithm, run as the plain library function runs it.
+std::string populations_of_traditional(int population, std::uint64_t seed) {
+    SearchSettings settings;
+    settings.population = static_cast<std::size_t>(population);
+    auto problem = make_search_problem(LineProblem{});
+    Search search(problem->bits(), settings, RandomStream(seed, "one stream"));
+    SlidingWindow window(settings.window);
+    Fingerprint populations;
+    for (const Sample& sample : line_record(line_samples)) {
+        window.push(sample);
+        for (std::size_t trial = 0; window.ready() && trial < settings.window.trials; ++trial) {
+            for (const Genome& genome : search.population())
+                for (std::uint64_t word : genome.words())
+                    populations.mix(word);
+            search.next_generation(evaluate(*problem, search.population(), window.samples(), settings.window.bias));
+        }
+    }
+    return fmt::format("{:016x}", populations.value());
+}
+
+} // namespace
+
+TEST_CASE("algorithm A's generations are the traditional ones, for 0 to 29 slaves and every split") {
+    std::string traditional = populations_of_traditional(30, 1);
+    for (const char* split : {"individuals", "demand", "evaluations"})
+        for (int slaves = 0; slaves <= 29; ++slaves) {
+            CAPTURE(split);
+            CAPTURE(slaves);
+            RunReport report = run_on_line(Cluster{.slaves = slaves, .split = split}.netlist());
+            CHECK(report.result.ending == Ending::completed);
+            CHECK(report.measured_text("master0", "populations") == traditional);
+        }
+}
+
+TEST_CASE("... and for every timing of the machine") {
+    std::string traditional = populations_of_traditional(30, 1);
+    Cluster slow_neighbours{.slaves = 5, .split = "demand", .odd_processor = "clock = 5M, linkspeed = 5M"};
+    Cluster slow_master{.slaves = 4, .even_processor = "clock = 3M, channelcall = 500"};
+    Cluster no_work{.slaves = 3, .master_parameters = "rehearsals = 1, cycles_per_error = 0, cycles_per_individual = 0"};
+    Cluster every_generation{.slaves = 3, .measurements = "generation"};
+    for (const Cluster& cluster : {slow_neighbours, slow_master, no_work, every_generation})
+        CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);
+}
+
+TEST_CASE("... and another seed gives other generations") {
+    Cluster cluster{.slaves = 2};
+    std::string second = run_on_line(cluster.netlist(), 2).measured_text("master0", "populations");
+    CHECK(second == populations_of_traditional(30, 2));
+    CHECK(second != populations_of_traditional(30, 1));
+}
+
+TEST_CASE("every slave works: a run with slaves is faster than one without") {
+    double alone = run_on_line(Cluster{}.netlist()).measured("master0", "T_exe");
+    double with_three = run_on_line(Cluster{.slaves = 3}.netlist()).measured("master0", "T_exe");
+    CHECK(with_three < alone / 2.5);
+    RunReport report = run_on_line(Cluster{.slaves = 3}.netlist());
+    REQUIRE(report.processors.size() == 4);
+    for (const ProcessorUse& processor : report.processors)
+        CHECK(processor.busy > 0.5);
+}
+
+TEST_CASE("more slaves than individuals are refused, with what would be right") {
+    CHECK_THROWS_WITH_AS(run_on_line(Cluster{.slaves = 30}.netlist()), doctest::Contains("29 slaves at the most"),
+                         std::invalid_argument);
+}
+
+TEST_CASE("a window longer than the record is refused") {
+    Cluster cluster{.master_parameters = "rehearsals = 1, window = 13"};
+    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("window"), std::invalid_argument);
+}

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "gaprocs/kinds.hpp"
+#include "gaprocs/problem_registry.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/read.hpp"
+#include "tests/gaprocs/line_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace placedpar {
+
+/// Clusters of a master and a chain of slaves that search the line problem, as a netlist.
+struct Cluster {
+    int slaves = 0;
+    int islands = 1; ///< more than one are joined in a ring
+    int population = 30;
+    std::string split = "individuals";
+    std::string measurements = "sample";
+    std::string even_processor = "clock = 20M"; ///< attributes; the master is place 0 of its chain
+    std::string odd_processor = "clock = 20M";
+    std::string master_parameters = "rehearsals = 2";
+    std::string stream = "one stream";
+
+    std::string netlist() const {
+        std::string text = fmt::format("workstation sun;\nprocess (interface (output to_masters[{}])) host;\n"
+                                       "use \"ga.host\" for host;\nplace host on sun;\nhost (problem = \"line\");\n",
+                                       islands);
+        for (int island = 0; island < islands; ++island)
+            text += master(island);
+        for (int island = 0; island < islands; ++island)
+            for (int i = 0; i < slaves; ++i)
+                text += slave(island, i);
+        for (int island = 0; islands > 1 && island < islands; ++island)
+            text += fmt::format("connect t{0}_0.link[1] to t{1}_0.link[2];\nconnect master{0}.ring_out to master{1}.ring_in;\n",
+                                island, (island + 1) % islands);
+        return text;
+    }
+
+private:
+    std::string processor(int island, int place) const {
+        return fmt::format("T800 ({}) t{}_{};\n", place % 2 ? odd_processor : even_processor, island, place);
+    }
+
+    std::string master(int island) const {
+        std::string text = processor(island, 0);
+        text += fmt::format("process (interface (input from_host, output to_slaves, input from_slaves, output ring_out, "
+                            "input ring_in)) master{0};\n"
+                            "use \"{1}\" for master{0};\nplace master{0} on t{0}_0;\n"
+                            "connect sun.link[{0}] to t{0}_0.link[0];\n"
+                            "connect host.to_masters[{0}] to master{0}.from_host;\n"
+                            "master{0} (problem = \"line\", population = {2}, {3});\n",
+                            island, islands > 1 ? "ga.island" : "ga.master", population, master_parameters);
+        if (islands == 1)
+            text += fmt::format("master{} (stream = \"{}\");\n", island, stream);
+        if (slaves > 0)
+            text += fmt::format("master{} (slaves = {}, split = \"{}\", measurements = \"{}\");\n", island, slaves, split,
+                                measurements);
+        return text;
+    }
+
+    std::string slave(int island, int i) const {
+        std::string before = i == 0 ? fmt::format("master{}", island) : fmt::format("slave{}_{}", island, i - 1);
+        return processor(island, i + 1) +
+               fmt::format("process (interface (input from_master, output to_master, output to_next, input from_next)) "
+                           "slave{0}_{1};\nuse \"ga.slave\" for slave{0}_{1};\nplace slave{0}_{1} on t{0}_{2};\n"
+                           "connect t{0}_{1}.link[3] to t{0}_{2}.link[1];\n"
+                           "slave{0}_{1} (problem = \"line\", beyond = {3});\n"
+                           "connect {4}.{5} to slave{0}_{1}.from_master;\nconnect slave{0}_{1}.to_master to {4}.{6};\n",
+                           island, i, i + 1, split == "demand" ? 0 : slaves - 1 - i, before,
+                           i == 0 ? "to_slaves" : "to_next", i == 0 ? "from_slaves" : "from_next");
+    }
+};
+
+inline constexpr std::size_t line_samples = 12;
+
+inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1) {
+    ProblemRegistry problems;
+    problems.add("line", make_search_problem(LineProblem{}), line_record(line_samples));
+    Catalogue catalogue;
+    add_genetic_algorithm_kinds(catalogue, problems);
+    ReadResult read = read_netlist_text(netlist, catalogue);
+    if (!read.network)
+        throw std::runtime_error(render(read.diagnostics));
+    return Machine(*read.network, catalogue, seed).run();
+}
+
+} // namespace placedpar
