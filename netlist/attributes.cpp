@@ -96,7 +96,7 @@ void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Re
     const auto* known = symbol == nullptr ? nullptr : std::get_if<NodeType>(&symbol->meaning);
     if (known == nullptr || known->preset.kind != NodeKind::processor || known->needs_type) {
         auto guess = did_you_mean(name, predefined_node_type_names());
-        check.illegal("\"" + name + "\"", guess.empty() ? "it names a type of processor, such as \"T800\"" : guess);
+        check.illegal(fmt::format("\"{}\"", name), guess.empty() ? "it names a type of processor, such as \"T800\"" : guess);
     }
     type = *known;
 }
@@ -150,7 +150,7 @@ void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings,
         else if (setting.name == "channelcall")
             preset.channel_call_cycles = check.size(0, highest_frequency, "cycles");
         else if (setting.name == "type" && preset.type != check.text() && !type.needs_type)
-            check.illegal("\"" + check.text() + "\"", "the type is " + preset.type + " already");
+            check.illegal(fmt::format("\"{}\"", check.text()), "the type is " + preset.type + " already");
         else if (!contains(known_node_attributes(), setting.name.substr(0, setting.name.find('.'))))
             refuse_attribute(setting, "a node", known_node_attributes(), reporter);
         else if (setting.name != "type")

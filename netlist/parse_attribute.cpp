@@ -53,7 +53,7 @@ Attribute Parser::parse_attribute() {
     auto name = expect_name("an attribute");
     Attribute attribute{name.text, name.at, nullptr, {}};
     while (accept(".")) // location.code = ...
-        attribute.name += "." + expect_name("an attribute").text;
+        attribute.name.append(".").append(expect_name("an attribute").text);
     if (tokens_.peek().is("("))
         attribute.group = parse_attributes();
     else if (accept("="))
