@@ -74,7 +74,7 @@ struct ProcessInstance {
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type the kind states
     bool high_priority = false;
     std::size_t node = nowhere;
-    std::vector<PortBinding> ports; ///< in the order of the interface; of the kind's ports where it gives none
+    std::vector<PortBinding> ports; ///< in the order of the kind's ports; of the interface for a stand-in
     std::map<std::string, Value> other; ///< attributes of the real tool that a simulation has no use for
     Location declared;
 };

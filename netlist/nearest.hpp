@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// The number of single-character insertions, deletions, replacements and swaps of neighbours between two words.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate nearest to a misspelt word, if any is near enough to be meant: at most a third of the
+/// word's letters away, case not counted much. "" otherwise. The first of equals wins.
+std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates);
+
+/// `did you mean "name"?`, or "" where no candidate is near.
+std::string did_you_mean(std::string_view wanted, const std::vector<std::string>& candidates);
+
+} // namespace placedpar

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "netlist/lexer.hpp"
+
+#include <deque>
+#include <filesystem>
+#include <vector>
+
+namespace placedpar {
+
+/// No netlist needs more; a chain of files that include each other twice would.
+inline constexpr std::size_t most_tokens = 4'000'000;
+inline constexpr std::size_t most_includes = 1000;
+
+/// The tokens of a source and of all that it includes, as one sequence with lookahead. A file that includes
+/// itself, directly or through others, is refused.
+class TokenStream {
+public:
+    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter);
+
+    const Token& peek(std::size_t ahead = 0);
+    Token take();
+    /// Where the token taken last ended, near enough: its beginning. Where a missing `;` is reported.
+    const Location& last() const { return last_; }
+
+private:
+    struct Open {
+        Lexer lexer;
+        std::filesystem::path path; ///< canonical; compared to find cycles
+        Location included_at;
+    };
+
+    void fill(std::size_t count);
+    void include(const Token& directive);
+    void open(const std::filesystem::path& path, const Token& name, const Token& directive);
+
+    Reporter& reporter_;
+    std::vector<Open> open_;
+    std::deque<Token> ahead_;
+    Location last_;
+    std::size_t tokens_ = 0, includes_ = 0;
+};
+
+} // namespace placedpar

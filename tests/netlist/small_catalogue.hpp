@@ -1,0 +1,18 @@
+#pragma once
+
+#include "netlist/catalogue.hpp"
+
+#include <string>
+
+namespace placedpar {
+
+/// Process kinds for the tests of the language: they never run.
+///
+/// "ga.master": in (optional) of numbers, out of genomes, back of errors; "ga.slave": in of genomes, out of
+/// errors; "pump": out of numbers; "sink": in of numbers.
+const Catalogue& small_catalogue();
+
+/// Where the tests' own netlists lie; ends with no slash.
+std::string netlist_folder();
+
+} // namespace placedpar
