@@ -134,6 +134,8 @@ int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
     try {
+        if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1]))
+            throw std::runtime_error(fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
         app.parse(argc, argv);
         return static_cast<int>(chosen(options));
     } catch (const CLI::ParseError& error) {

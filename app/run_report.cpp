@@ -38,7 +38,8 @@ std::string print_measurements(const std::vector<Measurement>& rows) {
     std::size_t name = width_of(rows, [](auto& m) { return m.name; }, 8);
     std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process, "measured", name, "value", "unit");
     for (const Measurement& m : rows)
-        out += fmt::format("{:<{}}  {:<{}}  {:>16}  {}\n", m.process, process, m.name, name, print_value(m), m.unit);
+        out += fmt::format("{:<{}}  {:<{}}  {:>16}{}{}\n", m.process, process, m.name, name, print_value(m),
+                           m.unit.empty() ? "" : "  ", m.unit);
     return out;
 }
 

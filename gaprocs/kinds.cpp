@@ -103,8 +103,8 @@ std::vector<PortDescription> slave_ports(bool optional) {
 }
 
 std::vector<PortDescription> ring_ports() {
-    return {port<Emigrant>("ring_out", Direction::output, "emigrant", "to the next island"),
-            port<Emigrant>("ring_in", Direction::input, "emigrant", "from the island before")};
+    return {port<Emigrant>("ring_out", Direction::output, "emigrant", "to the next island", true),
+            port<Emigrant>("ring_in", Direction::input, "emigrant", "from the island before", true)};
 }
 
 ProcessKind host_kind() {
@@ -149,7 +149,7 @@ ProcessKind slave_kind() {
 ProcessKind island_kind() {
     ProcessKind kind{"ga.island",
                      "An island of algorithm B: a genetic algorithm of its own that exchanges its best individual around a ring. With "
-                     "slaves it is a master as well (A + B).",
+                     "slaves it is a master as well (A + B); without a ring it is that only.",
                      ring_ports(), search_parameters() + farm_parameters() + ring_parameters(), search_measures(), {}};
     kind.ports.push_back(from_host());
     for (PortDescription& each : slave_ports(true))

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 namespace placedpar {
@@ -38,6 +39,9 @@ public:
           farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.bits(), settings_, environment.random_stream(stream_name(environment))) {
+        if (environment.connected("ring_out") != environment.connected("ring_in"))
+            throw std::invalid_argument(
+                fmt::format("process {}: a ring takes both ring_out and ring_in, only one is connected", environment.process()));
         if (environment.connected("ring_out")) {
             to_ring_ = environment.output<Emigrant>("ring_out");
             from_ring_ = environment.input<Emigrant>("ring_in");

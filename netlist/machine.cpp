@@ -120,10 +120,13 @@ RunReport Machine::report(RunResult result) const {
                 {network_.nodes[i].name, network_.nodes[i].type, fraction(processors_[i]->time_busy(), whole)});
     for (std::size_t i = 0; i < links_.size(); ++i) {
         std::string a = link_name(network_.connections[i].a), b = link_name(network_.connections[i].b);
+        auto data_time = [&](std::uint64_t bytes) {
+            return static_cast<std::int64_t>(bytes) * timing_of(network_.connections[i]).data();
+        };
         const LinkDirection& forth = links_[i]->from_a_to_b();
         const LinkDirection& back = links_[i]->from_b_to_a();
-        report.links.push_back({a, b, forth.bytes_carried(), fraction(forth.time_occupied(), whole)});
-        report.links.push_back({b, a, back.bytes_carried(), fraction(back.time_occupied(), whole)});
+        report.links.push_back({a, b, forth.bytes_carried(), fraction(data_time(forth.bytes_carried()), whole)});
+        report.links.push_back({b, a, back.bytes_carried(), fraction(data_time(back.bytes_carried()), whole)});
     }
     for (std::size_t i = 0; i < processes_.size(); ++i)
         report.processes.push_back({network_.processes[i].name, network_.nodes[network_.processes[i].node].name,

@@ -22,7 +22,7 @@ struct ProcessorUse {
 struct LinkUse {
     std::string from, to; ///< "t[0].link[3]"
     std::uint64_t bytes;
-    double occupied; ///< fraction of the run in which a message was under way
+    double occupied; ///< fraction of the run in which its wire carried their bits
 };
 
 struct ProcessUse {

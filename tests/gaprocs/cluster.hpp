@@ -23,13 +23,14 @@ struct Cluster {
     std::string measurements = "sample";
     std::string even_processor = "clock = 20M"; ///< attributes; the master is place 0 of its chain
     std::string odd_processor = "clock = 20M";
+    std::string workstation = "linkspeed = 20M";
     std::string master_parameters = "rehearsals = 2";
     std::string stream = "one stream";
 
     std::string netlist() const {
-        std::string text = fmt::format("workstation sun;\nprocess (interface (output to_masters[{}])) host;\n"
+        std::string text = fmt::format("workstation ({}) sun;\nprocess (interface (output to_masters[{}])) host;\n"
                                        "use \"ga.host\" for host;\nplace host on sun;\nhost (problem = \"line\");\n",
-                                       islands);
+                                       workstation, islands);
         for (int island = 0; island < islands; ++island)
             text += master(island);
         for (int island = 0; island < islands; ++island)
@@ -50,11 +51,11 @@ private:
         std::string text = processor(island, 0);
         text += fmt::format("process (interface (input from_host, output to_slaves, input from_slaves, output ring_out, "
                             "input ring_in)) master{0};\n"
-                            "use \"{1}\" for master{0};\nplace master{0} on t{0}_0;\n"
+                            "use \"ga.island\" for master{0};\nplace master{0} on t{0}_0;\n"
                             "connect sun.link[{0}] to t{0}_0.link[0];\n"
                             "connect host.to_masters[{0}] to master{0}.from_host;\n"
-                            "master{0} (problem = \"line\", population = {2}, {3});\n",
-                            island, islands > 1 ? "ga.island" : "ga.master", population, master_parameters);
+                            "master{0} (problem = \"line\", population = {1}, {2});\n",
+                            island, population, master_parameters);
         if (islands == 1)
             text += fmt::format("master{} (stream = \"{}\");\n", island, stream);
         if (slaves > 0)
