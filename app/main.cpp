@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <vector>
@@ -121,6 +122,10 @@ void declare_commands(CLI::App& app, Options& options, Command& chosen) {
     replay_sub->footer("experiments:\n" + list_experiments());
 }
 
+bool is_command(const CLI::App& app, std::string_view name) {
+    return std::ranges::any_of(app.get_subcommands({}), [&](const CLI::App* each) { return each->get_name() == name; });
+}
+
 int main(int argc, char** argv) {
     CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them."};
     app.name("placedpar");
@@ -134,7 +139,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
     try {
-        if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1]))
+        if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
             throw std::runtime_error(fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
         app.parse(argc, argv);
         return static_cast<int>(chosen(options));
