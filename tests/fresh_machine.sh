@@ -34,14 +34,14 @@ make_base() {
     mv "$folder/base.part" "$folder/base"
 }
 
-# machine_for USER: a fresh machine with a clone of the project in the user's home, in a folder whose name has a blank.
+# machine_for USER: a fresh machine with the user, whose home is /srv, and a clone in a folder whose name has a blank.
 machine_for() {
     machine=$folder/$1
     cp -a "$folder/base" "$machine"
     mount -t proc proc "$machine/proc"
-    chroot "$machine" useradd --create-home --shell /bin/bash "$1" 2>/dev/null || true
+    [ "$1" = root ] || chroot "$machine" useradd --home-dir /srv "$1"
     git clone --quiet --no-hardlinks "$top" "$machine/srv/placed par"
-    chroot "$machine" chown -R "$1" "/srv/placed par"
+    chroot "$machine" chown -R "$1" /srv
 }
 
 # as USER COMMAND...: runs it on the machine, from a folder that is not the project's.
