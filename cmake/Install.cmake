@@ -10,11 +10,12 @@ foreach(room ${rooms})
             FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(TARGETS placedpar RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar OPTIONAL)
 
 install(EXPORT PlacedParTargets NAMESPACE PlacedPar:: DESTINATION ${package_folder})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/PlacedParConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/PlacedParConfig.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/PlacedParConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/PlacedParConfig.cmake ${PROJECT_BINARY_DIR}/PlacedParConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
         DESTINATION ${package_folder})

@@ -6,7 +6,8 @@ target_compile_features(placedpar_options INTERFACE cxx_std_20)
 # Contracted multiply-adds round differently from one compiler to the next: the same netlist and seed
 # must give the same fingerprint everywhere.
 # -Wrestrict: false alarms on string + in GCC 12 (its bug 105651).
-target_compile_options(placedpar_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
+target_compile_options(placedpar_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
 if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
@@ -22,7 +23,8 @@ function(placedpar_room name)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
 endfunction()
 
-# placedpar_test(room file.cpp...): one doctest program a room, run by ctest under the room's name.
+# placedpar_test(room SOURCES ... LINKS ...): one doctest program a room, run by ctest under the room's name and with
+# the label room; the target room_tests builds them all.
 function(placedpar_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LINKS" ${ARGN})
     add_executable(test_${name} ${TEST_SOURCES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)

@@ -1,0 +1,6 @@
+# A second build of the same sources, in CI or under another preset, takes what ccache has.
+find_program(PLACEDPAR_CCACHE ccache)
+mark_as_advanced(PLACEDPAR_CCACHE)
+if(PLACEDPAR_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${PLACEDPAR_CCACHE})
+endif()

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""Runs the commands of a document and compares what they print with what the document says.
+
+usage: document.py TREE PROGRAMS DOCUMENT
+
+The document is relative to TREE. Its commands run from the top of a scratch copy of TREE, so that they leave nothing
+behind, with the folder PROGRAMS first on the path. In a block fenced as ```console
+
+    $ placedpar check mine.cfs # exit 1     a command; with the exit code, where that is not 0
+    mine.cfs:3:5: ...                       what it prints on either stream, to the letter
+    ...                                     any number of lines
+
+A command with no output below it may print anything. A line ended by a backslash goes on in the next. A block fenced as
+```LANGUAGE FILE is written to FILE of the scratch copy first. Other blocks are not run.
+"""
+
+import dataclasses
+import difflib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SECONDS = 120
+
+
+@dataclasses.dataclass
+class Command:
+    """A command of a document, with what should come of it."""
+
+    line: int
+    text: str
+    exit_code: int = 0
+    output: list = dataclasses.field(default_factory=list)
+
+
+@dataclasses.dataclass
+class File:
+    """A file that a document asks its reader to write."""
+
+    line: int
+    name: str
+    text: str
+
+
+def fenced_blocks(text):
+    """Yields (number of the first line, info string, lines) of each fenced block."""
+    info, first, lines = None, 0, []
+    for number, line in enumerate(text.splitlines(), 1):
+        fence = re.match(r"```\s*(.*)$", line)
+        if fence and info is None:
+            info, first, lines = fence[1].strip(), number + 1, []
+        elif fence:
+            yield first, info, lines
+            info = None
+        elif info is not None:
+            lines.append(line)
+    if info is not None:
+        raise SyntaxError(f"the block at line {first} is not closed")
+
+
+def commands(first, lines):
+    """The commands of one console block."""
+    found = []
+    for number, line in enumerate(lines, first):
+        if line.startswith("$ "):
+            found.append(Command(number, line[2:]))
+        elif found and not found[-1].output and found[-1].text.endswith("\\"):
+            found[-1].text += "\n" + line
+        elif found:
+            found[-1].output.append(line)
+        else:
+            raise SyntaxError(f"line {number}: a console block begins with a command, `$ ...`")
+    for command in found:
+        stated = re.search(r"\s+# exit (\d+)$", command.text)
+        if stated:
+            command.text, command.exit_code = command.text[: stated.start()], int(stated[1])
+        while command.output and not command.output[-1]:
+            command.output.pop()
+    return found
+
+
+def steps(text):
+    """What a reader of the document does, in order."""
+    for first, info, lines in fenced_blocks(text):
+        words = info.split()
+        if words == ["console"]:
+            yield from commands(first, lines)
+        elif len(words) == 2:
+            yield File(first, words[1], "\n".join(lines) + "\n")
+
+
+def matches(expected, printed):
+    """Whether the printed lines are the expected ones, where an expected line "..." is any number of lines."""
+    lines = [r"(?:.*\n)*" if line == "..." else re.escape(line) + "\n" for line in expected]
+    return re.fullmatch("".join(lines), "".join(line + "\n" for line in printed)) is not None
+
+
+def failure(command, tree, environment):
+    """Runs the command; a text that says what is wrong, or nothing."""
+    try:
+        done = subprocess.run(["bash", "-c", command.text], cwd=tree, env=environment, text=True, errors="replace",
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        return f"does not end within {SECONDS} s"
+    printed = done.stdout.rstrip("\n").split("\n") if done.stdout else []
+    if done.returncode != command.exit_code:
+        return f"exit code {done.returncode}, the document says {command.exit_code}; it printed:\n{done.stdout}"
+    if command.output and not matches(command.output, printed):
+        return "\n".join(difflib.unified_diff(command.output, printed, "the document", "the program", lineterm=""))
+    return None
+
+
+def run(document, tree, programs):
+    """Does what the document says in the tree; the number of failures."""
+    environment = dict(os.environ, PATH=f"{programs}{os.pathsep}{os.environ['PATH']}", LC_ALL="C.UTF-8")
+    done = failures = 0
+    for step in steps((tree / document).read_text()):
+        if isinstance(step, File):
+            (tree / step.name).write_text(step.text)
+            continue
+        done += 1
+        wrong = failure(step, tree, environment)
+        if wrong:
+            failures += 1
+            print(f"{document}:{step.line}: $ {step.text}\n{wrong}\n")
+    print(f"{document}: {done} commands, {failures} failures")
+    return failures
+
+
+def main(source, programs, document):
+    with tempfile.TemporaryDirectory() as scratch:
+        tree = pathlib.Path(scratch) / "placedpar"
+        shutil.copytree(source, tree, ignore=shutil.ignore_patterns(".git", "build"))
+        return 1 if run(document, tree, programs) else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))
