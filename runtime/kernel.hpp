@@ -42,6 +42,8 @@ public:
     Process& running() const { return *running_; }
     EventQueue& future() { return future_; }
     Fingerprint& fingerprint() { return fingerprint_; }
+    /// A rank for one more wire, by which its events are ordered: wires are counted as they are created.
+    std::uint64_t rank_of_new_wire() { return wires_++; }
 
     /// Lets a process go on: at once if it is not placed, else when its processor gets to it.
     void make_ready(Process&);
@@ -88,6 +90,7 @@ private:
     Process* running_ = nullptr;
     std::vector<Process*> processes_;
     std::uint32_t next_ordinal_ = 0;
+    std::uint64_t wires_ = 0;
 
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> idle_;
