@@ -52,21 +52,27 @@ Cycles cost(std::size_t guards, bool has_to_wait) {
            (has_to_wait ? alt_wait : alt_wait_ready);
 }
 
+/// A process that polls costs no time when it is not placed: without this nobody else would ever run.
+void give_others_a_turn(Process& self, const std::source_location& where) {
+    self.kernel().make_ready(self);
+    self.wait_for(Activity::ready, nullptr, where);
+}
+
 } // namespace
 
 /// A process that sleeps on its guards: enabled on their channels for as long as it exists.
 class Alternation final : Event {
 public:
-    Alternation(Process& process, std::span<AnyChannel* const> channels, std::optional<Time> timeout)
-        : process_(process), channels_(channels) {
-        for (AnyChannel* channel : channels_)
-            channel->enable(*this);
-        if (timeout)
-            process.kernel().future().schedule(*this, *timeout, EventQueue::timer);
-    }
+    Alternation(Process& process, std::span<AnyChannel* const> channels) : process_(process), channels_(channels) {}
     ~Alternation() {
-        for (AnyChannel* channel : channels_)
+        for (AnyChannel* channel : channels_.first(enabled_))
             channel->disable();
+    }
+    void enable(std::optional<Time> timeout) {
+        for (; enabled_ < channels_.size(); ++enabled_)
+            channels_[enabled_]->enable(*this);
+        if (timeout)
+            process_.kernel().future().schedule(*this, *timeout, EventQueue::timer);
     }
     /// Wakes the process, once.
     void wake() {
@@ -79,6 +85,7 @@ private:
 
     Process& process_;
     std::span<AnyChannel* const> channels_;
+    std::size_t enabled_ = 0;
     bool woken_ = false;
 };
 
@@ -98,11 +105,14 @@ std::size_t select(std::span<const Guard> guards, const std::source_location& wh
         auto timeout = earliest_timeout(guards);
         if (channels.empty() && !timeout)
             throw std::logic_error("process " + self.path() + ": an alternation none of whose guards can be ready");
-        Alternation alternation(self, channels, timeout);
+        Alternation alternation(self, channels);
+        alternation.enable(timeout);
         self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where);
         ready = first_ready(guards);
     }
-    return ready.value();
+    if (guards[*ready].kind == Guard::skip && !self.processor())
+        give_others_a_turn(self, where);
+    return *ready;
 }
 
 } // namespace placedpar

@@ -17,6 +17,7 @@ struct Guard {
     enum Kind { never, input, timeout, skip } kind;
     AnyChannel* channel = nullptr; ///< of an input guard
     Time due{};                    ///< of a timeout guard
+    std::source_location where{};  ///< in the program
 };
 
 /// Waits until one of the guards is ready and returns its index: the first ready one in the order given,
@@ -27,20 +28,21 @@ std::size_t select(std::span<const Guard> guards, const std::source_location& = 
 
 /// An input guard and the process that it guards: `on(c, [&](int x) { ... })`.
 template <class T, class Body>
-auto on(Input<T> from, Body body) {
-    return std::pair(Guard{Guard::input, &from.channel()}, [from, body] { body(from.input()); });
+auto on(Input<T> from, Body body, const std::source_location& where = std::source_location::current()) {
+    return std::pair(Guard{Guard::input, &from.channel(), Time{}, where},
+                     [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
 /// A timeout guard, occam's `timer ? AFTER t`: ready when the virtual time `due` has come.
 template <class Body>
-auto after(Time due, Body body) {
-    return std::pair(Guard{Guard::timeout, nullptr, due}, std::move(body));
+auto after(Time due, Body body, const std::source_location& where = std::source_location::current()) {
+    return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
 
 /// occam's SKIP guard: always ready, so whatever stands behind it is reached only if nothing before is ready.
 template <class Body>
-auto skip(Body body) {
-    return std::pair(Guard{Guard::skip}, std::move(body));
+auto skip(Body body, const std::source_location& where = std::source_location::current()) {
+    return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
 }
 
 /// A condition before a guard: `when(free > 0, on(c, ...))`.
@@ -54,9 +56,9 @@ auto when(bool condition, std::pair<Guard, Body> guarded) {
 /// occam's PRI ALT: waits for the first ready guard, inputs if it is an input, and runs what it guards.
 /// Returns its index.
 template <class... Bodies>
-std::size_t alt(const std::pair<Guard, Bodies>&... alternatives) {
+std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
     const Guard guards[] = {alternatives.first...};
-    std::size_t chosen = select(guards);
+    std::size_t chosen = select(guards, guards[0].where);
     std::size_t index = 0;
     ((index++ == chosen ? static_cast<void>(alternatives.second()) : void()), ...);
     return chosen;
@@ -64,12 +66,13 @@ std::size_t alt(const std::pair<Guard, Bodies>&... alternatives) {
 
 /// The replicated form, `ALT i = 0 FOR n`: `alt(inputs, [&](std::size_t i, T message) { ... })`.
 template <class T, class Body>
-std::size_t alt(std::span<const Input<T>> inputs, Body body) {
+std::size_t alt(std::span<const Input<T>> inputs, Body body,
+                const std::source_location& where = std::source_location::current()) {
     std::vector<Guard> guards;
     for (const Input<T>& from : inputs)
         guards.push_back({Guard::input, &from.channel()});
-    std::size_t chosen = select(guards);
-    body(chosen, inputs[chosen].input());
+    std::size_t chosen = select(guards, where);
+    body(chosen, inputs[chosen].input(where));
     return chosen;
 }
 

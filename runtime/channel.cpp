@@ -19,6 +19,8 @@ namespace {
         self.path(), verb, channel.name()));
 }
 
+AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
+
 /// What the second process to arrive at a soft channel pays for the copy.
 void charge_copy(const Process& self, const WireForm& form) {
     if (Processor* processor = self.processor()) {
@@ -29,40 +31,56 @@ void charge_copy(const Process& self, const WireForm& form) {
 
 } // namespace
 
+void AnyChannel::put_on(Carrier& carrier) {
+    if (message_ || slot_ || alternation_)
+        throw std::logic_error("channel " + name_ + " cannot be put on a link while a process is in it");
+    carrier_ = &carrier;
+}
+
+void AnyChannel::expect(const Process* outputter, const Process* inputter) {
+    outputter_ = outputter ? user(*outputter) : User{};
+    inputter_ = inputter ? user(*inputter) : User{};
+}
+
+void AnyChannel::enable(Alternation& alternation) {
+    if (slot_ || (alternation_ && alternation_ != &alternation))
+        refuse_second_user("alternates on", Kernel::current()->running(), *this);
+    alternation_ = &alternation;
+    inputter_ = user(Kernel::current()->running());
+}
+
 void AnyChannel::output_any(void* message, const WireForm& form, const std::source_location& where) {
     Process& self = Kernel::current()->running();
+    if (!carrier_)
+        compute(instructions::input_or_output);
     if (message_)
         refuse_second_user("outputs to", self, *this);
-    outputter_ = &self;
-    if (carrier_) {
-        message_ = message;
+    outputter_ = user(self);
+    message_ = message;
+    if (carrier_)
         carrier_->output(*this, form, where);
-    } else {
-        compute(instructions::input_or_output);
-        message_ = message;
+    else
         output_soft(self, form, where);
-    }
 }
 
 void AnyChannel::input_any(void* slot, const std::source_location& where) {
     Process& self = Kernel::current()->running();
-    if (slot_)
-        refuse_second_user("inputs from", self, *this);
-    inputter_ = &self;
-    if (carrier_) {
-        slot_ = slot;
-        carrier_->input(*this, where);
-    } else {
+    if (!carrier_)
         compute(instructions::input_or_output);
-        slot_ = slot;
+    if (slot_ || alternation_)
+        refuse_second_user("inputs from", self, *this);
+    inputter_ = user(self);
+    slot_ = slot;
+    if (carrier_)
+        carrier_->input(*this, where);
+    else
         input_soft(self, where);
-    }
 }
 
 void AnyChannel::hand_over() {
-    Kernel& kernel = inputter_->kernel();
+    Kernel& kernel = inputter_.process->kernel();
     kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
-    kernel.fingerprint().mix(std::uint64_t{outputter_->ordinal()} << 32 | inputter_->ordinal());
+    kernel.fingerprint().mix(std::uint64_t{outputter_.ordinal} << 32 | inputter_.ordinal);
     if (TraceSink* trace = kernel.trace())
         trace->communicated(*this, kernel.now());
     move_message(message_, slot_);

@@ -3,6 +3,7 @@
 #include "runtime/carrier.hpp"
 #include "runtime/protocol.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <source_location>
 #include <string>
@@ -20,9 +21,18 @@ class Process;
 /// copies the message and goes on, the first goes to the back of its run queue) or hard (a carrier takes the
 /// message along a link). The simulation decides that by `put_on` before it runs.
 ///
-/// Throws std::logic_error when two processes are in the same end of a channel at once.
+/// A channel belongs to one simulation. Throws std::logic_error when two processes are in the same end of a
+/// channel at once.
 class AnyChannel {
 public:
+    /// A process that used an end of a channel. It may have ended since; its outermost ancestor is there until
+    /// the end of the simulation.
+    struct User {
+        const Process* process = nullptr;
+        const Process* outermost = nullptr;
+        std::uint32_t ordinal = 0; ///< tells whether the process still lives
+    };
+
     explicit AnyChannel(std::string name) : name_(std::move(name)) {}
     virtual ~AnyChannel() = default;
     AnyChannel(const AnyChannel&) = delete;
@@ -30,18 +40,25 @@ public:
 
     const std::string& name() const { return name_; }
     virtual std::type_index protocol() const = 0;
-    /// Makes the channel hard. REQUIRES: no process uses it yet; the carrier outlives it.
-    void put_on(Carrier& carrier) { carrier_ = &carrier; }
+    /// Makes the channel hard. Throws std::logic_error while a process is in it. REQUIRES: no process has used it
+    /// yet; the carrier outlives it.
+    void put_on(Carrier&);
 
-    /// The process that used this end last, null if none did: who must come to wake the other end.
-    const Process* outputter() const { return outputter_; }
-    const Process* inputter() const { return inputter_; }
+    /// The process that used this end last, null if none did. It is sure to live still only while it is in the
+    /// channel.
+    const Process* outputter() const { return outputter_.process; }
+    const Process* inputter() const { return inputter_.process; }
+    /// Who must come to wake the other end.
+    const User& last_outputter() const { return outputter_; }
+    const User& last_inputter() const { return inputter_; }
     /// Foretells who will use the ends, for the report of a deadlock before their first communication.
-    void expect(const Process* outputter, const Process* inputter) { outputter_ = outputter, inputter_ = inputter; }
+    /// REQUIRES: they live until the end of the simulation, or are null.
+    void expect(const Process* outputter, const Process* inputter);
 
     // For alternations: whether an input would find a message; whom to wake when one comes.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    void enable(Alternation& alternation) { alternation_ = &alternation; }
+    /// Throws std::logic_error when another process inputs or alternates on the channel.
+    void enable(Alternation&);
     void disable() { alternation_ = nullptr; }
 
     // For carriers.
@@ -62,8 +79,7 @@ private:
 
     std::string name_;
     Carrier* carrier_ = nullptr;
-    const Process* outputter_ = nullptr;
-    const Process* inputter_ = nullptr;
+    User outputter_, inputter_;
     void* message_ = nullptr; ///< set while an outputter is in the channel
     void* slot_ = nullptr;    ///< set while an inputter is
     Process* waiting_ = nullptr; ///< on a soft channel, the first to arrive

@@ -15,13 +15,30 @@ namespace placedpar {
 
 namespace {
 
-std::string path_of(const Process* process) { return process ? process->path() : "nobody yet"; }
+using Processes = std::vector<const Process*>; ///< in order of creation
+
+/// Who would have to come: the user of a channel's end, or, if it was a component that has ended, the process
+/// whose PAR it was in.
+const Process* who_is(const AnyChannel::User& user, const Processes& living) {
+    auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
+    bool lives = found != living.end() && *found == user.process;
+    return lives ? user.process : user.outermost;
+}
+
+std::string path_of(const AnyChannel::User& user, const Processes& living) {
+    const Process* process = who_is(user, living);
+    if (!process)
+        return "nobody yet";
+    return process->path() + (process->ended() ? " (has ended)" : "");
+}
 
 /// The processes of which one would have to act for this one to go on.
-std::vector<const Process*> awaited_by(const Process& process, const std::vector<const Process*>& living) {
-    std::vector<const Process*> partners;
+Processes awaited_by(const Process& process, const Processes& living) {
+    Processes partners;
     for (const AnyChannel* channel : process.awaited_channels())
-        partners.push_back(process.activity() == Activity::outputting ? channel->inputter() : channel->outputter());
+        partners.push_back(who_is(process.activity() == Activity::outputting ? channel->last_inputter()
+                                                                             : channel->last_outputter(),
+                                  living));
     if (process.activity() == Activity::joining)
         for (const Process* other : living)
             if (other->parent() == &process)
@@ -33,9 +50,9 @@ std::vector<const Process*> awaited_by(const Process& process, const std::vector
 /// Follows who waits for whom, depth first, until it comes back to a process on its way.
 class CycleSearch {
 public:
-    explicit CycleSearch(const std::vector<const Process*>& living) : living_(living) {}
+    explicit CycleSearch(const Processes& living) : living_(living) {}
 
-    std::vector<const Process*> find() {
+    Processes find() {
         for (const Process* process : living_)
             if (visit(process))
                 return cycle_;
@@ -59,8 +76,8 @@ private:
         return false;
     }
 
-    const std::vector<const Process*>& living_;
-    std::vector<const Process*> way_, cycle_;
+    const Processes& living_;
+    Processes way_, cycle_;
     std::set<const Process*> done_;
 };
 
@@ -74,12 +91,13 @@ StuckProcess describe(const Process& process) {
     return stuck;
 }
 
-std::vector<StuckChannel> describe_channels(const std::vector<const Process*>& living) {
+std::vector<StuckChannel> describe_channels(const Processes& living) {
     std::map<std::string, StuckChannel> by_name;
     for (const Process* process : living)
         for (const AnyChannel* channel : process->awaited_channels())
             by_name.try_emplace(channel->name(),
-                                StuckChannel{channel->name(), path_of(channel->outputter()), path_of(channel->inputter()),
+                                StuckChannel{channel->name(), path_of(channel->last_outputter(), living),
+                                             path_of(channel->last_inputter(), living),
                                              process->activity() == Activity::outputting ? "outputter" : "inputter"});
     std::vector<StuckChannel> result;
     for (auto& [name, channel] : by_name)

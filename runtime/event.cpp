@@ -15,10 +15,14 @@ EventQueue::~EventQueue() {
 }
 
 void EventQueue::schedule(Event& event, Time time, Priority priority) {
+    schedule(event, time, priority, inserted_++);
+}
+
+void EventQueue::schedule(Event& event, Time time, Priority priority, std::uint64_t rank) {
     assert(!event.scheduled());
-    event.queue_ = this;
     heap_.emplace_back();
-    sift_up({time, (std::uint64_t{priority} << 56) | inserted_++, &event}, heap_.size() - 1);
+    event.queue_ = this;
+    sift_up({time, (std::uint64_t{priority} << 56) | rank, &event}, heap_.size() - 1);
 }
 
 void EventQueue::cancel(Event& event) {

@@ -32,11 +32,13 @@ private:
 };
 
 /// The future: a heap of events keyed (time, priority, insertion). Events of one instant happen by
-/// priority, lowest first, and within a priority in the order in which they were scheduled.
+/// priority, lowest first, and within a priority in the order in which they were scheduled; those of links
+/// in the order of their ranks, so that it makes no difference when a link learnt that they would happen.
 class EventQueue {
 public:
-    /// What goes first within an instant: bits on wires, then the processors that they concern, then timers.
-    enum Priority : std::uint64_t { wire, processor, timer };
+    /// What goes first within an instant. On links first whatever asks for an acknowledge, then what starts
+    /// bytes, then what wakes processes; then the processors' turns, then timers.
+    enum Priority : std::uint64_t { acknowledge, start, arrival, processor, timer };
 
     ~EventQueue();
     bool empty() const { return heap_.empty(); }
@@ -45,6 +47,8 @@ public:
 
     /// REQUIRES: the event is not scheduled.
     void schedule(Event&, Time, Priority);
+    /// The same for the events of links. REQUIRES: no other event of that time and priority has this rank.
+    void schedule(Event&, Time, Priority, std::uint64_t rank);
     /// No effect on an event that is not scheduled.
     void cancel(Event&);
     /// Takes the first event out of the queue and lets it happen. REQUIRES: not empty().
@@ -53,7 +57,7 @@ public:
 private:
     struct Entry {
         Time time;
-        std::uint64_t order; ///< priority in the upper 8 bits, insertion below
+        std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank below
         Event* event;
         bool before(const Entry& other) const {
             return time != other.time ? time < other.time : order < other.order;

@@ -4,24 +4,18 @@
 #include "runtime/processor.hpp"
 #include "runtime/worker.hpp"
 
-#include <boost/fiber/fiber.hpp>
-#include <boost/fiber/fixedsize_stack.hpp>
 #include <boost/fiber/operations.hpp>
 #include <boost/fiber/algo/round_robin.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <stdexcept>
 
 namespace placedpar {
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t stack_bytes = 512 * 1024; // red zones make frames several times larger
-#else
-constexpr std::size_t stack_bytes = 64 * 1024;
-#endif
+/// Workers with guarded stacks: more would exceed what Linux grants a program by default (65530 mappings).
+constexpr std::size_t guarded_workers = 16'000;
 
 } // namespace
 
@@ -49,25 +43,47 @@ void Kernel::make_ready(Process& p) {
         enqueue(p);
 }
 
+bool Kernel::over() const { return failure_ || limit_reached_ || interrupted_.load(std::memory_order_relaxed); }
+
+Process* Kernel::choose_ready() {
+    if (shuffle_)
+        while (!ready_.empty() && shuffle_->chance(0.5))
+            ready_.push_back(*ready_.pop_front());
+    return ready_.pop_front();
+}
+
 Process* Kernel::choose_next() {
-    for (;;) {
-        if (failure_ || limit_reached_ || interrupted_.load(std::memory_order_relaxed))
-            return nullptr;
-        if (Process* p = ready_.pop_front())
+    while (!over()) {
+        if (Process* p = choose_ready())
             return p;
         if (future_.empty())
             return nullptr;
-        if (future_.next_time() > limit_) {
-            limit_reached_ = true;
+        limit_reached_ = future_.next_time() > limit_;
+        now_ = std::min(future_.next_time(), limit_);
+        if (!limit_reached_)
+            future_.happen_next();
+    }
+    return nullptr;
+}
+
+/// The process that is to run next, with a fiber to run on; null when the run is over.
+Process* Kernel::next_with_worker() {
+    Process* next = choose_next();
+    if (next && !next->worker_) {
+        try {
+            employ(*next);
+        } catch (...) { // no memory for one more stack
+            failure_ = std::current_exception();
             return nullptr;
         }
-        now_ = future_.next_time();
-        future_.happen_next();
     }
+    return next;
 }
 
 bool Kernel::pass_time(Time until) {
-    if (!ready_.empty() || until > limit_ || unwinding_ || (!future_.empty() && future_.next_time() <= until))
+    if (!ready_.empty() || until > limit_ || unwinding_ || over())
+        return false;
+    if (!future_.empty() && future_.next_time() <= until)
         return false;
     now_ = until;
     return true;
@@ -76,16 +92,22 @@ bool Kernel::pass_time(Time until) {
 /// Null stands for the fiber that called run.
 void Kernel::switch_to(Process* p) {
     running_ = p;
+    SwitchedStack& from = *stack_in_use_;
+    SwitchedStack& to = p ? p->worker_->stack : host_stack_;
+    stack_left_ = &from;
+    stack_in_use_ = &to;
+    from.leave_for(to);
     if (p)
         p->worker_->resume();
     else
         scheduler_->host()->resume();
+    from.arrive();
 }
 
 /// Gives a process that has its first turn a fiber.
 void Kernel::employ(Process& p) {
     if (idle_.empty()) {
-        workers_.push_back(std::make_unique<Worker>(*this));
+        workers_.push_back(std::make_unique<Worker>(*this, workers_.size() < guarded_workers));
         idle_.push_back(workers_.back().get());
     }
     p.worker_ = idle_.back();
@@ -103,15 +125,11 @@ void Kernel::wait() {
 void Kernel::give_way() {
     Process& self = *running_;
     if (!unwinding_) {
-        Process* next = choose_next();
-        if (next != &self) {
-            if (next && !next->worker_)
-                employ(*next);
+        Process* next = next_with_worker();
+        if (next != &self)
             switch_to(next);
-        }
     }
-    if (unwinding_)
-        throw Unwinding{};
+    throw_if_unwinding();
 }
 
 /// The process that ran on the worker has ended: whoever waits in a PAR for it may go on.
@@ -123,68 +141,47 @@ void Kernel::finish(Process& p) noexcept {
     p.worker_ = nullptr;
     if (unwinding_)
         return;
+    Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
     if (p.processor_)
-        p.processor_->release(p);
-    if (p.join_ && --p.join_->components_left == 0)
-        make_ready(p.join_->parent);
-}
-
-Worker::Worker(Kernel& kernel) {
-    kernel.scheduler_->expect_worker();
-    boost::fibers::fiber(boost::fibers::launch::post, std::allocator_arg,
-                         boost::fibers::fixedsize_stack(stack_bytes), [this, &kernel] { work(kernel); })
-        .detach();
-    context_ = kernel.scheduler_->newest_worker();
-}
-
-void Worker::work(Kernel& kernel) {
-    while (!dismissed) {
-        Process& self = *process;
-        try {
-            self.body_();
-        } catch (const Unwinding&) {
-        } catch (...) {
-            if (!kernel.failure_ && !kernel.unwinding_)
-                kernel.failure_ = std::current_exception();
-        }
-        process = nullptr;
-        kernel.finish(self);
-        Process* next = kernel.unwinding_ ? nullptr : kernel.choose_next();
-        if (next && !next->worker_)
-            kernel.employ(*next);
-        kernel.running_ = next;
-        if (next && next->worker_ == this)
-            continue;
-        kernel.switch_to(next);
-    }
+        p.processor_->end(p, parent);
+    else if (parent)
+        make_ready(*parent);
 }
 
 Ending Kernel::run(Time limit, const std::function<void(Ending)>& at_end) {
     if (current_)
         throw std::logic_error("a simulation is already running on this thread");
-    current_ = this;
+    if (unwinding_)
+        throw std::logic_error("a simulation runs only once");
     limit_ = limit;
-    auto* host = boost::fibers::context::active();
-    boost::fibers::use_scheduling_algorithm<FiberScheduler>(host, scheduler_);
-    if (Process* first = choose_next()) {
-        employ(*first);
+    boost::fibers::use_scheduling_algorithm<FiberScheduler>(boost::fibers::context::active(), scheduler_);
+    current_ = this;
+    stack_in_use_ = &host_stack_;
+    if (Process* first = next_with_worker())
         switch_to(first);
+    Ending how = ending();
+    try {
+        if (!failure_)
+            at_end(how);
+    } catch (...) {
+        failure_ = std::current_exception();
     }
-    bool all_ended = living().empty();
-    Ending ending = all_ended        ? Ending::completed
-                    : interrupted_   ? Ending::interrupted
-                    : limit_reached_ ? Ending::time_limit
-                                     : Ending::stuck;
-    if (!failure_)
-        at_end(ending);
     unwind_all();
+    current_ = nullptr;
     boost::fibers::use_scheduling_algorithm<boost::fibers::algo::round_robin>();
     boost::this_fiber::yield(); // Boost's dispatcher frees the stacks of the workers
     scheduler_ = nullptr;
-    current_ = nullptr;
     if (failure_)
         std::rethrow_exception(failure_);
-    return ending;
+    return how;
+}
+
+Ending Kernel::ending() const {
+    if (living().empty())
+        return Ending::completed;
+    if (interrupted_)
+        return Ending::interrupted;
+    return limit_reached_ ? Ending::time_limit : Ending::stuck;
 }
 
 /// Components before the processes that wait for them: the youngest first.
@@ -200,7 +197,9 @@ void Kernel::unwind_all() {
     scheduler_->dismissing(true);
     for (auto& worker : workers_) {
         worker->dismissed = true;
+        host_stack_.leave_for(worker->stack);
         worker->resume();
+        host_stack_.arrive();
     }
     scheduler_->dismissing(false);
     workers_.clear();

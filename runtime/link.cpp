@@ -5,6 +5,9 @@
 #include "runtime/kernel.hpp"
 #include "runtime/processor.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
 #include <utility>
 
 namespace placedpar {
@@ -23,15 +26,30 @@ std::size_t last_travelling_part(const WireForm& form) {
 
 Link::Link(Kernel& kernel, const LinkTiming& timing)
     : timing_(timing), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
-      a_to_b_(kernel, timing_, wire_from_a_, wire_from_b_), b_to_a_(kernel, timing_, wire_from_b_, wire_from_a_) {}
+      a_to_b_(kernel, timing_, wire_from_a_, wire_from_b_, b_to_a_),
+      b_to_a_(kernel, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
 
-LinkDirection::LinkDirection(Kernel& kernel, const LinkTiming& timing, Wire& out, Wire& back)
-    : kernel_(kernel), timing_(timing), out_(out), back_(back) {}
+LinkDirection::LinkDirection(Kernel& kernel, const LinkTiming& timing, Wire& out, Wire& back, LinkDirection& opposite)
+    : kernel_(kernel), timing_(timing), out_(out), back_(back), opposite_(opposite) {}
 
-void LinkDirection::schedule(Event& event, Time at) { kernel_.future().schedule(event, at, EventQueue::wire); }
+void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
+    kernel_.future().schedule(event, at, priority, events_of_a_wire * out_.rank() + number);
+}
+
+void LinkDirection::cancel(Event& event) { kernel_.future().cancel(event); }
+
+void LinkDirection::serve(AnyChannel& channel) {
+    if (channel_ && channel_ != &channel)
+        throw std::logic_error(fmt::format("channels {} and {} use the same direction of a link: "
+                                           "several channels need a multiplexer",
+                                           channel_->name(), channel.name()));
+    channel_ = &channel;
+}
 
 void LinkDirection::output(AnyChannel& channel, const WireForm& form, const std::source_location& where) {
-    channel_ = &channel;
+    serve(channel);
+    if (form.total() == 0)
+        throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
     std::size_t last = last_travelling_part(form);
     for (std::size_t part = 0; part <= last; ++part)
         if (form[part] > 0) {
@@ -41,7 +59,7 @@ void LinkDirection::output(AnyChannel& channel, const WireForm& form, const std:
 }
 
 void LinkDirection::input(AnyChannel& channel, const std::source_location& where) {
-    channel_ = &channel;
+    serve(channel);
     bool last;
     do {
         charge_channel_call();
@@ -53,13 +71,11 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const std::source_
     sender_ = &kernel_.running();
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
-    taken_ = false;
-    ++part_;
     began_ = kernel_.now();
     if (kernel_.now() >= may_start_)
         start_byte();
     else
-        schedule(start_byte_, may_start_);
+        start_byte_.schedule(may_start_);
     sender_->wait_for(Activity::outputting, channel_, where);
 }
 
@@ -67,7 +83,7 @@ bool LinkDirection::receive(const std::source_location& where) {
     receiver_ = &kernel_.running();
     bool first_byte_here = std::exchange(first_byte_waits_, false);
     if (std::exchange(acknowledge_owed_, false))
-        back_.ask_for_acknowledge(*this);
+        ask_for_acknowledge(kernel_.now());
     if (first_byte_here && bytes_left_ == 0) {
         take_part();
         receiver_ = nullptr;
@@ -77,37 +93,45 @@ bool LinkDirection::receive(const std::source_location& where) {
     return took_last_part_;
 }
 
-/// From here on the receiver is sure to get the whole part, and the sender's copy is not needed.
+/// Two moments end a part: its last byte arrives, and the acknowledge of that byte starts. At the first of
+/// them the receiver gets the message: it, or the sender, goes on with that moment or soon after.
 void LinkDirection::take_part() {
-    if (std::exchange(taken_, true))
+    taken_ = !taken_;
+    if (!taken_)
         return;
     took_last_part_ = last_part_;
     if (last_part_)
         channel_->hand_over();
 }
 
-void LinkDirection::start_byte() { out_.ask_for_byte(*this); }
+void LinkDirection::start_byte() {
+    skipped_bytes_ = 0;
+    opposite_.simulate_bytes_again(kernel_.now());
+    out_.ask_for_byte(*this);
+}
 
 void LinkDirection::byte_started() {
     Time seen = kernel_.now() + timing_.wire_delay;
-    schedule(byte_noticed_, seen + timing_.acknowledge_latency());
+    byte_noticed_.schedule(seen + timing_.acknowledge_latency());
     if (bytes_left_ == bytes_in_part_) {
-        kernel_.future().cancel(first_byte_arrived_); // of a part that was taken: it changes nothing
-        schedule(first_byte_arrived_, seen + timing_.data());
+        cancel(first_byte_arrived_); // of a part that was taken: it changes nothing
+        first_byte_arrived_.schedule(seen + timing_.data());
     }
-    if (--bytes_left_ == 0) {
-        LastByte& arrival = last_byte_arrived_[part_ % 2];
-        arrival.part = part_;
-        schedule(arrival, seen + timing_.data());
-    }
+    if (--bytes_left_ == 0)
+        last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(seen + timing_.data());
     ++bytes_carried_;
 }
 
 void LinkDirection::byte_noticed() {
-    if (receiver_)
-        back_.ask_for_acknowledge(*this);
+    if (receiver_ || taken_)
+        ask_for_acknowledge(kernel_.now() - Time{1}); // what starts at this moment has not started yet
     else
         acknowledge_owed_ = true;
+}
+
+void LinkDirection::ask_for_acknowledge(Time happened_until) {
+    opposite_.simulate_bytes_again(happened_until);
+    back_.ask_for_acknowledge(*this);
 }
 
 void LinkDirection::first_byte_arrived() {
@@ -117,10 +141,9 @@ void LinkDirection::first_byte_arrived() {
     }
 }
 
-void LinkDirection::last_byte_arrived(std::uint32_t part) {
+void LinkDirection::last_byte_arrived() {
     if (receiver_) {
-        if (part == part_) // else its acknowledge is under way: the sender has begun the next part
-            take_part();
+        take_part();
         kernel_.make_ready(*std::exchange(receiver_, nullptr));
     }
 }
@@ -128,17 +151,19 @@ void LinkDirection::last_byte_arrived(std::uint32_t part) {
 void LinkDirection::acknowledge_started() {
     Time seen = kernel_.now() + timing_.wire_delay;
     may_start_ = seen + timing_.restart_latency();
-    if (bytes_left_ > 0) {
-        schedule(start_byte_, may_start_);
-    } else {
+    if (bytes_left_ == 0) {
         take_part();
-        schedule(sending_ended_, seen + timing_.acknowledge());
+        sending_ended_.schedule(seen + timing_.acknowledge());
+    } else if (quiet_enough_to_skip()) {
+        skip_middle_bytes();
+    } else {
+        start_byte_.schedule(may_start_);
     }
 }
 
 void LinkDirection::sending_ended() {
     time_occupied_ += kernel_.now() - began_;
-    kernel_.make_ready(*sender_);
+    kernel_.make_ready(*std::exchange(sender_, nullptr));
 }
 
 } // namespace placedpar

@@ -12,24 +12,30 @@ namespace placedpar {
 class Kernel;
 class Process;
 
-/// One direction of a link, for one message at a time: the two engines that the instructions `out` and `in`
-/// start at its ends. A sender goes on when the acknowledge of its last byte has come, a receiver when its
-/// last byte has. The first byte of a message that nobody has asked for waits, unacknowledged, at the
-/// receiving end. Each byte is simulated; the times are exact to the bit.
+/// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
+/// `in` start at its ends. A sender goes on when the acknowledge of its last byte has come, a receiver when
+/// its last byte has. The first byte of a message that nobody has asked for waits, unacknowledged, at the
+/// receiving end. The times are exact to the bit.
+///
+/// Throws std::logic_error when a second channel uses it, and for a message without bytes.
 class LinkDirection final : public Carrier, private WireUser {
 public:
-    /// Its bytes travel on `out`, their acknowledges on `back`.
-    LinkDirection(Kernel&, const LinkTiming&, Wire& out, Wire& back);
+    /// Its bytes travel on `out`, their acknowledges on `back`; `opposite` uses them the other way round.
+    LinkDirection(Kernel&, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
 
     void output(AnyChannel&, const WireForm&, const std::source_location&) override;
     void input(AnyChannel&, const std::source_location&) override;
     bool message_waits(const AnyChannel&) const override { return first_byte_waits_; }
+
+    /// Makes every byte a matter of events of its own: the model by which the closed form is tested.
+    void simulate_every_byte() { every_byte_ = true; }
 
     std::uint64_t bytes_carried() const { return bytes_carried_; }
     /// How long messages were under way, from the start of their first byte to the acknowledge of the last.
     Time time_occupied() const { return time_occupied_; }
 
 private:
+    void serve(AnyChannel&);
     void send(std::uint32_t bytes, bool last_part, const std::source_location&);
     bool receive(const std::source_location&);
 
@@ -38,33 +44,36 @@ private:
     void byte_started() override;
     void byte_noticed();
     void first_byte_arrived();
-    void last_byte_arrived(std::uint32_t part);
+    void last_byte_arrived();
     void acknowledge_started() override;
     void sending_ended();
     void take_part();
+    void ask_for_acknowledge(Time happened_until);
 
-    template <void (LinkDirection::*Step)()>
+    // The closed form (link_closed_form.cpp).
+    bool quiet() const { return !sender_ || acknowledge_owed_; }
+    bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
+    void skip_middle_bytes();
+    void simulate_bytes_again(Time happened_until);
+
+    template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
     struct StepEvent final : Event {
         StepEvent(LinkDirection& d) : direction(d) {}
         void happen() noexcept override { (direction.*Step)(); }
+        void schedule(Time at) { direction.schedule(*this, at, priority, number); }
         LinkDirection& direction;
     };
-    struct LastByte final : Event {
-        LastByte(LinkDirection& d) : direction(d) {}
-        void happen() noexcept override { direction.last_byte_arrived(part); }
-        LinkDirection& direction;
-        std::uint32_t part = 0;
-    };
-    void schedule(Event&, Time);
+    void schedule(Event&, Time, EventQueue::Priority, std::uint64_t number);
+    void cancel(Event&);
 
     Kernel& kernel_;
     const LinkTiming& timing_;
     Wire& out_;
     Wire& back_;
-    AnyChannel* channel_ = nullptr; ///< of the message under way
+    LinkDirection& opposite_;
+    AnyChannel* channel_ = nullptr;
 
-    Process* sender_ = nullptr;
-    std::uint32_t part_ = 0; ///< counts the parts sent
+    Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
     std::uint32_t bytes_in_part_ = 0;
     std::uint32_t bytes_left_ = 0; ///< not yet started
     bool last_part_ = false;
@@ -74,15 +83,20 @@ private:
     Process* receiver_ = nullptr;
     bool first_byte_waits_ = false; ///< arrived, and nobody has asked for it
     bool acknowledge_owed_ = false; ///< to the first byte, once somebody asks for it
-    bool taken_ = false;            ///< the receiver is sure to get all of the part
+    /// The receiver has the part, and either its last byte or that byte's acknowledge is still to come.
+    bool taken_ = false;
     bool took_last_part_ = false;
 
-    StepEvent<&LinkDirection::start_byte> start_byte_{*this};
-    StepEvent<&LinkDirection::byte_noticed> byte_noticed_{*this};
-    StepEvent<&LinkDirection::first_byte_arrived> first_byte_arrived_{*this};
-    /// Two, for the sender can begin its next part before the last byte of this one has arrived.
-    LastByte last_byte_arrived_[2]{*this, *this};
-    StepEvent<&LinkDirection::sending_ended> sending_ended_{*this};
+    bool every_byte_ = false;
+    std::uint32_t skipped_bytes_ = 0; ///< of the part under way: those that the closed form stands for
+    Time first_skipped_start_{};
+
+    StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
+    StepEvent<&LinkDirection::byte_noticed, EventQueue::acknowledge, 1> byte_noticed_{*this};
+    StepEvent<&LinkDirection::first_byte_arrived, EventQueue::arrival, 1> first_byte_arrived_{*this};
+    /// Two, for on a long wire the next part can start before the last byte of this one has arrived.
+    StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
+    StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
 
     std::uint64_t bytes_carried_ = 0;
     Time time_occupied_{};

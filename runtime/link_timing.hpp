@@ -2,6 +2,8 @@
 
 #include "runtime/time.hpp"
 
+#include <algorithm>
+
 namespace placedpar {
 
 /// What a link's bits take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
@@ -25,11 +27,17 @@ struct LinkTiming {
     /// and the wire is free: 5.5 bit periods; without overlap, counted from the end of the byte.
     constexpr Time acknowledge_latency() const {
         Time latency = duration_of(55, 10 * bits_per_second);
-        return overlapped_acknowledge ? latency : data() + latency + acknowledge();
+        return overlapped_acknowledge ? latency : data() + latency;
     }
-    /// From the start of the acknowledge at the sender to the start of the next byte: 6 bit periods at 20 Mbit/s.
+    /// From the start of the acknowledge at the sender to the start of the next byte: 6 bit periods at
+    /// 20 Mbit/s; without overlap, counted from the end of the acknowledge.
     constexpr Time restart_latency() const {
-        return duration_of(32, 10 * bits_per_second) + std::chrono::nanoseconds{140};
+        Time latency = duration_of(32, 10 * bits_per_second) + std::chrono::nanoseconds{140};
+        return overlapped_acknowledge ? latency : acknowledge() + latency;
+    }
+    /// From byte to byte when the other direction is quiet and the receiver ready.
+    constexpr Time byte_period() const {
+        return std::max(data(), 2 * wire_delay + acknowledge_latency() + restart_latency());
     }
 };
 

@@ -26,23 +26,23 @@ Priority own_priority();
 /// occam's PAR: `par([&] { ... }, [&] { ... })`.
 template <class... Bodies>
 void par(Bodies&&... bodies) {
-    run_in_parallel({Component{std::forward<Bodies>(bodies), own_priority()}...}, std::source_location::current());
+    run_in_parallel({Component{std::forward<Bodies>(bodies), own_priority()}...}, std::source_location{});
 }
 
 /// occam's replicated PAR, `PAR i = 0 FOR n`: `par_for(n, [&](std::size_t i) { ... })`.
 template <class Body>
-void par_for(std::size_t n, Body body) {
+void par_for(std::size_t n, Body body, const std::source_location& where = std::source_location::current()) {
     std::vector<Component> components;
     for (std::size_t i = 0; i < n; ++i)
         components.push_back({[i, &body] { body(i); }, own_priority()});
-    run_in_parallel(std::move(components), std::source_location::current());
+    run_in_parallel(std::move(components), where);
 }
 
 /// occam's PRI PAR of two: the first at high priority, the second at low priority.
 template <class High, class Low>
-void pri_par(High&& high, Low&& low) {
+void pri_par(High&& high, Low&& low, const std::source_location& where = std::source_location::current()) {
     run_in_parallel({{std::forward<High>(high), Priority::high}, {std::forward<Low>(low), Priority::low}},
-                    std::source_location::current());
+                    where);
 }
 
 } // namespace placedpar

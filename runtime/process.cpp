@@ -17,7 +17,7 @@ Process::Process(Kernel& kernel, std::string name, Body body, Processor* process
 
 Process::Process(Process& parent, std::size_t index, Body body, Priority priority, Join& join)
     : kernel_(parent.kernel_), index_(index), body_(std::move(body)), processor_(parent.processor_),
-      priority_(priority), join_(&join) {
+      priority_(priority), join_(&join), outermost_(parent.outermost_) {
     kernel_.add(*this);
 }
 

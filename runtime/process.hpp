@@ -51,6 +51,8 @@ public:
     std::uint32_t ordinal() const { return ordinal_; }
     /// The process whose PAR this one is a component of; null at the outermost level.
     const Process* parent() const { return join_ ? &join_->parent : nullptr; }
+    /// Its ancestor at the outermost level, perhaps itself.
+    const Process& outermost() const { return *outermost_; }
     Processor* processor() const { return processor_; }
     Priority priority() const { return priority_; }
     Kernel& kernel() const { return kernel_; }
@@ -98,6 +100,7 @@ private:
 
     Time work_left_{}; ///< processor time that it still needs before its body goes on
     Join* join_ = nullptr; ///< the PAR of which it is a component
+    const Process* outermost_ = this;
 };
 
 /// First in, first out, linked through the processes themselves: a process stands in at most one queue.

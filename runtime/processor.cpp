@@ -6,13 +6,15 @@
 
 #include <algorithm>
 #include <cassert>
+#include <stdexcept>
 #include <utility>
 
 namespace placedpar {
 
 Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call)
     : kernel_(kernel), name_(std::move(name)), clock_hz_(clock_hz), channel_call_(channel_call) {
-    assert(clock_hz > 0);
+    if (clock_hz <= 0)
+        throw std::logic_error("processor " + name_ + ": its clock must run");
 }
 
 Time Processor::time_busy() const { return turn_.scheduled() ? busy_ + (kernel_.now() - turn_began_) : busy_; }
@@ -24,7 +26,7 @@ void Processor::make_ready(Process& p) {
     } else if (turn_.scheduled() && current_->priority() == Priority::low) {
         if (p.priority() == Priority::high) {
             preempt();
-        } else { // the current one had no rival so far: now its timeslice counts
+        } else { // if the current one had no rival so far: now its timeslice counts
             stop_turn();
             begin_turn();
         }
@@ -35,6 +37,18 @@ void Processor::release([[maybe_unused]] Process& p) {
     assert(current_ == &p);
     current_ = nullptr;
     dispatch();
+}
+
+void Processor::end(Process& p, Process* parent) {
+    assert(current_ == &p);
+    if (parent && parent->priority() == p.priority()) {
+        current_ = parent;
+        kernel_.enqueue(*parent);
+        return;
+    }
+    release(p);
+    if (parent)
+        make_ready(*parent);
 }
 
 void Processor::dispatch() {
@@ -56,13 +70,16 @@ void Processor::dispatch() {
 
 void Processor::compute(Cycles cycles) {
     Process& self = kernel_.running();
-    assert(current_ == &self && static_cast<std::int64_t>(cycles) >= 0);
-    self.work_left_ += duration_of(static_cast<std::int64_t>(cycles), clock_hz_);
+    kernel_.throw_if_unwinding();
+    assert(current_ == &self);
+    if (static_cast<std::int64_t>(cycles) < 0)
+        throw std::logic_error("process " + self.path() + " computes for less than no time");
+    self.work_left_ = later(self.work_left_, duration_of(static_cast<std::int64_t>(cycles), clock_hz_));
     if (self.priority() == Priority::low && !high_.empty()) {
         preempt();
     } else {
         bool alone = self.priority() == Priority::high || low_.empty();
-        if (alone && kernel_.pass_time(kernel_.now() + self.work_left_)) {
+        if (alone && kernel_.pass_time(later(kernel_.now(), self.work_left_))) {
             turn_began_ = kernel_.now() - self.work_left_;
             account(self, std::exchange(self.work_left_, Time{0}));
             return;
@@ -80,7 +97,7 @@ Time Processor::slice_end() const {
 
 void Processor::begin_turn() {
     turn_began_ = kernel_.now();
-    Time end = turn_began_ + current_->work_left_;
+    Time end = later(turn_began_, current_->work_left_);
     if (current_->priority() == Priority::low && !low_.empty())
         end = std::min(end, slice_end());
     kernel_.future().schedule(turn_, end, EventQueue::processor);

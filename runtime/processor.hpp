@@ -24,7 +24,8 @@ public:
     static constexpr Time timeslice = std::chrono::nanoseconds{1'024'000};
 
     /// `channel_call`: what the program's communication library charges for each operation on a hard channel,
-    /// on top of the instructions; none for occam, which compiles them in line. REQUIRES: clock_hz > 0.
+    /// on top of the instructions; none for occam, which compiles them in line. Throws std::logic_error unless
+    /// clock_hz > 0.
     Processor(Kernel&, std::string name, std::int64_t clock_hz, Cycles channel_call = Cycles{0});
 
     const std::string& name() const { return name_; }
@@ -33,13 +34,17 @@ public:
     /// Time for which it has computed so far.
     Time time_busy() const;
 
-    /// The running process computes. REQUIRES: it is the one that has this processor; cycles >= 0.
+    /// The running process computes. REQUIRES: it is the one that has this processor.
+    /// Throws std::logic_error when cycles < 0.
     void compute(Cycles);
 
     // For the kernel.
     void make_ready(Process&);
-    /// The process that has the processor waits or ends.
+    /// The process that has the processor waits.
     void release(Process&);
+    /// The process that has the processor ends. `parent`, if not null, waited in a PAR for it as the last
+    /// component: at the same priority it goes on in its place, as the instruction endp has it.
+    void end(Process&, Process* parent);
 
 private:
     struct Turn final : Event {

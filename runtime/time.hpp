@@ -18,13 +18,18 @@ constexpr Cycles operator+(Cycles a, Cycles b) {
 }
 constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_cast<std::int64_t>(c)}; }
 
-/// How long a count of periods lasts at a frequency, to the nearest picosecond. REQUIRES: hertz > 0.
+/// How long a count of periods lasts at a frequency, to the nearest picosecond, at most Time::max().
+/// REQUIRES: periods >= 0, hertz > 0.
 /// Used for cycles of a clock and for bits on a wire.
 constexpr Time duration_of(std::int64_t periods, std::int64_t hertz) {
     constexpr std::int64_t picoseconds_in_a_second = 1'000'000'000'000;
     __extension__ typedef __int128 Wide; // periods * 1e12 does not fit 64 bits after nine seconds
-    return Time{static_cast<std::int64_t>((Wide{periods} * picoseconds_in_a_second + hertz / 2) / hertz)};
+    Wide picoseconds = (Wide{periods} * picoseconds_in_a_second + hertz / 2) / hertz;
+    return picoseconds > Time::max().count() ? Time::max() : Time{static_cast<std::int64_t>(picoseconds)};
 }
+
+/// `t + by`, and the end of time where that would lie beyond it. REQUIRES: t >= 0.
+constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
 constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }
 

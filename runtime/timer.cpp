@@ -28,7 +28,7 @@ void wait_until(Time due, const std::source_location& where) {
     self.wait_for(Activity::delayed, nullptr, where);
 }
 
-void wait_for(Time how_long, const std::source_location& where) { wait_until(now() + how_long, where); }
+void wait_for(Time how_long, const std::source_location& where) { wait_until(later(now(), how_long), where); }
 
 Time Timer::tick() const {
     const Process& self = Kernel::current()->running();

@@ -6,6 +6,9 @@
 
 namespace placedpar {
 
+Wire::Wire(Kernel& kernel, const LinkTiming& timing)
+    : kernel_(kernel), timing_(timing), rank_(kernel.rank_of_new_wire()) {}
+
 void Wire::serve() {
     Time now = kernel_.now();
     if (now >= free_at_) {
@@ -18,7 +21,7 @@ void Wire::serve() {
         }
     }
     if ((acknowledge_for_ || byte_for_) && !freed_.scheduled())
-        kernel_.future().schedule(freed_, free_at_, EventQueue::wire);
+        kernel_.future().schedule(freed_, free_at_, EventQueue::start, events_of_a_wire * rank_);
 }
 
 } // namespace placedpar

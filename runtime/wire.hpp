@@ -7,6 +7,9 @@ namespace placedpar {
 
 class Kernel;
 
+/// How many kinds of events share the rank of a wire: its own, and those of the bytes that it carries.
+constexpr std::uint64_t events_of_a_wire = 4;
+
 /// A direction of a link, as one of the two users of a wire.
 class WireUser {
 public:
@@ -22,7 +25,13 @@ protected:
 /// after the other. An acknowledge goes before a byte that waits as well.
 class Wire {
 public:
-    Wire(Kernel& kernel, const LinkTiming& timing) : kernel_(kernel), timing_(timing) {}
+    Wire(Kernel&, const LinkTiming&);
+
+    std::uint64_t rank() const { return rank_; }
+    /// The end of the packet that it carries or carried last.
+    Time free_at() const { return free_at_; }
+    /// For packets that were not simulated one by one.
+    void occupied_until(Time time) { free_at_ = std::max(free_at_, time); }
 
     void ask_for_byte(WireUser& user) {
         byte_for_ = &user;
@@ -43,6 +52,7 @@ private:
 
     Kernel& kernel_;
     const LinkTiming& timing_;
+    std::uint64_t rank_;
     Time free_at_{};
     WireUser* byte_for_ = nullptr;
     WireUser* acknowledge_for_ = nullptr;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define PLACEDPAR_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PLACEDPAR_ADDRESS_SANITIZER 1
+#endif
+#endif
+
+#if defined(PLACEDPAR_ADDRESS_SANITIZER)
+#include <sanitizer/common_interface_defs.h>
+#endif
+
+namespace placedpar {
+
+/// A stack on which processes run, as AddressSanitizer has to know it: without being told of every switch it
+/// takes an exception for a jump out of the stack. Without the sanitizer nothing is left of this.
+///
+/// To switch: leave_for the other stack, switch, and on coming back (or in at the start) arrive.
+class SwitchedStack {
+public:
+#if defined(PLACEDPAR_ADDRESS_SANITIZER)
+    static constexpr bool watched = true;
+    void leave_for(const SwitchedStack& to) { __sanitizer_start_switch_fiber(&fake_stack_, to.bottom_, to.bytes_); }
+    /// The stack is left for good.
+    void end_for(const SwitchedStack& to) { __sanitizer_start_switch_fiber(nullptr, to.bottom_, to.bytes_); }
+    void arrive() { __sanitizer_finish_switch_fiber(fake_stack_, nullptr, nullptr); }
+    /// The first arrival, which also tells where the stack that was left lies.
+    void arrive_from(SwitchedStack& from) {
+        __sanitizer_finish_switch_fiber(nullptr, &from.bottom_, &from.bytes_);
+    }
+    void lies_at(const void* bottom, std::size_t bytes) { bottom_ = bottom, bytes_ = bytes; }
+
+private:
+    const void* bottom_ = nullptr;
+    std::size_t bytes_ = 0;
+    void* fake_stack_ = nullptr;
+#else
+    static constexpr bool watched = false;
+    void leave_for(const SwitchedStack&) {}
+    void end_for(const SwitchedStack&) {}
+    void arrive() {}
+    void arrive_from(SwitchedStack&) {}
+    void lies_at(const void*, std::size_t) {}
+#endif
+};
+
+} // namespace placedpar

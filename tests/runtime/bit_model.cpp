@@ -1,0 +1,194 @@
+#include "bit_model.hpp"
+
+#include <stdexcept>
+
+namespace placedpar::test {
+
+namespace {
+std::int64_t nanoseconds(Time t) { return t.count() / 1000; }
+} // namespace
+
+BitModel::BitModel(const LinkTiming& timing, const std::array<Traffic, 2>& traffic)
+    : bit_(1'000'000'000 / timing.bits_per_second), delay_(nanoseconds(timing.wire_delay)),
+      notice_after_(bit_ * 11 / 2), restart_after_(bit_ * 32 / 10 + 140), traffic_(traffic) {
+    if (!timing.overlapped_acknowledge) {
+        notice_after_ += bits(11);
+        restart_after_ += bits(2);
+    }
+}
+
+std::array<Course, 2> BitModel::run(std::int64_t limit) {
+    for (int direction : {0, 1})
+        if (!traffic_[direction].messages.empty()) {
+            sender_[direction].wakes_at = traffic_[direction].messages[0].sender_pause;
+            receiver_[direction].wakes_at = traffic_[direction].messages[0].receiver_pause;
+        }
+    for (; !over(); ++now_) {
+        if (now_ > limit)
+            throw std::runtime_error("the link is stuck");
+        for (int end : {0, 1})
+            notice(end);
+        for (int end : {0, 1})
+            transmit(end);
+        for (int direction : {0, 1})
+            processes(direction);
+        for (int direction : {0, 1})
+            timers(direction);
+        for (int end : {0, 1})
+            drive(end);
+        for (int end : {0, 1})
+            decode(end);
+    }
+    return course_;
+}
+
+bool BitModel::over() const {
+    for (int d : {0, 1})
+        if (sender_[d].message < traffic_[d].messages.size() || receiver_[d].message < traffic_[d].messages.size())
+            return false;
+    return true;
+}
+
+/// Reads the wire that leaves `end`, at its far side: a packet starts with a one, its second bit tells data
+/// (11 bits) from an acknowledge (2 bits).
+void BitModel::decode(int end) {
+    Decoder& decoder = decoder_[end];
+    if (now_ < delay_)
+        return;
+    bool level = transmitter_[end].level[static_cast<std::size_t>(now_ - delay_)];
+    if (decoder.in_packet && decoder.bits && now_ >= decoder.began + bits(decoder.bits))
+        decoder = {};
+    if (!decoder.in_packet && level)
+        decoder = {true, now_, 0};
+    else if (decoder.in_packet && now_ == decoder.began + bit_ * 3 / 2) {
+        decoder.bits = level ? 11 : 2;
+        packet_known(end, level);
+    }
+}
+
+void BitModel::packet_known(int end, bool data) {
+    std::int64_t began = decoder_[end].began;
+    if (data) {
+        ++receiver_[end].seen;
+        receiver_[end].notice_at = began + notice_after_;
+        receiver_[end].arrives_at = began + bits(11);
+        return;
+    }
+    Sender& sender = sender_[1 - end]; // the acknowledge of the other direction's byte
+    sender.awaits_acknowledge = false;
+    sender.may_start = began + restart_after_;
+    if (sender.to_start == 0)
+        sender.ends_at = began + bits(2);
+}
+
+/// Direction `d` has had a byte for long enough to acknowledge it, if its process has asked for it.
+void BitModel::notice(int d) {
+    Receiver& receiver = receiver_[d];
+    if (receiver.notice_at != now_)
+        return;
+    if (receiver.asked >= receiver.seen)
+        transmitter_[1 - d].acknowledge_wanted = true;
+    else
+        receiver.owed = true;
+}
+
+void BitModel::transmit(int end) {
+    Transmitter& transmitter = transmitter_[end];
+    Sender& sender = sender_[end];
+    if (now_ < transmitter.idle_from)
+        return;
+    if (transmitter.acknowledge_wanted) {
+        transmitter.acknowledge_wanted = false;
+        transmitter.packet = {true, false};
+    } else if (sender.sending && sender.to_start > 0 && !sender.awaits_acknowledge && now_ >= sender.may_start) {
+        transmitter.packet = {true, true};
+        for (int bit = 0; bit < 8; ++bit)
+            transmitter.packet.push_back((sender.to_start * 0x9d >> bit) & 1);
+        transmitter.packet.push_back(false);
+        --sender.to_start;
+        sender.awaits_acknowledge = true;
+    } else {
+        return;
+    }
+    transmitter.packet_began = now_;
+    transmitter.idle_from = now_ + bits(static_cast<std::int64_t>(transmitter.packet.size()));
+}
+
+void BitModel::drive(int end) {
+    transmit(end); // what a process asked for in this nanosecond
+    Transmitter& transmitter = transmitter_[end];
+    bool level = now_ < transmitter.idle_from &&
+                 transmitter.packet[static_cast<std::size_t>((now_ - transmitter.packet_began) / bit_)];
+    transmitter.level.push_back(level);
+}
+
+void BitModel::processes(int d) {
+    Receiver& receiver = receiver_[d];
+    if (receiver.arrives_at == now_) {
+        ++receiver.arrived;
+        if (receiver.receiving && receiver.arrived == receiver.asked)
+            next_input(d);
+    }
+    if (sender_[d].ends_at == now_)
+        next_output(d);
+}
+
+void BitModel::timers(int d) {
+    if (!sender_[d].sending && sender_[d].message < traffic_[d].messages.size() && sender_[d].wakes_at == now_)
+        begin_part(d);
+    if (!receiver_[d].receiving && receiver_[d].message < traffic_[d].messages.size() && receiver_[d].wakes_at == now_)
+        ask_part(d);
+}
+
+void BitModel::begin_part(int d) {
+    Sender& sender = sender_[d];
+    sender.sending = true;
+    sender.ends_at = -1;
+    sender.to_start = traffic_[d].messages[sender.message].parts[sender.part];
+    transmit(d);
+}
+
+void BitModel::next_output(int d) {
+    Sender& sender = sender_[d];
+    const auto& messages = traffic_[d].messages;
+    if (++sender.part < messages[sender.message].parts.size())
+        return begin_part(d);
+    course_[d].output_ended.push_back(now_);
+    sender.sending = false;
+    sender.part = 0;
+    if (++sender.message == messages.size())
+        return;
+    sender.wakes_at = now_ + messages[sender.message].sender_pause;
+    if (sender.wakes_at == now_)
+        begin_part(d);
+}
+
+void BitModel::ask_part(int d) {
+    Receiver& receiver = receiver_[d];
+    receiver.receiving = true;
+    receiver.asked += traffic_[d].messages[receiver.message].parts[receiver.part];
+    if (receiver.owed) {
+        receiver.owed = false;
+        transmitter_[1 - d].acknowledge_wanted = true;
+        transmit(1 - d);
+    }
+    if (receiver.arrived == receiver.asked)
+        next_input(d);
+}
+
+void BitModel::next_input(int d) {
+    Receiver& receiver = receiver_[d];
+    const auto& messages = traffic_[d].messages;
+    if (++receiver.part < messages[receiver.message].parts.size())
+        return ask_part(d);
+    course_[d].input_ended.push_back(now_);
+    receiver.receiving = false;
+    receiver.part = 0;
+    if (++receiver.message == messages.size())
+        return;
+    receiver.wakes_at = now_ + messages[receiver.message].receiver_pause;
+    if (receiver.wakes_at == now_)
+        ask_part(d);
+}
+
+} // namespace placedpar::test
