@@ -1,0 +1,24 @@
+"""Runs the program under test, which the environment's PLACEDPAR names."""
+
+import os
+import pathlib
+import subprocess
+
+PROGRAM = os.environ["PLACEDPAR"]
+EXAMPLES = pathlib.Path(os.environ["PLACEDPAR_EXAMPLES"])
+CLUSTER = EXAMPLES / "03-table-e1" / "cluster.cfs"
+FIGURE_E2 = EXAMPLES / "04-figure-e2" / "figure-e2.cfs"
+
+
+def placedpar(*arguments, environment=None):
+    """The finished process: returncode, stdout, stderr."""
+    return subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          env={**os.environ, **(environment or {})}, timeout=120, check=False)
+
+
+def fingerprint(output):
+    """The fingerprint that a run printed."""
+    for line in output.splitlines():
+        if line.startswith("fingerprint: "):
+            return line.split()[1]
+    raise AssertionError("no fingerprint in\n" + output)
