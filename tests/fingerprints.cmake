@@ -1,12 +1,12 @@
-# tests/fingerprints.csv holds the fingerprint of each netlist and seed; every build of the program must give these,
-# and so equal those of any other compiler and optimisation.
-function(placedpar_fingerprints test program)
-    add_test(NAME ${test} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fingerprints.py ${program})
+# tests/fingerprints.csv holds the fingerprint of each netlist and seed. Every build of the program must give these, and
+# builds of other compilers and optimisations print the same reports to the letter.
+function(placedpar_fingerprints test) # ... program [reference]
+    add_test(NAME ${test} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fingerprints.py ${ARGN})
 endfunction()
 
 placedpar_fingerprints(fingerprints $<TARGET_FILE:placedpar>)
 
-# placedpar_compiler(gcc-O0 g++ -O0): builds the program that way and compares its fingerprints.
+# placedpar_compiler(gcc-O0 g++ -O0): builds the program that way and compares what it prints.
 function(placedpar_compiler name compiler flags)
     find_program(PLACEDPAR_${compiler} ${compiler} REQUIRED)
     set(build ${CMAKE_CURRENT_BINARY_DIR}/${name})
@@ -14,7 +14,7 @@ function(placedpar_compiler name compiler flags)
         -DCMAKE_CXX_COMPILER=${PLACEDPAR_${compiler}} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_BUILD_TYPE=
         -DPLACEDPAR_TESTS=OFF -DPLACEDPAR_BENCH=OFF -DPLACEDPAR_WARNINGS_AS_ERRORS=${PLACEDPAR_WARNINGS_AS_ERRORS})
     add_test(NAME ${name}.build COMMAND ${CMAKE_COMMAND} --build ${build} --target placedpar)
-    placedpar_fingerprints(${name}.fingerprints ${build}/app/placedpar)
+    placedpar_fingerprints(${name}.fingerprints ${build}/app/placedpar $<TARGET_FILE:placedpar>)
     set_tests_properties(${name}.configure ${name}.build ${name}.fingerprints PROPERTIES LABELS compilers)
     set_tests_properties(${name}.configure PROPERTIES FIXTURES_SETUP ${name}.configured)
     set_tests_properties(${name}.build PROPERTIES

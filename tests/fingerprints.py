@@ -1,10 +1,16 @@
 #!/usr/bin/env python3
 """Runs each row of fingerprints.csv and compares the fingerprint that the program prints.
 
-usage: fingerprints.py PROGRAM [--write]    --write: puts what the program prints into the table
+usage: fingerprints.py PROGRAM              the table's fingerprints must come out
+       fingerprints.py PROGRAM REFERENCE    and the whole report, to the letter, be that of another build
+       fingerprints.py PROGRAM --write      puts what the program prints into the table
+
+The fingerprint is of the order and the times of events. Times that do not depend on what was computed leave it the same when
+a result changes; hence the comparison of whole reports between compilers.
 """
 
 import csv
+import difflib
 import pathlib
 import re
 import subprocess
@@ -14,40 +20,56 @@ TOP = pathlib.Path(__file__).resolve().parents[1]
 TABLE = TOP / "tests" / "fingerprints.csv"
 
 
-def fingerprint(program, row):
-    """What the program prints for the row, or a sentence that says why there is nothing."""
+def report(program, row):
+    """What the program prints for the row, on either stream."""
     command = [program, "run", row["netlist"], *row["arguments"].split()]
-    done = subprocess.run(command, cwd=TOP, text=True, capture_output=True, timeout=300)
-    found = re.search(r"^fingerprint: ([0-9a-f]+)$", done.stdout, re.MULTILINE)
-    return found[1] if found else f"exit code {done.returncode} and no fingerprint: {done.stderr.strip()}"
+    done = subprocess.run(command, cwd=TOP, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
+                          check=False)
+    return f"exit code {done.returncode}\n{done.stdout}"
 
 
-def main(program, write):
+def fingerprint(printed):
+    """The fingerprint in a report, or the whole report if there is none."""
+    found = re.search(r"^fingerprint: ([0-9a-f]+)$", printed, re.MULTILINE)
+    return found[1] if found else printed
+
+
+def compare(program, row, reference):
+    """Prints what is different; whether anything is. The row gets the program's fingerprint."""
+    name = f"{row['netlist']} {row['arguments']}"
+    printed, wanted = report(program, row), row["fingerprint"]
+    row["fingerprint"] = fingerprint(printed)
+    if row["fingerprint"] != wanted:
+        print(f"{name}\n  table:   {wanted}\n  program: {row['fingerprint']}")
+        return True
+    if reference and printed != (other := report(reference, row)):
+        print(*difflib.unified_diff(other.splitlines(), printed.splitlines(), reference, program, lineterm=""), sep="\n")
+        return True
+    return False
+
+
+def write(rows):
+    with open(TABLE, "w", newline="") as file:
+        writer = csv.DictWriter(file, ["netlist", "arguments", "fingerprint"], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main(program, reference=None):
     with open(TABLE, newline="") as file:
         rows = list(csv.DictReader(file))
     if not rows and any(TOP.glob("examples/**/*.cfs")):
         print(f"{TABLE} is empty, though there are netlists in examples")
         return 1
-
-    wrong = 0
-    for row in rows:
-        printed = fingerprint(program, row)
-        if printed != row["fingerprint"]:
-            wrong += 1
-            print(f"{row['netlist']} {row['arguments']}\n  table:   {row['fingerprint']}\n  program: {printed}")
-        row["fingerprint"] = printed
-    print(f"{len(rows)} runs, {wrong} with another fingerprint than the table")
-
-    if write:
-        with open(TABLE, "w", newline="") as file:
-            writer = csv.DictWriter(file, ["netlist", "arguments", "fingerprint"], lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
-        return 0
-    return 1 if wrong else 0
+    writing = reference == "--write"
+    different = sum([compare(program, row, None if writing else reference) for row in rows])
+    print(f"{len(rows)} runs, {different} different")
+    if writing:
+        write(rows)
+    return 1 if different and not writing else 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2 or set(sys.argv[2:]) - {"--write"}:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
-    sys.exit(main(sys.argv[1], "--write" in sys.argv))
+    sys.exit(main(*sys.argv[1:]))

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs the commands of a document and compares what they print with what the document says.
 
-usage: document.py TREE PROGRAMS DOCUMENT
+usage: document.py TREE PROGRAMS DOCUMENT [--write]
 
+--write puts what the commands print into the document, where it shows other output without leaving lines out.
 The document is relative to TREE. Its commands run from the top of a scratch copy of TREE, so that they leave nothing
 behind, with the folder PROGRAMS first on the path. In a block fenced as ```console
 
@@ -99,46 +100,69 @@ def matches(expected, printed):
     return re.fullmatch("".join(lines), "".join(line + "\n" for line in printed)) is not None
 
 
-def failure(command, tree, environment):
-    """Runs the command; a text that says what is wrong, or nothing."""
+def execute(command, tree, environment):
+    """Exit code and printed lines of a command; None instead of the code when it does not end."""
     try:
         done = subprocess.run(["bash", "-c", command.text], cwd=tree, env=environment, text=True, errors="replace",
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=SECONDS)
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
+        return None, []
+    return done.returncode, done.stdout.rstrip("\n").split("\n") if done.stdout else []
+
+
+def failure(command, exit_code, printed):
+    """A text that says what is wrong, or nothing."""
+    if exit_code is None:
         return f"does not end within {SECONDS} s"
-    printed = done.stdout.rstrip("\n").split("\n") if done.stdout else []
-    if done.returncode != command.exit_code:
-        return f"exit code {done.returncode}, the document says {command.exit_code}; it printed:\n{done.stdout}"
+    if exit_code != command.exit_code:
+        return "\n".join([f"exit code {exit_code}, the document says {command.exit_code}; it printed:", *printed])
     if command.output and not matches(command.output, printed):
         return "\n".join(difflib.unified_diff(command.output, printed, "the document", "the program", lineterm=""))
     return None
 
 
+def with_output(text, printed):
+    """The text of a document with the outputs of its commands replaced; printed: pairs of command and lines."""
+    lines = text.splitlines()
+    for command, output in reversed(printed):
+        start = command.line + command.text.count("\n")
+        lines[start:start + len(command.output)] = output
+    return "\n".join(lines) + "\n"
+
+
 def run(document, tree, programs):
-    """Does what the document says in the tree; the number of failures."""
+    """Does what the document says in the tree; the number of failures, and the document as the program would have it."""
     environment = dict(os.environ, PATH=f"{programs}{os.pathsep}{os.environ['PATH']}", LC_ALL="C.UTF-8")
-    done = failures = 0
-    for step in steps((tree / document).read_text()):
+    text = (tree / document).read_text()
+    done, failures, other = 0, 0, []
+    for step in steps(text):
         if isinstance(step, File):
             (tree / step.name).write_text(step.text)
             continue
         done += 1
-        wrong = failure(step, tree, environment)
+        exit_code, printed = execute(step, tree, environment)
+        wrong = failure(step, exit_code, printed)
         if wrong:
             failures += 1
             print(f"{document}:{step.line}: $ {step.text}\n{wrong}\n")
+            if exit_code == step.exit_code and "..." not in step.output:
+                other.append((step, printed))
     print(f"{document}: {done} commands, {failures} failures")
-    return failures
+    return failures, with_output(text, other)
 
 
-def main(source, programs, document):
+def main(source, programs, document, write=False):
     with tempfile.TemporaryDirectory() as scratch:
         tree = pathlib.Path(scratch) / "placedpar"
         shutil.copytree(source, tree, ignore=shutil.ignore_patterns(".git", "build"))
-        return 1 if run(document, tree, programs) else 0
+        failures, text = run(document, tree, os.path.abspath(programs))
+    if write:
+        (pathlib.Path(source) / document).write_text(text)
+    return 1 if failures and not write else 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) != 4 and sys.argv[4:] != ["--write"]:
         sys.exit(__doc__)
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(*sys.argv[1:4], write=len(sys.argv) == 5))

@@ -13,20 +13,23 @@ def console(*lines):
     return "\n".join(["```console", *lines, "```", ""])
 
 
-def report(text):
-    """The number of failures of a document, and what is said about them."""
+def outcome(text):
+    """The number of failures of a document, what is said about them, and the document mended."""
     with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
         tree = pathlib.Path(folder)
         (tree / "page.md").write_text(text)
-        return document.run("page.md", tree, folder), said.getvalue()
+        failures, mended = document.run("page.md", tree, folder)
+        return failures, said.getvalue(), mended
 
 
 class Documents(unittest.TestCase):
     def passes(self, text):
-        self.assertEqual(report(text)[0], 0, report(text)[1])
+        failures, said, mended = outcome(text)
+        self.assertEqual(failures, 0, said)
+        self.assertEqual(mended, text)
 
     def fails(self, text, *because):
-        failures, said = report(text)
+        failures, said, _ = outcome(text)
         self.assertEqual(failures, 1)
         for words in because:
             self.assertIn(words, said)
@@ -57,6 +60,11 @@ class Documents(unittest.TestCase):
     def test_each_command_of_a_block_is_run(self):
         self.fails(console("$ echo a", "a", "", "$ echo b", "c", "$ true"), "3 commands, 1 failures")
 
+    def test_outputs_are_mended_in_their_places(self):
+        stale = console("$ echo a", "b", "", "$ printf 'c\\nd\\n' \\", "  # goes on", "e", "f", "g", "$ echo h", "x", "...", "y")
+        mended = console("$ echo a", "a", "", "$ printf 'c\\nd\\n' \\", "  # goes on", "c", "d", "$ echo h", "x", "...", "y")
+        self.assertEqual(outcome(stale)[2], mended)
+
     def test_a_named_block_is_a_file(self):
         self.passes("```c mine.cfs\nT800 a;\n```\n" + console("$ cat mine.cfs", "T800 a;"))
 
@@ -65,9 +73,9 @@ class Documents(unittest.TestCase):
 
     def test_a_block_must_be_closed_and_begin_with_a_command(self):
         with self.assertRaises(SyntaxError):
-            report("```console\n$ true\n")
+            outcome("```console\n$ true\n")
         with self.assertRaises(SyntaxError):
-            report(console("true"))
+            outcome(console("true"))
 
 
 if __name__ == "__main__":
