@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 namespace placedpar {
@@ -26,6 +27,26 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
     throw std::invalid_argument(fmt::format(
         "process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run", process.name,
         process.kind));
+}
+
+void mix_text(Fingerprint& fingerprint, std::string_view text) {
+    for (char c : text)
+        fingerprint.mix(static_cast<unsigned char>(c));
+}
+
+/// The order of events, and with it what the processes found out.
+std::uint64_t fingerprint_of(std::uint64_t events, const std::vector<Measurement>& measurements) {
+    Fingerprint fingerprint;
+    fingerprint.mix(events);
+    for (const Measurement& m : measurements) {
+        mix_text(fingerprint, m.process);
+        mix_text(fingerprint, m.name);
+        if (const auto* number = std::get_if<double>(&m.value))
+            fingerprint.mix(std::bit_cast<std::uint64_t>(*number));
+        else
+            mix_text(fingerprint, std::get<std::string>(m.value));
+    }
+    return fingerprint.value();
 }
 
 double fraction(Time part, Time whole) {
@@ -113,6 +134,7 @@ RunReport Machine::run(Time limit) { return report(simulation_.run(limit)); }
 
 RunReport Machine::report(RunResult result) const {
     RunReport report{std::move(result), measurements_, {}, {}, {}};
+    report.result.fingerprint = fingerprint_of(report.result.fingerprint, measurements_);
     Time whole = report.result.time;
     for (std::size_t i = 0; i < processors_.size(); ++i)
         if (processors_[i])

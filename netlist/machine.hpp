@@ -33,7 +33,7 @@ struct ProcessUse {
 
 /// What a run reports: how it ended, what the processes measured, and how the machine was used.
 struct RunReport {
-    RunResult result;
+    RunResult result; ///< its fingerprint covers the measurements too
     std::vector<Measurement> measurements;
     std::vector<ProcessorUse> processors;
     std::vector<LinkUse> links;
