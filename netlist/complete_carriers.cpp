@@ -46,6 +46,7 @@ private:
     bool place_as_told(std::size_t index) {
         auto& channel = c_.network.channels[index];
         std::optional<std::size_t> told;
+        auto told_at = channel.connected;
         for (const auto* end : {&channel.from, &channel.to}) {
             if (end->at_edge())
                 continue;
@@ -60,6 +61,7 @@ private:
                                                              "connections",
                                                              channel.name));
             told = connection;
+            told_at = placed->second.at;
         }
         auto draft = c_.draft_channel[index] == nowhere ? nowhere : c_.draft.channels[c_.draft_channel[index]].connection;
         auto by_connection = c_.draft.connection_placements.find(draft);
@@ -69,11 +71,11 @@ private:
                 return refuse(by_connection->second.at, fmt::format("the connection \"{}\" wires no links",
                                                                     c_.draft.connections[by_connection->second.wire].name));
             told = wire->second;
+            told_at = by_connection->second.at;
         }
         if (!told)
             return false;
-        auto at = by_connection != c_.draft.connection_placements.end() ? by_connection->second.at : channel.connected;
-        carry(channel, *told, at);
+        carry(channel, *told, told_at);
         return true;
     }
 
@@ -198,7 +200,7 @@ private:
         auto from = channel.from.node, to = channel.to.node;
         const auto &sender = c_.draft.processes[channel.from.process], &receiver = c_.draft.processes[channel.to.process];
         refuse(channel.connected,
-               fmt::format("the channel \"{}\" has no route: the processors \"{}\" and \"{}\" are no neighbours",
+               fmt::format("the channel \"{}\" has no route: the processors \"{}\" and \"{}\" are not neighbours",
                            channel.name, node_name(from), node_name(to)),
                fmt::format("\"{}\" has {}; \"{}\" has {}; channels are not routed through other processors",
                            node_name(from), links_of(from), node_name(to), links_of(to)),

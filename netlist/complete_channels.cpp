@@ -59,6 +59,7 @@ private:
     }
 
     void refuse_unknown(const DraftChannelEnd& end, const DraftProcess& process, const ProcessKind* kind) {
+        misnamed_.insert(end.process);
         if (kind == nullptr)
             return c_.reporter.error(end.at,
                                      fmt::format("the process \"{}\" has no channel \"{}\"", process.name, end.port),
@@ -74,9 +75,13 @@ private:
 
     void add(std::size_t index) {
         const auto& draft = c_.draft.channels[index];
+        for (const auto* end : {&draft.a, &draft.b})
+            mentioned_.emplace(end->process, std::string(base_name(end->port)));
         auto a = look_up(draft.a), b = look_up(draft.b);
-        if (!a || !b)
+        if (!a || !b) {
+            refused_ = true;
             return;
+        }
         if (a->direction == b->direction)
             return refuse_direction(draft, a->direction);
         bool forwards = a->direction == Direction::output;
@@ -98,6 +103,7 @@ private:
     }
 
     void refuse_direction(const DraftChannel& draft, Direction direction) {
+        refused_ = true;
         if (draft.a.process != nowhere && draft.b.process != nowhere)
             return c_.reporter.error(draft.b.at, fmt::format("two {}s are connected: \"{}\" and \"{}\"", word(direction),
                                                              shown(draft.a), shown(draft.b)),
@@ -195,7 +201,10 @@ private:
         return known != nullptr && known->optional;
     }
 
+    /// Not where a refused connect was about this channel, or about one that the process has not.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
+        if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
+            return;
         const auto& process = c_.draft.processes[index];
         c_.reporter.error(at, fmt::format("the channel \"{}.{}\" is neither connected nor placed", process.name, port),
                           fmt::format("connect {}.{} to ...;", process.name, port));
@@ -233,6 +242,9 @@ private:
 
     Completion& c_;
     std::vector<std::vector<PortBinding>> bindings_;
+    std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port, in a connect
+    std::set<std::size_t> misnamed_;                          ///< processes of which an unknown channel was named
+    bool refused_ = false;                                    ///< some connect was
 };
 
 } // namespace

@@ -137,9 +137,9 @@ private:
         }
         const auto* array = setting.value.array();
         if (array == nullptr || static_cast<std::int64_t>((*array)->size()) != declared.dimensions[level]) {
-            c_.reporter.error(setting.at,
-                              fmt::format("wrong type for the parameter \"{}\": {} is {}", setting.name,
-                                          shown(setting.value), type_name(setting.value)),
+            auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
+                                          : fmt::format("an array of {} elements", (*array)->size());
+            c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
                               fmt::format("it takes an array of {} elements", declared.dimensions[level]),
                               {{"declared here", declared.at}});
             return;

@@ -67,7 +67,7 @@ std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
         auto size = evaluator_.integer(*expression, "a dimension").value;
         if (size < 1)
             refuse(expression->at, fmt::format("illegal dimension size {} of \"{}\"", size, declarator.name),
-                   "an array has at least one element; what may not be there at all goes into an \"if\"");
+                   "an array has at least one element; declare what may be absent inside an \"if\"");
         if (static_cast<std::uint64_t>(size) > most_things || (product *= static_cast<std::size_t>(size)) > most_things)
             refuse(expression->at, fmt::format("illegal dimension size {} of \"{}\": the array is too large", size,
                                                declarator.name),

@@ -59,6 +59,7 @@ Token Lexer::read_string() {
     while (peek() != '"') {
         if (at_end() || peek() == '\n') {
             reporter_.error(token.at, "the string has no end on its line", "close it with \"");
+            token.kind = TokenKind::illegal;
             return token;
         }
         if (peek() == '\\') {
@@ -84,6 +85,7 @@ Token Lexer::read_character() {
         reporter_.error(token.at, "a character constant holds one character", "such as 'a' or '\\n'");
         if (peek() == '\'')
             advance();
+        token.kind = TokenKind::illegal;
         return token;
     }
     char c = peek();
@@ -92,10 +94,13 @@ Token Lexer::read_character() {
     if (c == '\\')
         c = read_escaped(escape);
     token.integer.value = token.integer.decimal = static_cast<unsigned char>(c);
-    if (peek() == '\'')
+    if (peek() == '\'') {
         advance();
-    else
+    } else {
         reporter_.error(token.at, "the character constant has no closing '", "a longer text is a string: \"...\"");
+        token.kind = TokenKind::illegal;
+        skip_line();
+    }
     token.text = text().substr(start, position_ - start);
     return token;
 }

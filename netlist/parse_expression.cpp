@@ -118,17 +118,15 @@ ExpressionPointer Parser::parse_primary() {
         expect(")", "behind the expression");
         return inner;
     }
+    const auto at = token.at; // taking a token ends the reference to it
     if (token.kind == TokenKind::integer)
-        return make(token.at, IntegerLiteral{tokens_.take().integer});
+        return make(at, IntegerLiteral{tokens_.take().integer});
     if (token.kind == TokenKind::real)
-        return make(token.at, RealLiteral{tokens_.take().real});
-    if (token.kind == TokenKind::text) {
-        auto at = token.at;
+        return make(at, RealLiteral{tokens_.take().real});
+    if (token.kind == TokenKind::text)
         return make(at, TextLiteral{tokens_.take().text});
-    }
     if (token.kind != TokenKind::name || is_reserved(token.text))
         refuse(token.at, fmt::format("illegal token in an expression: {}", describe(token)));
-    auto at = token.at;
     return make(at, NameUse{tokens_.take().text});
 }
 

@@ -23,7 +23,8 @@ Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
 }
 
 void Parser::refuse(const Location& at, std::string message, std::string hint) {
-    reporter_.error(at, std::move(message), std::move(hint));
+    if (tokens_.peek().kind != TokenKind::illegal) // of which the lexer has said what is wrong
+        reporter_.error(at, std::move(message), std::move(hint));
     throw StatementRefused{};
 }
 

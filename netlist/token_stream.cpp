@@ -51,12 +51,15 @@ void TokenStream::fill(std::size_t count) {
 void TokenStream::include(const Token& directive) {
     if (directive.text != "include") {
         reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text), "there is only #include \"file\"");
+        open_.back().lexer.skip_line();
         return;
     }
     auto name = open_.back().lexer.next();
     if (name.kind != TokenKind::text || name.text.empty()) {
         reporter_.error(name.at, "#include needs the name of a file in quotes", "#include \"file\"");
-        if (name.kind != TokenKind::end)
+        if (name.at.line == directive.at.line)
+            open_.back().lexer.skip_line();
+        else if (name.kind != TokenKind::end)
             ahead_.push_back(std::move(name));
         return;
     }
