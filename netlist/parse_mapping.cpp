@@ -20,7 +20,8 @@ Reference Parser::parse_reference(std::string_view what) {
     auto name = expect_name(what);
     Reference reference{name.at, name.text, parse_subscripts(), "", {}, {}};
     if (accept(".")) {
-        auto field = expect_name("a link or channel");
+        const auto& word = tokens_.peek(); // behind a dot a word of the language is no other than the rest
+        auto field = word.kind == TokenKind::name ? tokens_.take() : expect_name("a link or channel");
         reference.field = field.text;
         reference.field_at = field.at;
         reference.field_subscripts = parse_subscripts();

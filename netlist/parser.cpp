@@ -59,8 +59,7 @@ Token Parser::expect_name(std::string_view what) {
     if (token.kind != TokenKind::name)
         refuse(token.at, fmt::format("the name of {} is missing: {} stands here", what, describe(token)));
     if (is_reserved(token.text))
-        refuse(token.at, fmt::format("the name of {} is missing: {} stands here, a word of the language", what,
-                                     describe(token)));
+        refuse(token.at, fmt::format("{} is a word of the language: it cannot be the name of {}", describe(token), what));
     return tokens_.take();
 }
 

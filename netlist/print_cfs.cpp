@@ -198,14 +198,15 @@ private:
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
+        std::size_t printed = 0; // a line break now and then keeps lines short enough to be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;
             while (same < last.size() && last[same] == subscripts[same])
                 ++same;
             if (!last.empty())
-                result += std::string(last.size() - same - 1, '}') + ",\n    ";
-            result += std::string(last.empty() ? subscripts.size() : subscripts.size() - same - 1, '{') + text;
+                result.append(last.size() - same - 1, '}').append(++printed % 16 == 0 ? ",\n    " : ", ");
+            result.append(last.empty() ? subscripts.size() : subscripts.size() - same - 1, '{').append(text);
             last = subscripts;
         }
         return result + std::string(last.size(), '}');
