@@ -10,9 +10,15 @@ namespace placedpar {
 
 namespace {
 
-bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool starts_name(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 std::string shown(char c) {
     auto byte = static_cast<unsigned char>(c);
@@ -30,7 +36,8 @@ std::string describe(const Token& token) {
     case TokenKind::real:
         return "the number " + token.text;
     case TokenKind::text:
-        return "the string \"" + (token.text.size() > 40 ? token.text.substr(0, 40) + "..." : token.text) + "\"";
+        return "the string \"" + (token.text.size() > 40 ? token.text.substr(0, 40) + "..." : token.text) +
+               "\"";
     case TokenKind::directive:
         return "\"#" + token.text + "\"";
     case TokenKind::illegal:

@@ -8,8 +8,8 @@ namespace placedpar {
 /// Short enough to be printed on one line with every character escaped.
 inline constexpr std::size_t longest_string = 2000;
 
-/// Cuts one source into tokens, one at a time. What it cannot read it reports, and hands out as an illegal token.
-/// Comments are C's: slash star to star slash; the language has no others.
+/// Cuts one source into tokens, one at a time. What it cannot read it reports, and hands out as an illegal
+/// token. Comments are C's: slash star to star slash; the language has no others.
 class Lexer {
 public:
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);

@@ -47,7 +47,8 @@ public:
         text_ = "graph network {\n"
                 "  graph [rankdir=TB, nodesep=0.6, ranksep=0.7, bgcolor=\"white\", pad=0.3]\n"
                 "  node [fontname=\"Helvetica\", fontsize=12, shape=plain]\n"
-                "  edge [fontname=\"Helvetica\", fontsize=11, color=\"#3b5b7a\", fontcolor=\"#16324a\", penwidth=1.6, "
+                "  edge [fontname=\"Helvetica\", fontsize=11, color=\"#3b5b7a\", fontcolor=\"#16324a\", "
+                "penwidth=1.6, "
                 "labeldistance=1.6]\n";
         for (std::size_t i = 0; i < n_.nodes.size(); ++i)
             print_node(i);
@@ -68,7 +69,8 @@ private:
         }
         for (bool workstations : {true, false})
             for (std::size_t start = 0; start < n_.nodes.size(); ++start) {
-                if (level_[start] != nowhere || (workstations && n_.nodes[start].kind != NodeKind::workstation))
+                if (level_[start] != nowhere ||
+                    (workstations && n_.nodes[start].kind != NodeKind::workstation))
                     continue;
                 std::vector<std::size_t> reached{start};
                 level_[start] = 0;
@@ -86,16 +88,18 @@ private:
         if (node.kind == NodeKind::c004)
             return; // wires are drawn from end to end, with the number of switches on their way
         if (node.kind == NodeKind::edge) {
-            text_ += fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
-                                 "label=<{}>]\n",
-                                 index, html(node.name));
+            text_ +=
+                fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
+                            "label=<{}>]\n",
+                            index, html(node.name));
             return;
         }
         bool workstation = node.kind == NodeKind::workstation;
-        text_ += fmt::format("  n{} [label=<<table border=\"0\" cellborder=\"1\" cellspacing=\"0\" cellpadding=\"5\" "
-                             "color=\"{}\"><tr><td bgcolor=\"{}\"><b>{}</b><br/><font point-size=\"10\">{}{}</font></td></tr>",
-                             index, workstation ? "#7a6a3b" : "#3b5b7a", workstation ? "#f3e9c9" : "#d5e3f0",
-                             html(node.name), html(node.type), processor_facts(node));
+        text_ += fmt::format(
+            "  n{} [label=<<table border=\"0\" cellborder=\"1\" cellspacing=\"0\" cellpadding=\"5\" "
+            "color=\"{}\"><tr><td bgcolor=\"{}\"><b>{}</b><br/><font point-size=\"10\">{}{}</font></td></tr>",
+            index, workstation ? "#7a6a3b" : "#3b5b7a", workstation ? "#f3e9c9" : "#d5e3f0", html(node.name),
+            html(node.type), processor_facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
         text_ += "</table>>]\n";
@@ -110,12 +114,15 @@ private:
 
     void print_process(const ProcessInstance& process) {
         auto kind = process.kind.empty() ? "no program" : html(process.kind);
-        text_ += fmt::format("<tr><td bgcolor=\"#ffffff\" align=\"left\">{}{} <font point-size=\"10\" color=\"#777777\">{}"
-                             "</font></td></tr>",
-                             html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
+        text_ += fmt::format(
+            "<tr><td bgcolor=\"#ffffff\" align=\"left\">{}{} <font point-size=\"10\" color=\"#777777\">{}"
+            "</font></td></tr>",
+            html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
     }
 
-    static std::string link_label(const LinkEnd& end) { return end.link < 0 ? "" : fmt::format("{}", end.link); }
+    static std::string link_label(const LinkEnd& end) {
+        return end.link < 0 ? "" : fmt::format("{}", end.link);
+    }
 
     std::vector<std::size_t> channels_carried() const {
         std::vector<std::size_t> channels(n_.connections.size(), 0);
@@ -135,8 +142,8 @@ private:
         auto upper = connection.a, lower = connection.b;
         if (level_[upper.node] > level_[lower.node])
             std::swap(upper, lower);
-        text_ += fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node, lower.node,
-                             link_label(upper), link_label(lower),
+        text_ += fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node,
+                             lower.node, link_label(upper), link_label(lower),
                              label.empty() ? "" : fmt::format(", label=\"{}\"", label),
                              channels[index] == 0 ? ", style=dotted" : "",
                              level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
@@ -150,6 +157,8 @@ private:
 
 } // namespace
 
-std::string print_dot(const Network& network) { return DotPrinter(network).print(); }
+std::string print_dot(const Network& network) {
+    return DotPrinter(network).print();
+}
 
 } // namespace placedpar

@@ -61,9 +61,12 @@ public:
         document["source"] = n_.source_path;
         document["hash"] = fmt::format("{:016x}", n_.hash);
         document["nodes"] = list(n_.nodes, [](const Node& node) { return to_json(node); });
-        document["connections"] = list(n_.connections, [&](const auto& connection) { return connection_object(connection); });
-        document["processes"] = list(n_.processes, [&](const auto& process) { return process_object(process); });
-        document["channels"] = list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
+        document["connections"] =
+            list(n_.connections, [&](const auto& connection) { return connection_object(connection); });
+        document["processes"] =
+            list(n_.processes, [&](const auto& process) { return process_object(process); });
+        document["channels"] =
+            list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
         return document;
     }
 

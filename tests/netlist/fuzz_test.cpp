@@ -64,9 +64,32 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 std::string mutate(const std::string& text, const std::vector<std::string>& others, Numbers& numbers) {
-    static const std::vector<std::string> spice{"0",  "-1", "9223372036854775807", "1M",  "2.5", "\"x\"", "{", "}", "(", ")",
-                                                "[",  "]",  ";",                   ",",   ".",   "rep i = 0 for 3 ", "if ",
-                                                "{1,2}", "host", "sw", "#include \"x\"\n", "/*", "'", "\xff", "T800", " / 0"};
+    static const std::vector<std::string> spice{"0",
+                                                "-1",
+                                                "9223372036854775807",
+                                                "1M",
+                                                "2.5",
+                                                "\"x\"",
+                                                "{",
+                                                "}",
+                                                "(",
+                                                ")",
+                                                "[",
+                                                "]",
+                                                ";",
+                                                ",",
+                                                ".",
+                                                "rep i = 0 for 3 ",
+                                                "if ",
+                                                "{1,2}",
+                                                "host",
+                                                "sw",
+                                                "#include \"x\"\n",
+                                                "/*",
+                                                "'",
+                                                "\xff",
+                                                "T800",
+                                                " / 0"};
     auto pieces = words(text);
     for (auto changes = 1 + numbers.below(3); changes > 0 && !pieces.empty(); --changes) {
         auto at = numbers.below(pieces.size());
@@ -103,7 +126,7 @@ TEST_CASE("mutated netlists are read to an end") {
     const auto texts = seeds();
     REQUIRE(texts.size() > 60);
     int networks = 0;
-    for (std::uint64_t number = 0; number < 20000; ++number) {
+    for (std::uint64_t number = 0; number < 10000; ++number) {
         Numbers numbers(number);
         const auto& seed = texts[numbers.below(2) == 0 ? numbers.below(5) : numbers.below(texts.size())];
         auto text = mutate(seed, texts, numbers);
@@ -121,9 +144,11 @@ TEST_CASE("mutated netlists are read to an end") {
         auto printed = print_cfs(*result.network);
         auto again = read_netlist_text(printed, small_catalogue());
         if (!again.network || print_cfs(*again.network) != printed)
-            FAIL("case " << number << " does not load again:\n" << text << "\nprinted:\n" << printed << render(again.diagnostics));
+            FAIL("case " << number << " does not load again:\n"
+                         << text << "\nprinted:\n"
+                         << printed << render(again.diagnostics));
         print_dot(*result.network);
         print_json(*result.network);
     }
-    CHECK(networks > 500); // else the mutations are too wild to reach the printers
+    CHECK(networks > 250); // else the mutations are too wild to reach the printers
 }

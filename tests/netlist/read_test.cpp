@@ -63,7 +63,8 @@ TEST_CASE("four clusters of a master and three slaves") {
     CHECK(network.nodes[network.channels[master.ports[0].channel].from.node].name == "sun");
     CHECK(network.processes[4].stand_in);
     CHECK(network.processes[4].kind == "worker.lku");
-    const auto& ring = network.connections[channel(network, "breeder[0].out -> worker[0][0].in").carrier.connection + 3];
+    const auto& ring =
+        network.connections[channel(network, "breeder[0].out -> worker[0][0].in").carrier.connection + 3];
     CHECK(ring.name == "ring[0]");
     CHECK(ring.metres == doctest::Approx(0.3));
 }
@@ -110,7 +111,8 @@ TEST_CASE("switches are followed to the processors at the ends") {
 TEST_CASE("channels share out the links between neighbours") {
     auto network = good("shared.cfs");
     auto link = [&](int i) {
-        return sending_link(network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" + std::to_string(i) + "].in"));
+        return sending_link(network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" +
+                                                          std::to_string(i) + "].in"));
     };
     // the last one is placed on link 1; the others take the lighter link, of equals the lower
     CHECK(link(4) == 1);
@@ -140,28 +142,32 @@ TEST_CASE("channels at the edge") {
 }
 
 TEST_CASE("a channel placed on a link to an edge needs no edge channel") {
-    auto network = good_text("T800 t; connect t.link[1] to host; process (interface (output out)) p; use \"p.lku\" for p;"
-                             "place p on t; place p.out on t.link[1];");
+    auto network = good_text(
+        "T800 t; connect t.link[1] to host; process (interface (output out)) p; use \"p.lku\" for p;"
+        "place p on t; place p.out on t.link[1];");
     REQUIRE(network.channels.size() == 1);
     CHECK(network.channels[0].name == "p.out -> host");
     CHECK(network.channels[0].carrier.kind == Carrier::Kind::edge);
 }
 
 TEST_CASE("names live to the end of their block") {
-    auto network = good_text("T800 t; rep i = 0 for 3 { val t_of_i i * 10; process (interface (int n)) p; p (n = t_of_i);"
-                             "place p on t; use \"p.lku\" for p; } process p; use \"p.lku\" for p; place p on t;");
+    auto network = good_text(
+        "T800 t; rep i = 0 for 3 { val t_of_i i * 10; process (interface (int n)) p; p (n = t_of_i);"
+        "place p on t; use \"p.lku\" for p; } process p; use \"p.lku\" for p; place p on t;");
     REQUIRE(network.processes.size() == 4);
     CHECK(network.processes[0].name == "p");
     CHECK(network.processes[2].name == "p_3");
     CHECK(network.processes[2].parameters.at("n") == Value(std::int64_t{20}));
     CHECK(network.processes[3].name == "p_4");
     // a bare statement of an if belongs to the block around it
-    CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type == "T800");
+    CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type ==
+          "T800");
 }
 
 TEST_CASE("expressions") {
     auto integer = [](const std::string& expression) {
-        auto network = good_text("val a {1, 2, {3}[0]}; T800 t; process (interface (int n)) p; place p on t; use \"p.lku\" for p; p (n = " +
+        auto network = good_text("val a {1, 2, {3}[0]}; T800 t; process (interface (int n)) p; place p on t; "
+                                 "use \"p.lku\" for p; p (n = " +
                                  expression + ");");
         return std::get<std::int64_t>(network.processes[0].parameters.at("n"));
     };

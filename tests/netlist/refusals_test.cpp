@@ -1,5 +1,6 @@
 // One small netlist for each thing that the language refuses, and beside it what is printed: the files
-// refusals/*.cfs and *.txt. To see what a change does, set PLACEDPAR_ACCEPT=1: the texts are then written anew.
+// refusals/*.cfs and *.txt. To see what a change does, set PLACEDPAR_ACCEPT=1: the texts are then written
+// anew.
 
 #include "netlist/read.hpp"
 #include "small_catalogue.hpp"
