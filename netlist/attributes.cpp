@@ -47,7 +47,8 @@ public:
         return text();
     }
     [[noreturn]] void illegal(const std::string& value, const std::string& hint) const {
-        reporter_.error(setting_.at, fmt::format("illegal value of the attribute \"{}\": {}", setting_.name, value), hint);
+        reporter_.error(setting_.at,
+                        fmt::format("illegal value of the attribute \"{}\": {}", setting_.name, value), hint);
         throw StatementRefused{};
     }
 
@@ -57,7 +58,8 @@ private:
             wrong_type("an integer");
         return *setting_.value.integer();
     }
-    std::int64_t within(std::int64_t value, std::int64_t least, std::int64_t most, const std::string& unit) const {
+    std::int64_t within(std::int64_t value, std::int64_t least, std::int64_t most,
+                        const std::string& unit) const {
         if (value < least || value > most)
             illegal(fmt::format("{}", value), fmt::format("it goes from {} to {} {}", least, most, unit));
         return value;
@@ -74,7 +76,8 @@ private:
     Reporter& reporter_;
 };
 
-void flatten(Evaluator& evaluator, const Attribute& attribute, const std::string& prefix, std::vector<Setting>& result) {
+void flatten(Evaluator& evaluator, const Attribute& attribute, const std::string& prefix,
+             std::vector<Setting>& result) {
     auto name = prefix + attribute.name;
     if (attribute.value)
         result.push_back({name, evaluator.evaluate(*attribute.value), attribute.at});
@@ -96,15 +99,16 @@ void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Re
     const auto* known = symbol == nullptr ? nullptr : std::get_if<NodeType>(&symbol->meaning);
     if (known == nullptr || known->preset.kind != NodeKind::processor || known->needs_type) {
         auto guess = did_you_mean(name, predefined_node_type_names());
-        check.illegal(fmt::format("\"{}\"", name), guess.empty() ? "it names a type of processor, such as \"T800\"" : guess);
+        check.illegal(fmt::format("\"{}\"", name),
+                      guess.empty() ? "it names a type of processor, such as \"T800\"" : guess);
     }
     type = *known;
 }
 
 const std::vector<std::string>& known_node_attributes() {
-    static const std::vector<std::string> names{"type",      "memory",    "clock",     "linkspeed", "channelcall",
-                                                "reserved",  "routecost", "linkquota", "tolerance", "nodebug",
-                                                "noprofile", "pagesize"};
+    static const std::vector<std::string> names{"type",        "memory",   "clock",     "linkspeed",
+                                                "channelcall", "reserved", "routecost", "linkquota",
+                                                "tolerance",   "nodebug",  "noprofile", "pagesize"};
     return names;
 }
 
@@ -158,7 +162,8 @@ void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings,
     }
 }
 
-void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter) {
+void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings,
+                                 Reporter& reporter) {
     for (const auto& setting : settings) {
         Checker check(setting, reporter);
         if (setting.name == "linkspeed") {
@@ -176,9 +181,9 @@ void apply_connection_attributes(DraftConnection& connection, const std::vector<
 }
 
 const std::vector<std::string>& process_attribute_names() {
-    static const std::vector<std::string> names{"stacksize", "heapsize",  "priority",  "interface", "order",
-                                                "location",  "reserved",  "routecost", "linkquota", "tolerance",
-                                                "nodebug",   "noprofile"};
+    static const std::vector<std::string> names{"stacksize", "heapsize",  "priority", "interface",
+                                                "order",     "location",  "reserved", "routecost",
+                                                "linkquota", "tolerance", "nodebug",  "noprofile"};
     return names;
 }
 

@@ -23,11 +23,11 @@ struct Completion {
     const Catalogue& catalogue;
     Reporter& reporter;
     Network network;
-    std::map<std::pair<std::size_t, int>, std::size_t> connection_at;   ///< by node and link
-    std::map<std::size_t, std::size_t> connection_named;                ///< by draft connection
-    std::vector<const ProcessKind*> kinds;                              ///< of each process; null: a stand-in
-    std::vector<bool> kind_refused;                                     ///< unknown, and reported
-    std::vector<std::size_t> draft_channel;                             ///< of each channel of the network
+    std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
+    std::map<std::size_t, std::size_t> connection_named;              ///< by draft connection
+    std::vector<const ProcessKind*> kinds;                            ///< of each process; null: a stand-in
+    std::vector<bool> kind_refused;                                   ///< unknown, and reported
+    std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
 };
 
 /// complete_wires.cpp: from pieces of wire and crosspoints to connections between processors.

@@ -77,7 +77,9 @@ bool is_comparison(const std::string& symbol) {
 
 } // namespace
 
-Constant integer_constant(std::int64_t value) { return {Integer{value, value}}; }
+Constant integer_constant(std::int64_t value) {
+    return {Integer{value, value}};
+}
 
 std::string type_name(const Constant& constant) {
     if (constant.integer() != nullptr)
@@ -125,7 +127,8 @@ Constant apply_binary(const std::string& symbol, const Constant& left, const Con
 
 Constant apply_cast(const std::string& type, const Constant& operand) {
     if (!operand.is_number())
-        throw NoResult{fmt::format("wrong type for the cast ({}): the operand is {}", type, type_name(operand)), ""};
+        throw NoResult{
+            fmt::format("wrong type for the cast ({}): the operand is {}", type, type_name(operand)), ""};
     if (type == "double")
         return {as_real(operand)};
     if (type == "float")
@@ -151,12 +154,14 @@ Constant apply_subscript(const Constant& array, const Constant& subscript) {
     if (array.is_number())
         throw NoResult{fmt::format("{} cannot be subscripted", type_name(array)), ""};
     if (subscript.integer() == nullptr)
-        throw NoResult{fmt::format("wrong type for a subscript: {}", type_name(subscript)), "a subscript is an integer"};
+        throw NoResult{fmt::format("wrong type for a subscript: {}", type_name(subscript)),
+                       "a subscript is an integer"};
     auto size = array.text() != nullptr ? array.text()->size() : (*array.array())->size();
     auto index = subscript.integer()->value;
     if (index < 0 || static_cast<std::uint64_t>(index) >= size)
-        throw NoResult{fmt::format("the subscript {} is outside of the array", index),
-                       fmt::format("it has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
+        throw NoResult{
+            fmt::format("the subscript {} is outside of the array", index),
+            fmt::format("it has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
     auto place = static_cast<std::size_t>(index);
     if (array.text() != nullptr)
         return integer_constant(static_cast<unsigned char>((*array.text())[place]));

@@ -9,12 +9,15 @@
 
 namespace placedpar {
 
+inline constexpr int deepest_array = 8;
+
 struct Constant;
 using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 
 /// What an expression comes to. Characters and TRUE, FALSE, HIGH, LOW are integers.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
+    int depth = 0; ///< of an array: how deep its elements nest
 
     const Integer* integer() const { return std::get_if<Integer>(&value); }
     const double* real() const { return std::get_if<double>(&value); }

@@ -9,7 +9,8 @@ void Elaborator::refuse_unknown_port(const DraftProcess& process, const Referenc
     std::vector<std::string> names;
     for (const auto& port : process.interface->ports)
         names.push_back(port.name);
-    refuse(reference.field_at, fmt::format("the process \"{}\" has no channel \"{}\"", process.name, reference.field),
+    refuse(reference.field_at,
+           fmt::format("the process \"{}\" has no channel \"{}\"", process.name, reference.field),
            did_you_mean(reference.field, names), {{"the process is declared here", process.declared}});
 }
 
@@ -21,8 +22,10 @@ void Elaborator::perform(const ConnectStatement& form, const Location& at) {
     };
     for (const auto& [found, reference] : {std::pair(&a, &form.a), std::pair(&b, &form.b)})
         if (found->category == Category::connection)
-            refuse(reference->at, fmt::format("\"{}\" is a connection: links and channels can be connected", reference->name),
-                   "connect ... to ... by connection;");
+            refuse(
+                reference->at,
+                fmt::format("\"{}\" is a connection: links and channels can be connected", reference->name),
+                "connect ... to ... by connection;");
     if (is_link(a) && is_link(b))
         connect_links(link_end(form.a, a), link_end(form.b, b), form, at);
     else if (is_channel(a) && is_channel(b))
@@ -37,7 +40,8 @@ std::size_t Elaborator::connection_for(const ConnectStatement& form, const Locat
         return nowhere;
     auto found = find(*form.by);
     if (found.category != Category::connection)
-        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name), "declare it: connection name;");
+        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name),
+               "declare it: connection name;");
     auto index = element(*form.by, found);
     auto& connection = draft_.connections[index];
     if (connection.used)
@@ -64,7 +68,8 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
         refuse(form.b.at, fmt::format("the link \"{}\" is connected to itself", link_name(a)));
     bool crosspoint = a.node == b.node && draft_.nodes[a.node].kind == NodeKind::c004;
     if (a.node == b.node && !crosspoint)
-        refuse(form.b.at, fmt::format("two links of the same processor \"{}\" are connected", draft_.nodes[a.node].name),
+        refuse(form.b.at,
+               fmt::format("two links of the same processor \"{}\" are connected", draft_.nodes[a.node].name),
                "a wire leads from one processor to another");
     use_link(a, form.a, crosspoint);
     use_link(b, form.b, crosspoint);
@@ -77,7 +82,8 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
 void Elaborator::connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form,
                                   const Location& at) {
     if (a.process == nowhere && b.process == nowhere)
-        refuse(form.b.at, "two edge channels cannot be connected", "an edge channel is connected to a channel of a process");
+        refuse(form.b.at, "two edge channels cannot be connected",
+               "an edge channel is connected to a channel of a process");
     for (const auto* end : {&a, &b}) {
         if (end->process == nowhere) {
             auto& channel = draft_.edge_channels[end->edge_channel];
@@ -90,7 +96,8 @@ void Elaborator::connect_channels(DraftChannelEnd a, DraftChannelEnd b, const Co
         auto [known, is_new] = used_ports_.emplace(std::pair(end->process, end->port), end->at);
         if (!is_new)
             refuse(end->at,
-                   fmt::format("the channel \"{}.{}\" is connected twice", draft_.processes[end->process].name, end->port),
+                   fmt::format("the channel \"{}.{}\" is connected twice",
+                               draft_.processes[end->process].name, end->port),
                    "", {{"first connected here", known->second}});
     }
     draft_.channels.push_back({std::move(a), std::move(b), connection_for(form, at), at});

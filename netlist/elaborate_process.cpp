@@ -20,11 +20,15 @@ void check_unique(const Entries& entries, const Declarator& declarator, Reporter
     throw StatementRefused{};
 }
 
-std::size_t port_count(const Interface* interface) {
+/// Channel ends and parameters, elements of arrays one by one.
+std::size_t entry_count(const Interface* interface) {
     std::size_t count = 0;
-    if (interface != nullptr)
-        for (const auto& port : interface->ports)
-            count += element_count(port.dimensions);
+    if (interface == nullptr)
+        return count;
+    for (const auto& port : interface->ports)
+        count += element_count(port.dimensions);
+    for (const auto& parameter : interface->parameters)
+        count += element_count(parameter.dimensions);
     return count;
 }
 
@@ -32,19 +36,23 @@ std::size_t port_count(const Interface* interface) {
 
 std::shared_ptr<const Interface> Elaborator::interface(const std::vector<InterfaceEntry>& entries) {
     auto result = std::make_shared<Interface>();
+    if (entries.size() > most_interface_entries)
+        refuse(entries[most_interface_entries].declarator.at,
+               fmt::format("the interface is too large: it may have {} entries", most_interface_entries));
     for (const auto& entry : entries) {
         check_unique(result->ports, entry.declarator, reporter_);
         check_unique(result->parameters, entry.declarator, reporter_);
         auto sizes = dimensions(entry.declarator);
         if (const auto* direction = std::get_if<Direction>(&entry.type)) {
-            result->ports.push_back({entry.declarator.name, *direction, std::move(sizes), entry.declarator.at});
+            result->ports.push_back(
+                {entry.declarator.name, *direction, std::move(sizes), entry.declarator.at});
             continue;
         }
         std::optional<Constant> default_value;
         if (entry.default_value)
             default_value = evaluator_.evaluate(*entry.default_value);
-        result->parameters.push_back({entry.declarator.name, std::get<std::string>(entry.type), std::move(sizes),
-                                      std::move(default_value), entry.declarator.at});
+        result->parameters.push_back({entry.declarator.name, std::get<std::string>(entry.type),
+                                      std::move(sizes), std::move(default_value), entry.declarator.at});
     }
     return result;
 }
@@ -66,7 +74,7 @@ void Elaborator::perform(const ProcessDeclaration& form, const Location&) {
         process_defaults_.insert(process_defaults_.end(), settings.begin(), settings.end());
         default_interface_ = pattern.interface;
     }
-    auto weight = 1 + port_count(pattern.interface.get());
+    auto weight = 1 + entry_count(pattern.interface.get()) + pattern.other.size();
     for (const auto& name : form.names)
         declare(
             name, Category::process, draft_.processes.size(),
@@ -91,9 +99,10 @@ void Elaborator::perform(const ParameterSetting& form, const Location&) {
         return;
     }
     if (found.category != Category::process)
-        refuse(form.process.at, fmt::format("\"{}\" is no process and no connection: its attributes stand where it is "
-                                            "declared",
-                                            form.process.name));
+        refuse(form.process.at,
+               fmt::format("\"{}\" is no process and no connection: its attributes stand where it is "
+                           "declared",
+                           form.process.name));
     count_things(range.count * settings.size(), form.process.at);
     for (std::size_t i = 0; i < range.count; ++i) {
         auto& process = draft_.processes[range.first + i];
@@ -112,13 +121,14 @@ void Elaborator::perform(const UseStatement& form, const Location& at) {
     }
     auto found = find(*form.process);
     if (found.category != Category::process)
-        refuse(form.process->at, fmt::format("\"{}\" is no process", form.process->name), "use \"program\" for process;");
+        refuse(form.process->at, fmt::format("\"{}\" is no process", form.process->name),
+               "use \"program\" for process;");
     auto range = elements(*form.process, found);
     for (std::size_t i = 0; i < range.count; ++i) {
         auto& process = draft_.processes[range.first + i];
         if (process.used)
-            refuse(form.process->at, fmt::format("the process \"{}\" is given a program twice", process.name), "",
-                   {{"first given here", *process.used}});
+            refuse(form.process->at, fmt::format("the process \"{}\" is given a program twice", process.name),
+                   "", {{"first given here", *process.used}});
         process.kind = program;
         process.used = at;
     }

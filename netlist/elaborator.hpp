@@ -13,6 +13,7 @@
 namespace placedpar {
 
 inline constexpr std::size_t most_dimensions = 8;
+inline constexpr std::size_t most_interface_entries = 1000;
 
 /// Executes the statements of a netlist: replicates, decides, and writes down in a draft what is declared,
 /// connected and placed. A statement that is refused is reported and left out; the next one is tried.
@@ -60,7 +61,8 @@ private:
     // elaborate_connect.cpp
     void perform(const ConnectStatement& form, const Location& at);
     void connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at);
-    void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form, const Location& at);
+    void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form,
+                          const Location& at);
     void use_link(const LinkEnd& end, const Reference& reference, bool crosspoint);
     std::size_t connection_for(const ConnectStatement& form, const Location& at);
 
@@ -93,7 +95,6 @@ private:
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {});
 
-
     Reporter& reporter_;
     const Overrides& overrides_;
     Scopes scopes_;
@@ -103,8 +104,8 @@ private:
     std::shared_ptr<const Interface> default_interface_;
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
-    std::set<std::string> claimed_;       ///< names that the network has, without subscripts
-    std::map<std::string, int> copies_;   ///< how often a name was claimed again
+    std::set<std::string> claimed_;      ///< names that the network has, without subscripts
+    std::map<std::string, int> copies_;  ///< how often a name was claimed again
     std::vector<std::string> vals_seen_; ///< outside of blocks
     std::size_t host_ = nowhere;         ///< the predefined edge, once it is used
 };
@@ -114,6 +115,7 @@ std::string element_name(const std::string& name, const std::vector<std::int64_t
 /// The product; 1 for a single thing.
 std::size_t element_count(const std::vector<std::int64_t>& dimensions);
 /// The subscripts of an element, the last running fastest.
-std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions);
+std::vector<std::int64_t> element_subscripts(std::size_t element,
+                                             const std::vector<std::int64_t>& dimensions);
 
 } // namespace placedpar

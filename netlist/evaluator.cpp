@@ -4,22 +4,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar {
 
 void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name, const Location& at) {
     if (!scopes.is_poisoned(name) || !reporter.failed())
-        reporter.error(at, fmt::format("the name \"{}\" is undefined", name), did_you_mean(name, scopes.names()));
+        reporter.error(at, fmt::format("the name \"{}\" is undefined", name),
+                       did_you_mean(name, scopes.names()));
     throw StatementRefused{};
 }
 
-void Evaluator::refuse(const Location& at, std::string message, std::string hint, std::vector<SecondPlace> others) {
+void Evaluator::refuse(const Location& at, std::string message, std::string hint,
+                       std::vector<SecondPlace> others) {
     reporter_.error(at, std::move(message), std::move(hint), std::move(others));
     throw StatementRefused{};
 }
 
 void Evaluator::step(const Location& at) {
     if (++steps_ > most_steps) {
-        reporter_.error(at, fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
+        reporter_.error(
+            at, fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
         throw GiveUp{};
     }
 }
@@ -33,7 +38,8 @@ Constant Evaluator::evaluate_name(const NameUse& use, const Location& at) {
     std::vector<SecondPlace> others;
     if (symbol->declared.file)
         others.push_back({"declared here", symbol->declared});
-    refuse(at, fmt::format("\"{}\" is {}, which has no value", use.name, describe(*symbol)), "", std::move(others));
+    refuse(at, fmt::format("\"{}\" is {}, which has no value", use.name, describe(*symbol)), "",
+           std::move(others));
 }
 
 /// && and || look at their right operand only if it matters.
@@ -41,7 +47,8 @@ Constant Evaluator::evaluate_logical(const BinaryOperation& operation, const Loc
     auto truth = [&](const Expression& side) {
         auto value = evaluate(side);
         if (value.integer() == nullptr)
-            refuse(at, fmt::format("wrong type for the operator {}: the operand is {}", operation.symbol, type_name(value)));
+            refuse(at, fmt::format("wrong type for the operator {}: the operand is {}", operation.symbol,
+                                   type_name(value)));
         return value.integer()->value != 0;
     };
     bool left = truth(*operation.left);
@@ -52,14 +59,18 @@ Constant Evaluator::evaluate_logical(const BinaryOperation& operation, const Loc
 
 Constant Evaluator::evaluate_array(const ArrayConstant& array, const Location& at) {
     auto elements = std::make_shared<std::vector<Constant>>();
+    int depth = 0;
     for (const auto& element : array.elements) {
         elements->push_back(evaluate(*element));
         const auto &first = elements->front(), &last = elements->back();
+        depth = std::max(depth, last.depth + 1);
         if (first.value.index() != last.value.index() && !(first.is_number() && last.is_number()))
             refuse(at, fmt::format("an array holds values of one type: here are {} and {}", type_name(first),
                                    type_name(last)));
     }
-    return {ConstantArray(std::move(elements))};
+    if (depth > deepest_array)
+        refuse(at, fmt::format("the array has too many dimensions: {} are allowed", deepest_array));
+    return {ConstantArray(std::move(elements)), depth};
 }
 
 Constant Evaluator::evaluate(const Expression& expression) {
@@ -85,7 +96,7 @@ Constant Evaluator::evaluate(const Expression& expression) {
                 } else if constexpr (std::is_same_v<Form, ArrayConstant>) {
                     return evaluate_array(form, expression.at);
                 } else {
-                    return Constant{form.value};
+                    return Constant{form.value, 0};
                 }
             },
             expression.form);
@@ -120,6 +131,8 @@ std::string Evaluator::text(const Expression& expression, std::string_view whose
            "it takes a string: \"...\"");
 }
 
-bool Evaluator::condition(const Expression& expression) { return integer(expression, "a condition").value != 0; }
+bool Evaluator::condition(const Expression& expression) {
+    return integer(expression, "a condition").value != 0;
+}
 
 } // namespace placedpar

@@ -43,8 +43,9 @@ char Lexer::read_escaped(const Location& start) {
     }
     auto found = letters.find(c);
     if (found == std::string_view::npos || at_end()) {
-        reporter_.error(start, at_end() ? "illegal escape at the end of the file" : fmt::format("illegal escape \\{}", c),
-                        "C's escapes are \\a \\b \\f \\n \\r \\t \\v \\\\ \\' \\\" \\? \\ooo and \\xhh");
+        reporter_.error(
+            start, at_end() ? "illegal escape at the end of the file" : fmt::format("illegal escape \\{}", c),
+            "C's escapes are \\a \\b \\f \\n \\r \\t \\v \\\\ \\' \\\" \\? \\ooo and \\xhh");
         if (!at_end() && c != '\n')
             advance();
         return c;
@@ -59,6 +60,7 @@ Token Lexer::read_string() {
     while (peek() != '"') {
         if (at_end() || peek() == '\n') {
             reporter_.error(token.at, "the string has no end on its line", "close it with \"");
+            token.kind = TokenKind::illegal;
             return token;
         }
         if (peek() == '\\') {
@@ -72,7 +74,8 @@ Token Lexer::read_string() {
     }
     advance();
     if (token.text.size() > longest_string)
-        reporter_.error(token.at, fmt::format("the string is too long: {} characters are allowed", longest_string));
+        reporter_.error(token.at,
+                        fmt::format("the string is too long: {} characters are allowed", longest_string));
     return token;
 }
 
@@ -84,6 +87,7 @@ Token Lexer::read_character() {
         reporter_.error(token.at, "a character constant holds one character", "such as 'a' or '\\n'");
         if (peek() == '\'')
             advance();
+        token.kind = TokenKind::illegal;
         return token;
     }
     char c = peek();
@@ -92,10 +96,14 @@ Token Lexer::read_character() {
     if (c == '\\')
         c = read_escaped(escape);
     token.integer.value = token.integer.decimal = static_cast<unsigned char>(c);
-    if (peek() == '\'')
+    if (peek() == '\'') {
         advance();
-    else
-        reporter_.error(token.at, "the character constant has no closing '", "a longer text is a string: \"...\"");
+    } else {
+        reporter_.error(token.at, "the character constant has no closing '",
+                        "a longer text is a string: \"...\"");
+        token.kind = TokenKind::illegal;
+        skip_line();
+    }
     token.text = text().substr(start, position_ - start);
     return token;
 }

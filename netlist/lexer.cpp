@@ -10,9 +10,15 @@ namespace placedpar {
 
 namespace {
 
-bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool starts_name(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 std::string shown(char c) {
     auto byte = static_cast<unsigned char>(c);
@@ -30,9 +36,11 @@ std::string describe(const Token& token) {
     case TokenKind::real:
         return "the number " + token.text;
     case TokenKind::text:
-        return "the string \"" + (token.text.size() > 40 ? token.text.substr(0, 40) + "..." : token.text) + "\"";
+        return "the string \"" + (token.text.size() > 40 ? token.text.substr(0, 40) + "..." : token.text) +
+               "\"";
     case TokenKind::directive:
         return "\"#" + token.text + "\"";
+    case TokenKind::illegal:
     case TokenKind::name:
     case TokenKind::symbol:
         break;
@@ -73,6 +81,16 @@ void Lexer::skip_comment() {
     reporter_.error(start, "the comment has no end", "close it with */");
 }
 
+void Lexer::skip_line() {
+    while (!at_end() && peek() != '\n')
+        advance();
+}
+
+void Lexer::skip_line_comment() {
+    reporter_.error(here(), "the language has no comments that begin with //", "write /* ... */");
+    skip_line();
+}
+
 void Lexer::skip_blanks() {
     while (!at_end()) {
         if (std::isspace(static_cast<unsigned char>(peek())) != 0)
@@ -101,8 +119,10 @@ Token Lexer::next() {
             return read_character();
         if (peek() == '#' && begins_line)
             return read_directive();
-        if (auto token = read_symbol(); token.kind == TokenKind::symbol)
-            return token;
+        if (peek() == '/' && peek(1) == '/')
+            skip_line_comment();
+        else
+            return read_symbol();
     }
 }
 
@@ -138,17 +158,10 @@ Token Lexer::read_symbol() {
             advance();
             return token;
         }
-    if (peek() == '/' && peek(1) == '/') {
-        reporter_.error(here(), "the language has no comments that begin with //", "write /* ... */");
-        while (!at_end() && peek() != '\n')
-            advance();
-        token.kind = TokenKind::end;
-        return token;
-    }
     if (one_character.find(peek()) == std::string_view::npos) {
         reporter_.error(here(), "illegal character " + shown(peek()),
                         peek() == '#' ? "#include stands at the beginning of a line" : "");
-        token.kind = TokenKind::end;
+        token.kind = TokenKind::illegal;
     }
     token.text = std::string(1, peek());
     advance();

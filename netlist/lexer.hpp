@@ -8,18 +8,21 @@ namespace placedpar {
 /// Short enough to be printed on one line with every character escaped.
 inline constexpr std::size_t longest_string = 2000;
 
-/// Cuts one source into tokens, one at a time. What it cannot read it reports and leaves out, so a caller
-/// always gets on. Comments are C's: slash star to star slash; the language has no others.
+/// Cuts one source into tokens, one at a time. What it cannot read it reports, and hands out as an illegal
+/// token. Comments are C's: slash star to star slash; the language has no others.
 class Lexer {
 public:
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);
 
     /// A token of kind `end` at the end, however often asked.
     Token next();
+    /// Leaves out what is left of the line.
+    void skip_line();
 
 private:
     void skip_blanks();
     void skip_comment();
+    void skip_line_comment();
     Token read_name();
     Token read_number();
     Token read_integer(std::string_view digits, int base, Token token);

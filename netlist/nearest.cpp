@@ -7,7 +7,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t longest_word = 200; // the distance takes time with the square of it
+constexpr std::size_t longest_word = 64; // the distance takes time with the square of it
 
 std::string lower(std::string_view word) {
     std::string result(word);

@@ -6,7 +6,8 @@
 
 namespace placedpar {
 
-/// The number of single-character insertions, deletions, replacements and swaps of neighbours between two words.
+/// The number of single-character insertions, deletions, replacements and swaps of neighbours between two
+/// words.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate nearest to a misspelt word, if any is near enough to be meant: at most a third of the

@@ -26,14 +26,14 @@ enum class NodeKind {
 };
 
 struct Node {
-    std::string name;                           ///< such as "t[0][1]"
-    std::string type;                           ///< the processor's base type, such as "T800" for a B404; "edge", ...
+    std::string name; ///< such as "t[0][1]"
+    std::string type; ///< the processor's base type, such as "T800" for a B404; "edge", ...
     NodeKind kind = NodeKind::processor;
     std::int64_t memory_bytes = 0;
     std::int64_t clock_hz = 20'000'000;
     std::int64_t link_bits_per_second = 20'000'000;
-    std::int64_t channel_call_cycles = 0;       ///< what the communication library charges per channel operation
-    std::map<std::string, Value> other;         ///< attributes of the real tool that a simulation has no use for
+    std::int64_t channel_call_cycles = 0; ///< what the communication library charges per channel operation
+    std::map<std::string, Value> other;   ///< attributes of the real tool that a simulation has no use for
     Location declared;
 };
 
@@ -52,9 +52,9 @@ struct SwitchCrossing {
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
-    double metres = 0;                       ///< of wire, all pieces together
-    std::vector<SwitchCrossing> crossings;   ///< in order from a to b
-    std::string name;                        ///< of the `connection` it was wired by; "" if none
+    double metres = 0;                     ///< of wire, all pieces together
+    std::vector<SwitchCrossing> crossings; ///< in order from a to b
+    std::string name;                      ///< of the `connection` it was wired by; "" if none
     Location connected;
 
     int switches() const { return static_cast<int>(crossings.size()); }
@@ -68,13 +68,13 @@ struct PortBinding {
 };
 
 struct ProcessInstance {
-    std::string name; ///< such as "grid[1][2]"
-    std::string kind; ///< from `use`; "" if nothing was said
+    std::string name;                        ///< such as "grid[1][2]"
+    std::string kind;                        ///< from `use`; "" if nothing was said
     bool stand_in = false;                   ///< the kind is no kind of the catalogue: it cannot be run
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type the kind states
     bool high_priority = false;
     std::size_t node = nowhere;
-    std::vector<PortBinding> ports; ///< in the order of the kind's ports; of the interface for a stand-in
+    std::vector<PortBinding> ports;     ///< in the order of the kind's ports; of the interface for a stand-in
     std::map<std::string, Value> other; ///< attributes of the real tool that a simulation has no use for
     Location declared;
 };

@@ -11,10 +11,10 @@ namespace placedpar {
 
 /// A type that nodes can be declared with, its attributes preset.
 struct NodeType {
-    Node preset;                ///< name empty
-    int links = 4;              ///< link[0] to link[links - 1]
-    std::string refusal;        ///< not empty: known, but cannot be declared, and why
-    bool needs_type = false;    ///< `processor` itself, which needs the attribute `type`
+    Node preset;             ///< name empty
+    int links = 4;           ///< link[0] to link[links - 1]
+    std::string refusal;     ///< not empty: known, but cannot be declared, and why
+    bool needs_type = false; ///< `processor` itself, which needs the attribute `type`
 };
 
 /// A workstation's links are as many as are used, up to this.

@@ -51,7 +51,8 @@ ExpressionPointer make(const Location& at, Form form, int height = 1) {
 ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right) {
     auto height = std::max(left->height, right->height) + 1;
     if (height > highest_expression)
-        refuse(symbol.at, fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
+        refuse(symbol.at, fmt::format("the expression is too long: {} operators in a row are allowed",
+                                      highest_expression));
     if (symbol.text == "[")
         return make(symbol.at, SubscriptOperation{std::move(left), std::move(right)}, height);
     return make(symbol.at, BinaryOperation{symbol.text, std::move(left), std::move(right)}, height);
@@ -60,7 +61,8 @@ ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, E
 ExpressionPointer Parser::parse_whole_expression() {
     auto expression = parse_expression();
     if (tokens_.peek().kind != TokenKind::end)
-        refuse(tokens_.peek().at, fmt::format("illegal token behind an expression: {}", describe(tokens_.peek())));
+        refuse(tokens_.peek().at,
+               fmt::format("illegal token behind an expression: {}", describe(tokens_.peek())));
     return expression;
 }
 
@@ -118,17 +120,15 @@ ExpressionPointer Parser::parse_primary() {
         expect(")", "behind the expression");
         return inner;
     }
+    const auto at = token.at; // taking a token ends the reference to it
     if (token.kind == TokenKind::integer)
-        return make(token.at, IntegerLiteral{tokens_.take().integer});
+        return make(at, IntegerLiteral{tokens_.take().integer});
     if (token.kind == TokenKind::real)
-        return make(token.at, RealLiteral{tokens_.take().real});
-    if (token.kind == TokenKind::text) {
-        auto at = token.at;
+        return make(at, RealLiteral{tokens_.take().real});
+    if (token.kind == TokenKind::text)
         return make(at, TextLiteral{tokens_.take().text});
-    }
     if (token.kind != TokenKind::name || is_reserved(token.text))
         refuse(token.at, fmt::format("illegal token in an expression: {}", describe(token)));
-    auto at = token.at;
     return make(at, NameUse{tokens_.take().text});
 }
 

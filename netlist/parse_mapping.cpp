@@ -20,7 +20,8 @@ Reference Parser::parse_reference(std::string_view what) {
     auto name = expect_name(what);
     Reference reference{name.at, name.text, parse_subscripts(), "", {}, {}};
     if (accept(".")) {
-        auto field = expect_name("a link or channel");
+        const auto& word = tokens_.peek(); // behind a dot a word of the language is no other than the rest
+        auto field = word.kind == TokenKind::name ? tokens_.take() : expect_name("a link or channel");
         reference.field = field.text;
         reference.field_at = field.at;
         reference.field_subscripts = parse_subscripts();
@@ -34,7 +35,8 @@ Statement Parser::parse_connect() {
     if (!accept(",")) {
         if (!tokens_.peek().is_word("to"))
             refuse(tokens_.peek().at,
-                   fmt::format("\",\" or \"to\" is missing in connect: {} stands here", describe(tokens_.peek())),
+                   fmt::format("\",\" or \"to\" is missing in connect: {} stands here",
+                               describe(tokens_.peek())),
                    "connect a.link[0] to b.link[1];");
         tokens_.take();
     }
@@ -63,7 +65,8 @@ Statement Parser::parse_place() {
     auto at = tokens_.take().at;
     auto what = parse_reference("what is placed");
     if (!tokens_.peek().is_word("on"))
-        refuse(tokens_.peek().at, fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
+        refuse(tokens_.peek().at,
+               fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
                "place name on processor;");
     tokens_.take();
     PlaceStatement statement{std::move(what), parse_reference("the place")};

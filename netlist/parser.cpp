@@ -8,22 +8,24 @@
 namespace placedpar {
 
 bool is_reserved(std::string_view word) {
-    static constexpr std::array words{"val",  "define", "connection", "connect", "process", "input", "output", "use",
-                                      "place", "rep",   "if",         "else",    "for",     "to",    "by",     "on",
-                                      "interface"};
+    static constexpr std::array words{"val",    "define", "connection", "connect", "process",  "input",
+                                      "output", "use",    "place",      "rep",     "if",       "else",
+                                      "for",    "to",     "by",         "on",      "interface"};
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
     if (++parser.depth_ > deepest_nesting) {
-        parser.reporter_.error(parser.tokens_.peek().at,
-                               fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
+        parser.reporter_.error(
+            parser.tokens_.peek().at,
+            fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
         throw GiveUp{};
     }
 }
 
 void Parser::refuse(const Location& at, std::string message, std::string hint) {
-    reporter_.error(at, std::move(message), std::move(hint));
+    if (tokens_.peek().kind != TokenKind::illegal) // of which the lexer has said what is wrong
+        reporter_.error(at, std::move(message), std::move(hint));
     throw StatementRefused{};
 }
 
@@ -49,7 +51,8 @@ void Parser::expect_word(std::string_view word, std::string_view where) {
 
 void Parser::expect_semicolon(std::string_view statement) {
     if (!accept(";"))
-        refuse(tokens_.peek().at, fmt::format("illegal token in a {} statement: {}", statement, describe(tokens_.peek())),
+        refuse(tokens_.peek().at,
+               fmt::format("illegal token in a {} statement: {}", statement, describe(tokens_.peek())),
                "a statement ends with \";\"");
 }
 
@@ -58,8 +61,8 @@ Token Parser::expect_name(std::string_view what) {
     if (token.kind != TokenKind::name)
         refuse(token.at, fmt::format("the name of {} is missing: {} stands here", what, describe(token)));
     if (is_reserved(token.text))
-        refuse(token.at, fmt::format("the name of {} is missing: {} stands here, a word of the language", what,
-                                     describe(token)));
+        refuse(token.at, fmt::format("{} is a word of the language: it cannot be the name of {}",
+                                     describe(token), what));
     return tokens_.take();
 }
 

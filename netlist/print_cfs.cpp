@@ -52,7 +52,8 @@ private:
 
     void print_nodes() {
         static const Node defaults;
-        for (const auto& range : element_ranges(n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
+        for (const auto& range : element_ranges(
+                 n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
             const auto& node = n_.nodes[range.first];
             std::vector<std::string> attributes;
             if (node.memory_bytes != defaults.memory_bytes)
@@ -65,7 +66,8 @@ private:
                 attributes.push_back(fmt::format("channelcall = {}", node.channel_call_cycles));
             for (auto& other : print_others(node.other))
                 attributes.push_back(std::move(other));
-            line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
+            line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ",
+                 range.declarator);
         }
     }
 
@@ -81,7 +83,9 @@ private:
             line("connection {};", declarator);
     }
 
-    static bool is_named(const NetworkChannel& channel) { return channel.name.find("->") == std::string::npos; }
+    static bool is_named(const NetworkChannel& channel) {
+        return channel.name.find("->") == std::string::npos;
+    }
 
     std::string end(const LinkEnd& at) const {
         const auto& name = n_.nodes[at.node].name;
@@ -118,7 +122,8 @@ private:
     }
 
     void print_processes() {
-        auto ranges = element_ranges(n_.processes.size(), [&](std::size_t i) { return std::string_view(n_.processes[i].name); });
+        auto ranges = element_ranges(n_.processes.size(),
+                                     [&](std::size_t i) { return std::string_view(n_.processes[i].name); });
         for (const auto& range : ranges) {
             print_declaration(range);
             print_programs(range);
@@ -155,12 +160,15 @@ private:
             if (!process.stand_in)
                 continue;
             for (const auto& binding : process.ports) {
-                type_of.emplace(base_name(binding.port), binding.direction == Direction::input ? "input" : "output");
+                type_of.emplace(base_name(binding.port),
+                                binding.direction == Direction::input ? "input" : "output");
                 inputs_and_outputs.push_back(binding.port);
             }
             for (const auto& [name, value] : process.parameters) {
                 const auto* text = std::get_if<std::string>(&value);
-                type_of.emplace(base_name(name), text != nullptr ? "char" : std::holds_alternative<double>(value) ? "double" : "int");
+                type_of.emplace(base_name(name), text != nullptr                         ? "char"
+                                                 : std::holds_alternative<double>(value) ? "double"
+                                                                                         : "int");
                 parameters.push_back(text != nullptr ? fmt::format("{}[{}]", name, text->size()) : name);
             }
         }
@@ -171,7 +179,8 @@ private:
         return entries.empty() ? "" : "interface " + print_list(entries);
     }
 
-    void print_settings(const ProcessInstance& process, const std::map<std::string, Value>& common, bool all_high) {
+    void print_settings(const ProcessInstance& process, const std::map<std::string, Value>& common,
+                        bool all_high) {
         std::vector<std::string> entries;
         if (process.high_priority && !all_high)
             entries.push_back("priority = HIGH");
@@ -182,8 +191,10 @@ private:
         for (auto entry = parameters.begin(); entry != parameters.end(); ++entry) {
             if (entry->first.find('[') == std::string::npos)
                 entries.push_back(fmt::format("{} = {}", entry->first, print_constant(entry->second)));
-            else if (entry == parameters.begin() || base_name(std::prev(entry)->first) != base_name(entry->first))
-                entries.push_back(fmt::format("{} = {}", base_name(entry->first), print_array(parameters, base_name(entry->first))));
+            else if (entry == parameters.begin() ||
+                     base_name(std::prev(entry)->first) != base_name(entry->first))
+                entries.push_back(fmt::format("{} = {}", base_name(entry->first),
+                                              print_array(parameters, base_name(entry->first))));
         }
         if (!entries.empty())
             line("{} {};", process.name, print_list(entries));
@@ -192,20 +203,22 @@ private:
     /// The elements "a[0]", "a[1]" ... as one constant, nested as the dimensions are.
     static std::string print_array(const std::map<std::string, Value>& parameters, std::string_view base) {
         std::map<std::vector<std::int64_t>, std::string> elements;
-        for (auto entry = parameters.lower_bound(std::string(base) + "["); entry != parameters.end(); ++entry) {
+        for (auto entry = parameters.lower_bound(std::string(base) + "["); entry != parameters.end();
+             ++entry) {
             if (base_name(entry->first) != base)
                 break;
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
+        std::size_t printed = 0; // a line break now and then keeps lines short enough to be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;
             while (same < last.size() && last[same] == subscripts[same])
                 ++same;
             if (!last.empty())
-                result += std::string(last.size() - same - 1, '}') + ",\n    ";
-            result += std::string(last.empty() ? subscripts.size() : subscripts.size() - same - 1, '{') + text;
+                result.append(last.size() - same - 1, '}').append(++printed % 16 == 0 ? ",\n    " : ", ");
+            result.append(last.empty() ? subscripts.size() : subscripts.size() - same - 1, '{').append(text);
             last = subscripts;
         }
         return result + std::string(last.size(), '}');
@@ -239,7 +252,8 @@ private:
     void print_channel(const NetworkChannel& channel) {
         if (end(channel.from).empty() || end(channel.to).empty())
             return; // an edge without a channel of its own: placing the other end says it
-        line("connect {} to {}{};", end(channel.from), end(channel.to), is_named(channel) ? " by " + channel.name : "");
+        line("connect {} to {}{};", end(channel.from), end(channel.to),
+             is_named(channel) ? " by " + channel.name : "");
     }
 
     void print_carrier(const NetworkChannel& channel) {
@@ -249,8 +263,14 @@ private:
             if (at->at_edge() && !at->port.empty())
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
+<<<<<<< HEAD
         const auto& connection = n_.connections[channel.placement.connection];
         line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
+=======
+        const auto& connection = n_.connections[channel.placement.connection];
+        line("place {} on {};", end(inner),
+             end(connection.a.node == inner.node ? connection.a : connection.b));
+>>>>>>> netlist
     }
 
     const Network& n_;
@@ -259,6 +279,8 @@ private:
 
 } // namespace
 
-std::string print_cfs(const Network& network) { return CfsPrinter(network).print(); }
+std::string print_cfs(const Network& network) {
+    return CfsPrinter(network).print();
+}
 
 } // namespace placedpar

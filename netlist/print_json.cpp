@@ -61,9 +61,12 @@ public:
         document["source"] = n_.source_path;
         document["hash"] = fmt::format("{:016x}", n_.hash);
         document["nodes"] = list(n_.nodes, [](const Node& node) { return to_json(node); });
-        document["connections"] = list(n_.connections, [&](const auto& connection) { return connection_object(connection); });
-        document["processes"] = list(n_.processes, [&](const auto& process) { return process_object(process); });
-        document["channels"] = list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
+        document["connections"] =
+            list(n_.connections, [&](const auto& connection) { return connection_object(connection); });
+        document["processes"] =
+            list(n_.processes, [&](const auto& process) { return process_object(process); });
+        document["channels"] =
+            list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
         return document;
     }
 
@@ -165,22 +168,24 @@ void write(const json::value& value, std::string& out, const std::string& indent
     auto of_pair = [](const json::key_value_pair& pair) -> const json::value& { return pair.value(); };
     auto of_value = [](const json::value& entry) -> const json::value& { return entry; };
     const auto inner = indent + "  ";
-    std::string separator;
+    bool first = true;
+    auto begin_entry = [&] {
+        out.append(first ? "\n" : ",\n").append(inner);
+        first = false;
+    };
     if (value.is_object() && !is_flat(value.get_object(), of_pair)) {
         out += "{";
         for (const auto& pair : value.get_object()) {
-            out.append(separator).append("\n").append(inner);
+            begin_entry();
             out.append(json::serialize(json::string_view(pair.key()))).append(": ");
             write(pair.value(), out, inner);
-            separator = ",";
         }
         out.append("\n").append(indent).append("}");
     } else if (value.is_array() && !is_flat(value.get_array(), of_value)) {
         out += "[";
         for (const auto& entry : value.get_array()) {
-            out.append(separator).append("\n").append(inner);
+            begin_entry();
             write(entry, out, inner);
-            separator = ",";
         }
         out.append("\n").append(indent).append("]");
     } else {

@@ -57,7 +57,8 @@ std::string print_constant(const Value& value) {
     return print_string(std::get<std::string>(value));
 }
 
-std::vector<ElementRange> element_ranges(std::size_t count, const std::function<std::string_view(std::size_t)>& name) {
+std::vector<ElementRange> element_ranges(std::size_t count,
+                                         const std::function<std::string_view(std::size_t)>& name) {
     std::vector<ElementRange> ranges;
     std::vector<std::int64_t> dimensions;
     for (std::size_t i = 0; i < count; ++i) {

@@ -25,7 +25,7 @@ ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& cata
                         const Overrides& overrides = {});
 
 /// The same for a text that is no file; `#include` is then relative to the working directory.
-ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
-                             const std::string& shown_path = "netlist");
+ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue,
+                             const Overrides& overrides = {}, const std::string& shown_path = "netlist");
 
 } // namespace placedpar

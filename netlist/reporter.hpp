@@ -9,6 +9,8 @@
 namespace placedpar {
 
 inline constexpr std::size_t most_errors = 20;
+/// Errors at places that are known already: a replicated statement goes wrong each time.
+inline constexpr std::size_t most_repeated = 50;
 
 /// Thrown, and caught within the room, when going on makes no sense: too many errors, a bound exceeded.
 struct GiveUp {};
@@ -20,9 +22,13 @@ public:
     /// the last error that is kept.
     void error(const Location& location, std::string message, std::string hint = "",
                std::vector<SecondPlace> others = {}) {
-        if (is_known(location))
+        if (is_known(location)) {
+            if (++repeated_ >= most_repeated)
+                throw GiveUp{};
             return;
-        diagnostics_.push_back({Severity::error, std::move(message), location, std::move(hint), std::move(others)});
+        }
+        diagnostics_.push_back(
+            {Severity::error, std::move(message), location, std::move(hint), std::move(others)});
         if (++errors_ >= most_errors)
             throw GiveUp{};
     }
@@ -37,14 +43,15 @@ public:
 
 private:
     bool is_known(const Location& place) const {
-        return place.file && std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& known) {
+        return place.file &&
+               std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& known) {
                    return known.severity == Severity::error && known.location.file == place.file &&
                           known.location.line == place.line && known.location.column == place.column;
                });
     }
 
     std::vector<Diagnostic> diagnostics_;
-    std::size_t errors_ = 0;
+    std::size_t errors_ = 0, repeated_ = 0;
 };
 
 /// Thrown by what cannot go on with a statement, after it has reported why; caught at the statement.

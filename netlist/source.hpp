@@ -53,7 +53,8 @@ struct LoadedSource {
     std::vector<SourceProblem> problems;    ///< empty: the text is good
 };
 
-/// Reads a whole file. A missing file, a directory, a device, one that is too large or is no text is a problem.
+/// Reads a whole file. A missing file, a directory, a device, one that is too large or is no text is a
+/// problem.
 LoadedSource load_source(const std::filesystem::path& path);
 /// The same checks of a text that is there already.
 LoadedSource check_source(std::string shown_path, std::string text);

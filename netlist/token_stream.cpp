@@ -14,7 +14,8 @@ std::filesystem::path real_path(const std::filesystem::path& path) {
 
 } // namespace
 
-TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter)
+TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path,
+                         Reporter& reporter)
     : reporter_(reporter) {
     open_.push_back({Lexer(std::move(main), reporter), real_path(path), {}});
 }
@@ -36,7 +37,8 @@ void TokenStream::fill(std::size_t count) {
     while (ahead_.size() < count) {
         auto token = open_.back().lexer.next();
         if (++tokens_ > most_tokens) {
-            reporter_.error(token.at, fmt::format("the netlist is too large: it has more than {} words", most_tokens));
+            reporter_.error(token.at,
+                            fmt::format("the netlist is too large: it has more than {} words", most_tokens));
             throw GiveUp{};
         }
         if (token.kind == TokenKind::directive)
@@ -50,13 +52,17 @@ void TokenStream::fill(std::size_t count) {
 
 void TokenStream::include(const Token& directive) {
     if (directive.text != "include") {
-        reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text), "there is only #include \"file\"");
+        reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text),
+                        "there is only #include \"file\"");
+        open_.back().lexer.skip_line();
         return;
     }
     auto name = open_.back().lexer.next();
     if (name.kind != TokenKind::text || name.text.empty()) {
         reporter_.error(name.at, "#include needs the name of a file in quotes", "#include \"file\"");
-        if (name.kind != TokenKind::end)
+        if (name.at.line == directive.at.line)
+            open_.back().lexer.skip_line();
+        else if (name.kind != TokenKind::end)
             ahead_.push_back(std::move(name));
         return;
     }

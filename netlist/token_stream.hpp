@@ -9,14 +9,15 @@
 namespace placedpar {
 
 /// No netlist needs more; a chain of files that include each other twice would.
-inline constexpr std::size_t most_tokens = 4'000'000;
+inline constexpr std::size_t most_tokens = 2'000'000;
 inline constexpr std::size_t most_includes = 1000;
 
 /// The tokens of a source and of all that it includes, as one sequence with lookahead. A file that includes
 /// itself, directly or through others, is refused.
 class TokenStream {
 public:
-    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter);
+    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path,
+                Reporter& reporter);
 
     const Token& peek(std::size_t ahead = 0);
     Token take();

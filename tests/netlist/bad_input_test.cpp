@@ -1,0 +1,138 @@
+// Input that is no netlist at all, or a monstrous one: one clear diagnostic, in little time.
+
+#include "netlist/read.hpp"
+#include "small_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+using namespace placedpar;
+
+namespace {
+
+std::string first_message(const ReadResult& result) {
+    CHECK_FALSE(result.network);
+    return result.diagnostics.empty() ? "" : result.diagnostics[0].message;
+}
+
+std::string refused(const std::string& text, const Overrides& overrides = {}) {
+    return first_message(read_netlist_text(text, small_catalogue(), overrides));
+}
+
+std::string repeated(const std::string& text, int times) {
+    std::string result;
+    for (int i = 0; i < times; ++i)
+        result += text;
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("what is no text file") {
+    auto folder = std::filesystem::temp_directory_path() / "placedpar_bad_input_test";
+    std::filesystem::create_directories(folder);
+    CHECK(first_message(read_netlist(folder / "nothing.cfs", small_catalogue())) == "there is no such file");
+    CHECK(first_message(read_netlist(folder, small_catalogue())) == "this is a directory, not a netlist");
+    CHECK(first_message(read_netlist("/dev/null", small_catalogue())) == "this is no regular file");
+    CHECK(first_message(read_netlist(std::string(5000, 'x'), small_catalogue()))
+              .starts_with("the file cannot be read"));
+    std::ofstream(folder / "large.cfs") << std::string(largest_source_bytes + 10, ' ');
+    CHECK(first_message(read_netlist(folder / "large.cfs", small_catalogue()))
+              .starts_with("the file is too large"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("binary rubbish") {
+    auto result = read_netlist_text(std::string("T800 a;\n\tval \0 x", 16), small_catalogue());
+    CHECK(first_message(result) == "this is no netlist but a binary file: it holds the byte 0x00");
+    REQUIRE(result.diagnostics.size() == 1);
+    CHECK(result.diagnostics[0].location.text() == "netlist:2:6");
+    CHECK(render(result.diagnostics) ==
+          "netlist:2:6: error: this is no netlist but a binary file: it holds the byte 0x00\n"
+          "    \tval ? x\n"
+          "    \t    ^\n");
+    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is no netlist but a binary file"));
+    CHECK(refused("val \xff 5;") == "illegal character byte 0xff");
+}
+
+TEST_CASE("an empty file is an empty network") {
+    CHECK(read_netlist_text("", small_catalogue()).network);
+    CHECK(read_netlist_text("\xef\xbb\xbf/* nothing */", small_catalogue()).network);
+}
+
+TEST_CASE("lines, words and nesting without measure") {
+    CHECK(refused("val x " + std::string(20000, '1') + ";").starts_with("the line is too long"));
+    CHECK(refused(repeated("val\n", 100)) != "");
+    CHECK(refused(repeated("{", 5000)).starts_with("the nesting is too deep"));
+    CHECK(refused("val x " + repeated("(", 5000)).starts_with("the nesting is too deep"));
+    CHECK(refused("val x " + repeated("-", 5000) + "1;").starts_with("the nesting is too deep"));
+    CHECK(refused("val x " + repeated("!(", 4000) + "1;").starts_with("the nesting is too deep"));
+    CHECK(refused("val x " + repeated("{", 5000)).starts_with("the nesting is too deep"));
+    CHECK(refused(repeated("if 1\n", 50000) + ";").starts_with("the nesting is too deep"));
+    CHECK(refused("val x 1" + repeated("\n+ 1", 100000) + ";").starts_with("the expression is too long"));
+    CHECK(refused("val x 1" + repeated("\n[1]", 100000) + ";").starts_with("the expression is too long"));
+    CHECK(refused("process (" + repeated("order (\n", 5000) + ";").starts_with("the nesting is too deep"));
+    CHECK(refused("val s \"" + std::string(5000, 'x') + "\";").starts_with("the string is too long"));
+    CHECK(refused(repeated("val x 1;\n", 500000)).starts_with("the netlist is too large"));
+}
+
+TEST_CASE("replication and arrays without measure") {
+    CHECK(refused("rep i = 0 for 9223372036854775807 ;").find("takes more than") != std::string::npos);
+    CHECK(refused("rep i = 1 for 9223372036854775807 ;") == "1 + 9223372036854775807 is beyond 64 bits");
+    CHECK(refused("rep a = 0 for 3000 rep b = 0 for 3000 { val x a + b; }").find("takes more than") !=
+          std::string::npos);
+    CHECK(refused("T800 t[1000][1000];").find("the array is too large") != std::string::npos);
+    CHECK(refused("T800 t[4611686018427387904][4];").find("the array is too large") != std::string::npos);
+    CHECK(refused("rep i = 0 for 1000000 T800 t;").starts_with("the network is too large"));
+    CHECK(
+        refused("process (interface (input in[200000])) p[200000];").starts_with("the network is too large"));
+    auto many = read_netlist_text("T800 t; process p[100000]; rep i = 0 for 100000 place p[i] on t;",
+                                  small_catalogue());
+    CHECK(many.network.has_value());
+    std::string doubling = "val a0 {1, 1};";
+    for (int i = 1; i < 60; ++i)
+        doubling += "val a" + std::to_string(i) + " {a" + std::to_string(i - 1) + ", a" +
+                    std::to_string(i - 1) + "};\n";
+    CHECK(refused(doubling).starts_with("the array has too many dimensions"));
+    std::string wide = "process (interface (int n";
+    for (int i = 0; i < 2000; ++i)
+        wide += ",\nint n" + std::to_string(i);
+    CHECK(refused(wide + ")) p;").starts_with("the interface is too large"));
+    CHECK(refused("rep i = 0 for 1000000 { val n undefined_name; }") ==
+          "the name \"undefined_name\" is undefined");
+    CHECK(read_netlist_text("val n 1" + repeated("\n+ 1", 900) + "; if n == 901 T800 t;", small_catalogue())
+              .network.value()
+              .nodes.size() == 1);
+}
+
+TEST_CASE("at most twenty errors") {
+    auto result = read_netlist_text(repeated("val x;\n", 500), small_catalogue());
+    CHECK_FALSE(result.network);
+    CHECK(result.diagnostics.size() == 20);
+}
+
+TEST_CASE("overrides that make no sense") {
+    CHECK(refused("val n 1;", {{"m", "1"}}) == "the netlist has no val \"m\" outside of blocks");
+    CHECK(refused("val n 1;", {{"n", ""}}).starts_with("illegal token in an expression"));
+    CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token behind an expression"));
+    CHECK(refused("val n 1;", {{"n", "\"a\""}}).starts_with("wrong type for the val"));
+    CHECK(refused("val n 1;", {{"", "5"}}) != "");
+    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}})
+              .starts_with("this is no netlist but a binary file"));
+}
+
+TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") {
+    auto shown = [](const std::string& text) {
+        return render(read_netlist_text(text, small_catalogue()).diagnostics);
+    };
+    CHECK(shown("val s \"\xc3\xa4\xc3\xb6\" @;")
+              .find("\n    val s \"\xc3\xa4\xc3\xb6\" @;\n               ^\n") != std::string::npos);
+    auto lines = shown("val x " + repeated("1 +", 200) + " @ " + repeated(" + 1", 200) + ";");
+    auto excerpt = lines.find("    ...");
+    REQUIRE(excerpt != std::string::npos);
+    auto caret = lines.find('^'), at = lines.find('@', excerpt);
+    CHECK(caret - (lines.rfind('\n', caret) + 1) == at - (lines.rfind('\n', at) + 1));
+}

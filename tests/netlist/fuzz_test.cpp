@@ -1,0 +1,154 @@
+// Mutations of good netlists: whatever they say, reading them ends, in a network or in an error.
+// A failure prints the number of the case; the same number makes the same case again.
+
+#include "netlist/print.hpp"
+#include "netlist/read.hpp"
+#include "small_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// SplitMix64: the same numbers everywhere.
+class Numbers {
+public:
+    explicit Numbers(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15U + 1) {}
+    std::size_t below(std::size_t bound) {
+        state_ += 0x9e3779b97f4a7c15U;
+        auto z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+        return static_cast<std::size_t>((z ^ (z >> 31)) % bound);
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+std::vector<std::string> seeds() {
+    std::vector<std::filesystem::path> paths;
+    for (const auto* folder : {"/good", "/refusals"})
+        for (const auto& entry : std::filesystem::directory_iterator(netlist_folder() + folder))
+            if (entry.path().extension() == ".cfs")
+                paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    std::vector<std::string> texts;
+    for (const auto& path : paths) {
+        std::ifstream in(path, std::ios::binary);
+        texts.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    }
+    return texts;
+}
+
+/// Words with their blanks: pieces that are worth moving about.
+std::vector<std::string> words(const std::string& text) {
+    std::vector<std::string> result;
+    for (char c : text) {
+        bool joins = !result.empty() && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') &&
+                     std::isalnum(static_cast<unsigned char>(result.back().back())) != 0;
+        if (joins)
+            result.back() += c;
+        else
+            result.emplace_back(1, c);
+    }
+    return result;
+}
+
+std::string mutate(const std::string& text, const std::vector<std::string>& others, Numbers& numbers) {
+    static const std::vector<std::string> spice{"0",
+                                                "-1",
+                                                "9223372036854775807",
+                                                "1M",
+                                                "2.5",
+                                                "\"x\"",
+                                                "{",
+                                                "}",
+                                                "(",
+                                                ")",
+                                                "[",
+                                                "]",
+                                                ";",
+                                                ",",
+                                                ".",
+                                                "rep i = 0 for 3 ",
+                                                "if ",
+                                                "{1,2}",
+                                                "host",
+                                                "sw",
+                                                "#include \"x\"\n",
+                                                "/*",
+                                                "'",
+                                                "\xff",
+                                                "T800",
+                                                " / 0"};
+    auto pieces = words(text);
+    for (auto changes = 1 + numbers.below(3); changes > 0 && !pieces.empty(); --changes) {
+        auto at = numbers.below(pieces.size());
+        auto place = pieces.begin() + static_cast<std::ptrdiff_t>(at);
+        switch (numbers.below(5)) {
+        case 0:
+            pieces.erase(place);
+            break;
+        case 1:
+            pieces.insert(place, pieces[numbers.below(pieces.size())]);
+            break;
+        case 2:
+            *place = spice[numbers.below(spice.size())];
+            break;
+        case 3:
+            std::swap(*place, pieces[numbers.below(pieces.size())]);
+            break;
+        default: {
+            auto foreign = words(others[numbers.below(others.size())]);
+            if (!foreign.empty())
+                *place = foreign[numbers.below(foreign.size())];
+        }
+        }
+    }
+    std::string result;
+    for (const auto& piece : pieces)
+        result += piece;
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("mutated netlists are read to an end") {
+    const auto texts = seeds();
+    REQUIRE(texts.size() > 60);
+    int networks = 0;
+    for (std::uint64_t number = 0; number < 10000; ++number) {
+        Numbers numbers(number);
+        const auto& seed = texts[numbers.below(2) == 0 ? numbers.below(5) : numbers.below(texts.size())];
+        auto text = mutate(seed, texts, numbers);
+        auto result = read_netlist_text(text, small_catalogue());
+        auto errors = std::count_if(result.diagnostics.begin(), result.diagnostics.end(),
+                                    [](const Diagnostic& d) { return d.severity == Severity::error; });
+        if (result.network.has_value() != (errors == 0) || errors > 20)
+            FAIL("case " << number << ":\n" << text);
+        auto rendered = render(result.diagnostics);
+        if (errors > 0 && rendered.find("error: ") == std::string::npos)
+            FAIL("case " << number << " says nothing:\n" << text);
+        if (!result.network)
+            continue;
+        ++networks;
+        auto printed = print_cfs(*result.network);
+        auto again = read_netlist_text(printed, small_catalogue());
+        if (!again.network || print_cfs(*again.network) != printed)
+            FAIL("case " << number << " does not load again:\n"
+                         << text << "\nprinted:\n"
+                         << printed << render(again.diagnostics));
+        print_dot(*result.network);
+        print_json(*result.network);
+    }
+    CHECK(networks > 250); // else the mutations are too wild to reach the printers
+}

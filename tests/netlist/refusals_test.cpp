@@ -1,0 +1,58 @@
+// One small netlist for each thing that the language refuses, and beside it what is printed: the files
+// refusals/*.cfs and *.txt. To see what a change does, set PLACEDPAR_ACCEPT=1: the texts are then written
+// anew.
+
+#include "netlist/read.hpp"
+#include "small_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace placedpar;
+
+namespace {
+
+std::vector<std::filesystem::path> refused_files() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(netlist_folder() + "/refusals"))
+        if (entry.path().extension() == ".cfs")
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// Without the folder, which is another on every machine.
+std::string without_folder(std::string text) {
+    auto folder = netlist_folder() + "/refusals/";
+    for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
+        text.erase(at, folder.size());
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("every refusal says what is wrong, where, and what would be right") {
+    CHECK(refused_files().size() > 60);
+    for (const auto& file : refused_files()) {
+        CAPTURE(file.filename().string());
+        auto result = read_netlist(file, small_catalogue());
+        CHECK_FALSE(result.network);
+        auto text = without_folder(render(result.diagnostics));
+        auto expected = std::filesystem::path(file).replace_extension(".txt");
+        if (std::getenv("PLACEDPAR_ACCEPT") != nullptr)
+            std::ofstream(expected) << text;
+        CHECK(text == read_text(expected));
+    }
+}
