@@ -38,13 +38,9 @@ public:
     }
 
 private:
-<<<<<<< HEAD
-    std::size_t& load(const ChannelPlacement& carrier) { return load_[carrier.connection * 2 + (carrier.from_a_to_b ? 1 : 0)]; }
-=======
     std::size_t& load(const ChannelPlacement& carrier) {
         return load_[carrier.connection * 2 + (carrier.from_a_to_b ? 1 : 0)];
     }
->>>>>>> netlist
 
     std::string node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
 

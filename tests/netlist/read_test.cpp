@@ -64,7 +64,7 @@ TEST_CASE("four clusters of a master and three slaves") {
     CHECK(network.processes[4].stand_in);
     CHECK(network.processes[4].kind == "worker.lku");
     const auto& ring =
-        network.connections[channel(network, "breeder[0].out -> worker[0][0].in").carrier.connection + 3];
+        network.connections[channel(network, "breeder[0].out -> worker[0][0].in").placement.connection + 3];
     CHECK(ring.name == "ring[0]");
     CHECK(ring.metres == doctest::Approx(0.3));
 }
@@ -73,7 +73,7 @@ TEST_CASE("a val is overridden from outside") {
     CHECK(good("cluster_of_n.cfs").nodes.size() == 4);
     auto alone = good("cluster_of_n.cfs", {{"slaves", "0"}});
     CHECK(alone.nodes.size() == 1);
-    CHECK(channel(alone, "m.out -> s.in").carrier.kind == ChannelPlacement::Kind::soft);
+    CHECK(channel(alone, "m.out -> s.in").placement.kind == ChannelPlacement::Kind::soft);
     CHECK(good("cluster_of_n.cfs", {{"slaves", "2 * 2 + 1"}}).nodes.size() == 6);
     // a later val sees the override, and so does a frequency
     CHECK(good_text("val a 1; val b a + 1; edge t[b];", {{"a", "4"}}).nodes.size() == 5);
@@ -101,8 +101,8 @@ TEST_CASE("switches are followed to the processors at the ends") {
     CHECK(through.crossings[1].to_link == 3);
     CHECK(through.metres == doctest::Approx(0.6));
     CHECK(through.bits_per_second == 10'000'000);
-    CHECK(channel(network, "there").carrier == Carrier{ChannelPlacement::Kind::link, 0, false, false});
-    CHECK(channel(network, "back[1]").carrier.from_a_to_b);
+    CHECK(channel(network, "there").placement == ChannelPlacement{ChannelPlacement::Kind::link, 0, false, false});
+    CHECK(channel(network, "back[1]").placement.from_a_to_b);
     CHECK(network.processes[0].parameters.at("weights[1][0]") == Value(std::int64_t{3}));
     CHECK(network.processes[0].parameters.at("name") == Value(std::string("a \"b\"\n")));
     CHECK(network.processes[0].parameters.at("least") == Value(std::numeric_limits<std::int64_t>::min()));
@@ -120,7 +120,7 @@ TEST_CASE("channels share out the links between neighbours") {
     CHECK(link(1) == 0);
     CHECK(link(2) == 1);
     CHECK(link(3) == 0);
-    CHECK(channel(network, "pumps[0].out -> sinks[0].in").carrier.shared);
+    CHECK(channel(network, "pumps[0].out -> sinks[0].in").placement.shared);
     const auto& back = channel(network, "back_from.out -> back_to.in");
     CHECK(sending_link(network, back) == 0);
     CHECK_FALSE(back.placement.shared); // alone in its direction
@@ -136,7 +136,7 @@ TEST_CASE("channels at the edge") {
     const auto& log = channel(network, "log_in -> app.log");
     CHECK(network.nodes[log.from.node].name == "far");
     CHECK(log.placement.connection == 1);
-    CHECK(channel(network, "app.trace[1] -> echo[1].in").carrier.kind == ChannelPlacement::Kind::soft);
+    CHECK(channel(network, "app.trace[1] -> echo[1].in").placement.kind == ChannelPlacement::Kind::soft);
     CHECK(network.nodes[channel(network, "app.screen -> to_host").to.node].name == "host"); // the lower link
     CHECK(network.processes[0].other.at("location.code") == Value(std::int64_t{5}));
 }
@@ -147,7 +147,7 @@ TEST_CASE("a channel placed on a link to an edge needs no edge channel") {
         "place p on t; place p.out on t.link[1];");
     REQUIRE(network.channels.size() == 1);
     CHECK(network.channels[0].name == "p.out -> host");
-    CHECK(network.channels[0].carrier.kind == ChannelPlacement::Kind::edge);
+    CHECK(network.channels[0].placement.kind == ChannelPlacement::Kind::edge);
 }
 
 TEST_CASE("names live to the end of their block") {
