@@ -263,14 +263,9 @@ private:
             if (at->at_edge() && !at->port.empty())
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
-<<<<<<< HEAD
-        const auto& connection = n_.connections[channel.placement.connection];
-        line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
-=======
         const auto& connection = n_.connections[channel.placement.connection];
         line("place {} on {};", end(inner),
              end(connection.a.node == inner.node ? connection.a : connection.b));
->>>>>>> netlist
     }
 
     const Network& n_;
