@@ -104,8 +104,8 @@ TEST_CASE("with n low-priority processes none waits longer than 2n - 2 timeslice
             simulation.process("greedy", [] { compute(40 * one_slice); }, &t800);
         simulation.process("polite", [&] {
             for (int i = 0; i < 10; ++i) {
-                compute(Cycles{100}); // so that rivals begin between the ends of periods
                 wait_for(microseconds{10 + 137 * i});
+                compute(Cycles{100}); // so that rivals begin after the end of a period
                 Time since = now();
                 wait_for(microseconds{1});
                 longest = std::max(longest, now() - since - microseconds{1});
