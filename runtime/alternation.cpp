@@ -96,6 +96,9 @@ void AnyChannel::announce() {
 
 std::size_t select(std::span<const Guard> guards, const std::source_location& where) {
     Process& self = Kernel::current()->running();
+    for (const Guard& guard : guards)
+        if (guard.kind == Guard::input)
+            guard.channel->note_inputter(self);
     auto ready = first_ready(guards);
     compute(cost(guards.size(), !ready));
     if (!ready)

@@ -46,8 +46,9 @@ void AnyChannel::enable(Alternation& alternation) {
     if (slot_ || (alternation_ && alternation_ != &alternation))
         refuse_second_user("alternates on", Kernel::current()->running(), *this);
     alternation_ = &alternation;
-    inputter_ = user(Kernel::current()->running());
 }
+
+void AnyChannel::note_inputter(const Process& process) { inputter_ = user(process); }
 
 void AnyChannel::output_any(void* message, const WireForm& form, const std::source_location& where) {
     Process& self = Kernel::current()->running();

@@ -59,6 +59,8 @@ public:
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
     /// Throws std::logic_error when another process inputs or alternates on the channel.
     void enable(Alternation&);
+    /// An alternation has a guard on the channel, for the report of a deadlock.
+    void note_inputter(const Process&);
     void disable() { alternation_ = nullptr; }
 
     // For carriers.

@@ -26,4 +26,10 @@ constexpr Cycles disable_guard{8};        ///< disc, diss; dist 23
 /// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.
 constexpr Cycles preemption{19};
 
+/// What a channel operation of the INMOS C toolset (ChanOut, ChanIn) costs beyond its instruction: for
+/// processors whose programs are written in C. Derived: half the round trip of a message of n words between
+/// two T805s took 11.0 + 2.250 n us (sarevok/pr, Poznan 2008); 11.0 us are 220 cycles at 20 MHz, of which 19
+/// are the instruction's. It includes the rescheduling of the receiver.
+constexpr Cycles toolset_channel_call{201};
+
 } // namespace placedpar::instructions

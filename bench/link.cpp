@@ -1,0 +1,61 @@
+// How long the simulation of a link takes: nanoseconds of wall time per byte of long messages, with the closed
+// form and with every byte simulated, one way and both ways.
+
+#include "runtime/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+
+using namespace placedpar;
+
+namespace {
+
+struct Block {
+    std::uint32_t bytes;
+    WireForm wire_form() const { return WireForm(bytes); }
+};
+
+void carry(const char* what, bool every_byte, bool both_ways, long messages) {
+    constexpr std::uint32_t bytes = 1000;
+    Simulation simulation;
+    Link& link = simulation.link();
+    Channel<Block> there("there"), back("back");
+    there.put_on(link.from_a_to_b());
+    back.put_on(link.from_b_to_a());
+    for (Channel<Block>* channel : {&there, &back})
+        if (channel == &there || both_ways) {
+            simulation.process("sender", [=] {
+                for (long i = 0; i < messages; ++i)
+                    channel->out().output(Block{bytes});
+            });
+            simulation.process("receiver", [=] {
+                for (long i = 0; i < messages; ++i)
+                    channel->in().input();
+            });
+        }
+    if (every_byte) {
+        link.from_a_to_b().simulate_every_byte();
+        link.from_b_to_a().simulate_every_byte();
+    }
+    auto start = std::chrono::steady_clock::now();
+    RunResult result = simulation.run();
+    std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
+    double carried = static_cast<double>(messages) * bytes * (both_ways ? 2 : 1);
+    fmt::print("{:<28} {:7.2f} ns/byte   fingerprint {:016x}\n", what, took.count() / carried, result.fingerprint);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    long messages = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 10'000;
+    if (messages < 1) {
+        fmt::print(stderr, "usage: link [MESSAGES of 1000 bytes, at least 1]\n");
+        return 1;
+    }
+    carry("one way, closed form", false, false, messages);
+    carry("one way, every byte", true, false, messages);
+    carry("both ways, closed form", false, true, messages);
+    carry("both ways, every byte", true, true, messages);
+}

@@ -1,0 +1,184 @@
+// occam's rules of alternation.
+
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+using std::chrono::microseconds;
+
+namespace {
+
+/// Runs `body` beside one process for each channel that outputs its number at the moment given.
+std::string run_with_outputs(std::vector<Time> moments, const std::function<void(std::vector<Channel<int>*>, std::string&)>& body) {
+    Simulation simulation;
+    std::list<Channel<int>> channels;
+    std::vector<Channel<int>*> pointers;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        pointers.push_back(&channels.emplace_back(fmt::format("c{}", i)));
+        simulation.process(fmt::format("outputter {}", i), [c = pointers.back(), i, at = moments[i]] {
+            wait_until(at);
+            c->out().output(static_cast<int>(i));
+        });
+    }
+    std::string chosen;
+    simulation.process("alternates", [&] { body(pointers, chosen); });
+    simulation.run();
+    return chosen;
+}
+
+} // namespace
+
+TEST_CASE("of several ready guards the first in order is chosen, not the first to have come") {
+    auto chosen = run_with_outputs({microseconds{2}, microseconds{1}}, [](auto c, std::string& log) {
+        wait_for(microseconds{3});
+        for (int i = 0; i < 2; ++i)
+            alt(on(c[0]->in(), [&](int x) { log += fmt::format("{}", x); }),
+                on(c[1]->in(), [&](int x) { log += fmt::format("{}", x); }));
+    });
+    CHECK(chosen == "01");
+}
+
+TEST_CASE("when none is ready the first to come is chosen") {
+    auto chosen = run_with_outputs({microseconds{2}, microseconds{1}}, [](auto c, std::string& log) {
+        for (int i = 0; i < 2; ++i)
+            alt(on(c[0]->in(), [&](int x) { log += fmt::format("{}@{} ", x, now() / microseconds{1}); }),
+                on(c[1]->in(), [&](int x) { log += fmt::format("{}@{} ", x, now() / microseconds{1}); }));
+    });
+    CHECK(chosen == "1@1 0@2 ");
+}
+
+TEST_CASE("both outputters come before the process gets its turn: it is woken once and picks by order") {
+    Simulation simulation;
+    Channel<int> c0("c0"), c1("c1");
+    std::string log;
+    simulation.process("alternates", [&] {
+        for (int i = 0; i < 2; ++i)
+            alt(on(c1.in(), [&](int) { log += "1"; }), on(c0.in(), [&](int) { log += "0"; }));
+        wait_for(microseconds{1}); // a wake left over would end this wait early
+        log += fmt::format("@{}", now() / microseconds{1});
+    });
+    simulation.process("outputs 0", [&] { c0.out().output(0); });
+    simulation.process("outputs 1", [&] { c1.out().output(1); });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(log == "10@1");
+}
+
+TEST_CASE("a guard whose condition is false is passed over") {
+    auto chosen = run_with_outputs({microseconds{1}, microseconds{2}}, [](auto c, std::string& log) {
+        alt(when(false, on(c[0]->in(), [&](int) { log += "wrong"; })), on(c[1]->in(), [&](int x) { log += fmt::format("{}", x); }));
+        log += fmt::format("{}", c[0]->in().input());
+    });
+    CHECK(chosen == "10");
+}
+
+TEST_CASE("a timeout is taken at its moment when no message comes, and not when one does") {
+    auto watch = [](auto c, std::string& log) {
+        alt(on(c[0]->in(), [&](int) { log += fmt::format("message@{}", now() / microseconds{1}); }),
+            after(microseconds{5}, [&] { log += fmt::format("timeout@{}", now() / microseconds{1}); }));
+        wait_until(microseconds{20}); // an alarm left over would end this wait early
+        log += now() == microseconds{20} ? "" : " woken early";
+    };
+    CHECK(run_with_outputs({microseconds{4}}, watch) == "message@4");
+    CHECK(run_with_outputs({microseconds{6}}, watch) == "timeout@5");
+}
+
+TEST_CASE("a timeout that is already due counts as ready, in its place in the order") {
+    auto chosen = run_with_outputs({microseconds{1}}, [](auto c, std::string& log) {
+        wait_until(microseconds{3});
+        alt(after(microseconds{2}, [&] { log += "t"; }), on(c[0]->in(), [&](int) { log += "m"; }));
+        alt(on(c[0]->in(), [&](int) { log += "m"; }), after(microseconds{3}, [&] { log += "t"; }));
+    });
+    CHECK(chosen == "tm");
+}
+
+TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process lets others run") {
+    int polls = 0;
+    auto chosen = run_with_outputs({Time{0}, Time{0}}, [&](auto c, std::string& log) {
+        for (int received = 0; received < 2; ++polls)
+            alt(on(c[1]->in(), [&](int x) { log += fmt::format("{}", x), ++received; }),
+                on(c[0]->in(), [&](int x) { log += fmt::format("{}", x), ++received; }), skip([] {}));
+    });
+    CHECK(chosen == "10");
+    CHECK(polls >= 2);
+
+    Simulation simulation; // the poller runs first, and nobody else could without its giving way
+    Channel<int> c("c");
+    bool got = false;
+    simulation.process("polls", [&] {
+        while (!got)
+            alt(on(c.in(), [&](int) { got = true; }), skip([] {}));
+    });
+    simulation.process("outputs", [&] { c.out().output(1); });
+    CHECK(simulation.run().ending == Ending::completed);
+}
+
+TEST_CASE("the replicated form names the input that was chosen") {
+    auto chosen = run_with_outputs({microseconds{3}, microseconds{1}, microseconds{2}}, [](auto c, std::string& log) {
+        std::vector<Input<int>> inputs;
+        for (auto* channel : c)
+            inputs.push_back(channel->in());
+        for (int i = 0; i < 3; ++i)
+            alt(std::span<const Input<int>>(inputs), [&](std::size_t k, int x) { log += fmt::format("{}{} ", k, x); });
+    });
+    CHECK(chosen == "11 22 00 ");
+}
+
+TEST_CASE("an alternation none of whose guards can be ready is an error that names the process") {
+    Simulation simulation;
+    Channel<int> c("c");
+    simulation.process("hopeless", [&] { alt(when(false, on(c.in(), [](int) {}))); });
+    CHECK_THROWS_WITH_AS(simulation.run(), "process hopeless: an alternation none of whose guards can be ready",
+                         std::logic_error);
+}
+
+TEST_CASE("two processes cannot alternate on one channel, nor one input where another alternates") {
+    for (bool second_alternates : {false, true}) {
+        Simulation simulation;
+        Channel<int> c("c");
+        simulation.process("first", [&] { alt(on(c.in(), [](int) {})); });
+        simulation.process("second", [&] {
+            if (second_alternates)
+                alt(on(c.in(), [](int) {}));
+            else
+                c.in().input();
+        });
+        CHECK_THROWS_AS(simulation.run(), std::logic_error);
+    }
+}
+
+TEST_CASE("one channel can stand in two guards of an alternation") {
+    auto chosen = run_with_outputs({microseconds{1}}, [](auto c, std::string& log) {
+        alt(when(false, on(c[0]->in(), [&](int) { log += "wrong"; })), on(c[0]->in(), [&](int) { log += "a"; }),
+            on(c[0]->in(), [&](int) { log += "b"; }));
+    });
+    CHECK(chosen == "a");
+}
+
+TEST_CASE("over a link an alternation is woken by the first byte of a message") {
+    Simulation simulation;
+    Channel<std::array<char, 100>> c("c");
+    Channel<int> local("local");
+    c.put_on(simulation.link().from_a_to_b());
+    simulation.process("sender", [&] { c.out().output({}); });
+    Time woken{}, received{};
+    simulation.process("receiver", [&] {
+        std::vector<Guard> guards{{Guard::input, &local}, {Guard::input, &c}};
+        CHECK(select(guards) == 1);
+        woken = now();
+        c.in().input();
+        received = now();
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(woken == std::chrono::nanoseconds{550});
+    // Its acknowledge goes out at 550 ns instead of 275; then 6 bits to the next byte, and 575 ns a byte.
+    CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 575 + 550});
+}

@@ -1,0 +1,145 @@
+// The report of a deadlock.
+
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+using namespace placedpar;
+
+namespace {
+
+/// Dijkstra's philosophers: each takes its left fork, then its right one.
+Deadlock three_philosophers() {
+    Simulation simulation;
+    std::list<Channel<int>> take_left, take_right;
+    std::vector<Input<int>> left, right;
+    for (std::size_t i = 0; i < 3; ++i) {
+        left.push_back(take_left.emplace_back("left[" + std::to_string(i) + "]").in());
+        right.push_back(take_right.emplace_back("right[" + std::to_string(i) + "]").in());
+    }
+    auto of = [](std::list<Channel<int>>& channels, std::size_t i) { return std::next(channels.begin(), static_cast<long>(i)); };
+    for (std::size_t i = 0; i < 3; ++i) {
+// clang-format off
+#line 1 "philosophers.cpp"
+        auto philosopher = [&, i] {
+            of(take_left, i)->out().output(1);
+            wait_for(std::chrono::nanoseconds{10});
+            of(take_right, i)->out().output(1);
+        };
+        auto fork = [&, i] {
+            alt(on(left[i], [&](int) { left[i].input(); }),
+                on(right[(i + 2) % 3], [&](int) { right[(i + 2) % 3].input(); }));
+        };
+#line 43 "deadlock_test.cpp"
+        // clang-format on
+        simulation.process("philosopher[" + std::to_string(i) + "]", philosopher);
+        simulation.process("fork[" + std::to_string(i) + "]", fork);
+    }
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    REQUIRE(result.deadlock);
+    return *result.deadlock;
+}
+
+} // namespace
+
+TEST_CASE("three philosophers with a fork each: the report, word for word") {
+    CHECK(three_philosophers().text() ==
+          R"(wait cycle: philosopher[0] -> fork[1] -> philosopher[1] -> fork[2] -> philosopher[2] -> fork[0] -> philosopher[0]
+
+process                      operation                  channel                                      program
+philosopher[0]               outputs                    right[0]                                     philosophers.cpp:4
+fork[0]                      inputs                     left[0]                                      philosophers.cpp:7
+philosopher[1]               outputs                    right[1]                                     philosophers.cpp:4
+fork[1]                      inputs                     left[1]                                      philosophers.cpp:7
+philosopher[2]               outputs                    right[2]                                     philosophers.cpp:4
+fork[2]                      inputs                     left[2]                                      philosophers.cpp:7
+
+channel                                      outputter                    inputter                     who waits
+left[0]                                      philosopher[0]               fork[0]                      inputter
+left[1]                                      philosopher[1]               fork[1]                      inputter
+left[2]                                      philosopher[2]               fork[2]                      inputter
+right[0]                                     philosopher[0]               fork[1]                      outputter
+right[1]                                     philosopher[1]               fork[2]                      outputter
+right[2]                                     philosopher[2]               fork[0]                      outputter
+)");
+}
+
+TEST_CASE("two reports of the same deadlock are equal") { CHECK(three_philosophers().text() == three_philosophers().text()); }
+
+TEST_CASE("a partial deadlock lists those who are left and not those who ended") {
+    Simulation simulation;
+    Channel<int> c("c"), d("d");
+    simulation.process("fine", [&] { wait_for(std::chrono::microseconds{3}); });
+    simulation.process("once", [&] { c.out().output(1); });
+    simulation.process("twice", [&] { c.in().input(), c.in().input(); });
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    CHECK(result.time == std::chrono::microseconds{3});
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle.empty());
+    REQUIRE(result.deadlock->processes.size() == 1);
+    CHECK(result.deadlock->processes[0].path == "twice");
+    CHECK(result.deadlock->processes[0].activity == Activity::inputting);
+    REQUIRE(result.deadlock->channels.size() == 1);
+    CHECK(result.deadlock->channels[0].outputter == "once (has ended)");
+    CHECK(result.deadlock->channels[0].waiting == "inputter");
+}
+
+TEST_CASE("the cycle is found through the PARs of its processes") {
+    Simulation simulation;
+    Channel<int> there("there"), back("back");
+    auto exchange = [](Channel<int>& mine, Channel<int>& other) {
+        par([] {}, [&] { mine.out().output(1); });
+        other.in().input();
+    };
+    simulation.process("left", [&] { exchange(there, back); });
+    simulation.process("right", [&] { exchange(back, there); });
+    there.expect(&simulation.processes().front(), &simulation.processes().back());
+    back.expect(&simulation.processes().back(), &simulation.processes().front());
+    RunResult result = simulation.run();
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle == std::vector<std::string>{"left", "left/1", "right", "right/1"});
+}
+
+TEST_CASE("a partner that was a component and is gone stands for the process whose PAR it was in") {
+    Simulation simulation;
+    Channel<int> c("c");
+    simulation.process("server", [&] {
+        par([&] { c.in().input(); });
+        Channel<int>("never").in().input();
+    });
+    simulation.process("client", [&] { c.out().output(1), c.out().output(2); });
+    RunResult result = simulation.run();
+    REQUIRE(result.deadlock);
+    REQUIRE(result.deadlock->channels.size() == 2);
+    CHECK(result.deadlock->channels[0].name == "c");
+    CHECK(result.deadlock->channels[0].inputter == "server");
+    CHECK(result.deadlock->channels[1].outputter == "nobody yet");
+}
+
+TEST_CASE("a ring of ten thousand that all output first is reported, in order") {
+    constexpr std::size_t n = 10'000;
+    Simulation simulation;
+    std::vector<std::unique_ptr<Channel<int>>> ring;
+    std::vector<const Process*> members;
+    for (std::size_t i = 0; i < n; ++i)
+        ring.push_back(std::make_unique<Channel<int>>("ring[" + std::to_string(i) + "]"));
+    for (std::size_t i = 0; i < n; ++i)
+        members.push_back(&simulation.process("member[" + std::to_string(i) + "]", [&, i] {
+            ring[i]->out().output(1);
+            ring[(i + n - 1) % n]->in().input();
+        }));
+    for (std::size_t i = 0; i < n; ++i)
+        ring[i]->expect(members[i], members[(i + 1) % n]);
+    RunResult result = simulation.run();
+    REQUIRE(result.deadlock);
+    REQUIRE(result.deadlock->cycle.size() == n);
+    CHECK(result.deadlock->cycle[1] == "member[1]");
+    CHECK(result.deadlock->processes.size() == n);
+}

@@ -1,0 +1,203 @@
+// However a simulation ends, every process's stack is unwound, and another can follow.
+
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <boost/fiber/all.hpp>
+
+#include <stdexcept>
+#include <thread>
+
+using namespace placedpar;
+using std::chrono::microseconds;
+
+namespace {
+
+struct Counted {
+    explicit Counted(int& n) : alive(n) { ++alive; }
+    ~Counted() { --alive; }
+    Counted(const Counted&) = delete;
+    int& alive;
+};
+
+/// Processes in every kind of wait, each with something on its stack, and one that does `last`, at 5 us.
+class Waiters {
+public:
+    explicit Waiters(std::function<void()> last) {
+        Processor& t800 = simulation.processor("t800");
+        hard.put_on(simulation.link().from_a_to_b());
+        virtual_one.put_on(simulation.multiplexer("m", simulation.link(), &t800, nullptr).add_channel(true));
+        add([this] { soft.in().input(); });
+        add([this] { other.out().output(1); });
+        add([this] { hard.out().output(1); });
+        add([this] { alt(on(third.in(), [](int) {}), on(fourth.in(), [](int) {})); });
+        add([this] { virtual_one.out().output(1); }, &t800);
+        add([this] { par([this] { Counted inner(alive); fifth.in().input(); }, [this] { Counted inner(alive); sixth.out().output(1); }); });
+        add([] { wait_for(microseconds{3}); });
+        add([last = std::move(last)] { wait_for(microseconds{5}), last(); });
+    }
+
+    Simulation simulation;
+    int alive = 0;
+    int started = 0;
+
+private:
+    void add(std::function<void()> body, Processor* on = nullptr) {
+        simulation.process("waiter", [this, body = std::move(body)] {
+            ++started;
+            Counted counted(alive);
+            body();
+        }, on);
+    }
+    Channel<int> soft{"soft"}, other{"other"}, hard{"hard"}, third{"third"}, fourth{"fourth"}, fifth{"fifth"}, sixth{"sixth"},
+        virtual_one{"virtual"};
+};
+
+} // namespace
+
+TEST_CASE("unwound when stuck") {
+    Waiters waiters([] {});
+    CHECK(waiters.simulation.run().ending == Ending::stuck);
+    CHECK(waiters.started == 8);
+    CHECK(waiters.alive == 0);
+}
+
+TEST_CASE("unwound at the time limit, at which virtual time stands then") {
+    Waiters waiters([] {});
+    RunResult result = waiters.simulation.run(microseconds{4});
+    CHECK(result.ending == Ending::time_limit);
+    CHECK(result.time == microseconds{4});
+    CHECK(waiters.alive == 0);
+}
+
+TEST_CASE("unwound when a process throws, and the run rethrows it") {
+    Waiters waiters([] { throw std::runtime_error("the pump is dry"); });
+    CHECK_THROWS_WITH_AS(waiters.simulation.run(), "the pump is dry", std::runtime_error);
+    CHECK(waiters.alive == 0);
+}
+
+TEST_CASE("unwound when a component of a PAR throws on a processor") {
+    Waiters waiters([] { par([] { wait_for(microseconds{1}); }, [] { throw std::runtime_error("component"); }); });
+    CHECK_THROWS_WITH_AS(waiters.simulation.run(), "component", std::runtime_error);
+    CHECK(waiters.alive == 0);
+}
+
+TEST_CASE("unwound when interrupted") {
+    Waiters* self = nullptr;
+    Waiters waiters([&self] { self->simulation.interrupt(), wait_for(microseconds{1}); });
+    self = &waiters;
+    CHECK(waiters.simulation.run().ending == Ending::interrupted);
+    CHECK(waiters.alive == 0);
+}
+
+TEST_CASE("unwound when the report at the end throws") {
+    Kernel kernel;
+    int alive = 0;
+    Channel<int> c("c");
+    Process waiter(kernel, "waiter", [&] { Counted counted(alive); c.in().input(); }, nullptr, Priority::low);
+    kernel.make_ready(waiter);
+    CHECK_THROWS_AS(kernel.run(Time::max(), [](Ending) { throw std::runtime_error("report"); }), std::runtime_error);
+    CHECK(alive == 0);
+    CHECK(Kernel::current() == nullptr);
+}
+
+TEST_CASE("a run of a process that only computes can be interrupted from another thread") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    std::atomic<bool> computing = false;
+    simulation.process("computes forever", [&] {
+        for (;; computing = true)
+            compute(Cycles{1});
+    }, &t800);
+    std::thread other([&] {
+        while (!computing)
+            std::this_thread::yield();
+        simulation.interrupt();
+    });
+    CHECK(simulation.run().ending == Ending::interrupted);
+    other.join();
+}
+
+TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Channel<int> c("c");
+    int swallowed = 0;
+    simulation.process("stubborn", [&] {
+        for (int i = 0; i < 3; ++i)
+            try {
+                compute(Cycles{1});
+                par([&] { c.in().input(); });
+            } catch (...) {
+                ++swallowed;
+            }
+    }, &t800);
+    CHECK(simulation.run().ending == Ending::stuck);
+    CHECK(swallowed == 3);
+}
+
+TEST_CASE("processes that never had a turn are not started to be unwound") {
+    Simulation simulation;
+    bool started = false;
+    simulation.process("throws", [] { throw std::runtime_error("first"); });
+    simulation.process("never", [&] { started = true; });
+    CHECK_THROWS_AS(simulation.run(), std::runtime_error);
+    CHECK_FALSE(started);
+}
+
+TEST_CASE("a simulation that never runs can be destroyed, and one runs only once, not within another") {
+    {
+        Simulation unused;
+        unused.process("never", [] {});
+    }
+    Simulation simulation;
+    bool refused = false;
+    simulation.process("nests", [&] {
+        Simulation inner;
+        try {
+            inner.run();
+        } catch (const std::logic_error&) {
+            refused = true;
+        }
+    });
+    simulation.run();
+    CHECK(refused);
+    CHECK_THROWS_AS(simulation.run(), std::logic_error);
+}
+
+TEST_CASE("a hundred simulations one after the other, and one on each of two threads, agree") {
+    auto fingerprint = [] {
+        Waiters waiters([] {});
+        return waiters.simulation.run().fingerprint;
+    };
+    std::uint64_t expected = fingerprint();
+    for (int i = 0; i < 100; ++i)
+        CHECK(fingerprint() == expected);
+    std::uint64_t on_thread[2] = {};
+    std::thread first([&] { on_thread[0] = fingerprint(); }), second([&] { on_thread[1] = fingerprint(); });
+    first.join(), second.join();
+    CHECK(on_thread[0] == expected);
+    CHECK(on_thread[1] == expected);
+}
+
+TEST_CASE("a simulation can run on a Boost fiber of the host program, whose other fibers rest meanwhile") {
+    std::string order;
+    boost::fibers::fiber host([&] {
+        Simulation simulation;
+        Channel<int> c("c");
+        simulation.process("outputter", [&] { wait_for(microseconds{1}), c.out().output(1); });
+        simulation.process("inputter", [&] { order += c.in().input() == 1 ? "simulation " : "wrong "; });
+        CHECK(simulation.run().ending == Ending::completed);
+        order += "host ";
+    });
+    boost::fibers::fiber other([&] { order += "other "; });
+    host.join();
+    other.join();
+    CHECK(order.find("simulation") == 0);
+    CHECK(order.find("other") != std::string::npos);
+    CHECK(order.find("host") != std::string::npos);
+}

@@ -1,0 +1,105 @@
+// PAR and PRI PAR.
+
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <malloc.h>
+
+using namespace placedpar;
+using std::chrono::microseconds;
+
+TEST_CASE("a PAR ends when its last component has, and starts them in order") {
+    Simulation simulation;
+    std::string order;
+    Time ended{};
+    simulation.process("parent", [&] {
+        par([&] { order += "a", wait_for(microseconds{3}); }, [&] { order += "b", wait_for(microseconds{7}); },
+            [&] { order += "c"; });
+        ended = now();
+    });
+    simulation.run();
+    CHECK(order == "abc");
+    CHECK(ended == microseconds{7});
+}
+
+TEST_CASE("components of a nested PAR are named by the way to them") {
+    Simulation simulation;
+    std::string path;
+    simulation.process("cluster[1].master", [&] {
+        par([] {}, [&] { par_for(3, [&](std::size_t i) { path = i == 2 ? Kernel::current()->running().path() : path; }); });
+    });
+    simulation.run();
+    CHECK(path == "cluster[1].master/1/2");
+}
+
+TEST_CASE("a PAR of nothing ends at once") {
+    Simulation simulation;
+    bool after = false;
+    simulation.process("parent", [&] { par_for(0, [](std::size_t) {}), after = true; });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(after);
+}
+
+TEST_CASE("PRI PAR: the high component computes first, the low one when it waits") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Time high_done{}, low_done{}, high_again{};
+    simulation.process("parent", [&] {
+        Time start = now();
+        pri_par(
+            [&] {
+                compute(Cycles{2000}), high_done = now() - start; // 100 us
+                wait_for(microseconds{50});
+                compute(Cycles{200}), high_again = now() - start;
+            },
+            [&] { compute(Cycles{2000}), low_done = now() - start; });
+    }, &t800);
+    simulation.run();
+    constexpr auto cycle = std::chrono::nanoseconds{50};
+    Time start_up = 2 * (12 + 13) * cycle; // startp and endp of two components
+    CHECK(high_done == start_up + microseconds{100});
+    CHECK(high_again == start_up + microseconds{160} + 19 * cycle); // it interrupts the low one
+    CHECK(low_done == start_up + microseconds{210} + 19 * cycle);
+}
+
+TEST_CASE("the last component of a PAR goes on as its parent, before others that are ready") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    std::string order;
+    simulation.process("parent", [&] {
+        par([&] { simulation.process("other", [&] { order += "o"; }, &t800); });
+        order += "p";
+    }, &t800);
+    simulation.run();
+    CHECK(order == "po");
+}
+
+TEST_CASE("ten thousand processes live at once") {
+    Simulation simulation;
+    std::size_t ran = 0;
+    simulation.process("parent", [&] {
+        par_for(10'000, [&](std::size_t i) { wait_for(std::chrono::nanoseconds{i}), ++ran; });
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(ran == 10'000);
+}
+
+TEST_CASE("a hundred thousand PARs in a loop take no more memory than one") {
+    Simulation simulation;
+    std::size_t before = 0, after = 0;
+    simulation.process("parent", [&] {
+        for (int i = 0; i < 100'000; ++i) {
+            par([] {}, [] {});
+            if (i == 100)
+                before = mallinfo2().uordblks + mallinfo2().hblkhd;
+        }
+        after = mallinfo2().uordblks + mallinfo2().hblkhd;
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(after <= before + 1000);
+}

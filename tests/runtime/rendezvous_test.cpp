@@ -1,0 +1,127 @@
+// The rules by which two processes meet in a channel.
+
+#include "runtime/parallel.hpp"
+#include "runtime/random.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+TEST_CASE("the second to arrive goes on, the first goes to the back of the ready queue") {
+    Simulation simulation;
+    Channel<int> c("c");
+    std::string order;
+    simulation.process("inputs first", [&] { c.in().input(), order += "i"; });
+    simulation.process("outputs second", [&] { c.out().output(1), order += "o"; });
+    simulation.process("ready before", [&] { order += "r"; });
+    simulation.run();
+    CHECK(order == "ori");
+}
+
+TEST_CASE("an outputter that arrives first waits as an inputter does") {
+    Simulation simulation;
+    Channel<int> c("c");
+    std::string order;
+    simulation.process("outputs first", [&] { c.out().output(1), order += "o"; });
+    simulation.process("inputs second", [&] { c.in().input(), order += "i"; });
+    simulation.process("ready before", [&] { order += "r"; });
+    simulation.run();
+    CHECK(order == "iro");
+}
+
+TEST_CASE("neither end goes on before the other has come") {
+    Simulation simulation;
+    Channel<int> c("c");
+    Time output_ended{}, input_ended{};
+    simulation.process("outputter", [&] { c.out().output(1), output_ended = now(), c.out().output(2); });
+    simulation.process("inputter", [&] {
+        wait_for(std::chrono::microseconds{5});
+        c.in().input();
+        wait_for(std::chrono::microseconds{2});
+        c.in().input(), input_ended = now();
+    });
+    simulation.run();
+    CHECK(output_ended == std::chrono::microseconds{5});
+    CHECK(input_ended == std::chrono::microseconds{7});
+}
+
+TEST_CASE("messages arrive once each and in order, whoever is late") {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        Simulation simulation;
+        Channel<int> c("c");
+        std::vector<int> received;
+        auto dawdle = [](RandomStream& random) { wait_for(std::chrono::nanoseconds{random.below(3)}); };
+        simulation.process("outputter", [&] {
+            RandomStream random(seed, "outputter");
+            for (int i = 0; i < 100; ++i)
+                dawdle(random), c.out().output(i);
+        });
+        simulation.process("inputter", [&] {
+            RandomStream random(seed, "inputter");
+            for (int i = 0; i < 100; ++i)
+                dawdle(random), received.push_back(c.in().input());
+        });
+        REQUIRE(simulation.run().ending == Ending::completed);
+        REQUIRE(received.size() == 100);
+        for (int i = 0; i < 100; ++i)
+            REQUIRE(received[static_cast<std::size_t>(i)] == i);
+    }
+}
+
+struct Owned {
+    std::unique_ptr<int> value;
+    WireForm wire_form() const { return WireForm(4); }
+};
+
+TEST_CASE("a message is moved, never copied") {
+    Simulation simulation;
+    Channel<Owned> c("c");
+    int received = 0;
+    simulation.process("outputter", [&] { c.out().output(Owned{std::make_unique<int>(7)}); });
+    simulation.process("inputter", [&] { received = *c.in().input().value; });
+    simulation.run();
+    CHECK(received == 7);
+}
+
+TEST_CASE("a second user of an end is refused by name, also while the first waits for its processor") {
+    for (bool placed : {false, true}) {
+        CAPTURE(placed);
+        Simulation simulation;
+        Processor* p = placed ? &simulation.processor("p") : nullptr;
+        Processor* q = placed ? &simulation.processor("q") : nullptr;
+        Channel<int> c("busy");
+        simulation.process("first", [&] { c.out().output(1); }, p);
+        simulation.process("second", [&] { c.out().output(2); }, q);
+        std::string message;
+        try {
+            simulation.run();
+        } catch (const std::logic_error& error) {
+            message = error.what();
+        }
+        CHECK(message == "process second outputs to channel busy while another process is doing so: "
+                         "a channel joins two processes only");
+    }
+}
+
+TEST_CASE("on a processor the second to arrive pays 2 cycles a word for the copy, both pay 19 for the instruction") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Channel<std::array<char, 10>> c("c"); // three words
+    Time first_done{}, second_done{};
+    simulation.process("outputter", [&] { c.out().output({}), first_done = now(); }, &t800);
+    simulation.process("inputter", [&] { c.in().input(), second_done = now(); }, &t800);
+    simulation.run();
+    constexpr auto cycle = std::chrono::nanoseconds{50};
+    CHECK(second_done == (19 + 19 + 2 * 3) * cycle);
+    CHECK(first_done == second_done);
+    CHECK(t800.time_busy() == second_done);
+}

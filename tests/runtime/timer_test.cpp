@@ -1,0 +1,78 @@
+// TIMERs: a microsecond a tick at high priority, 64 at low.
+
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+using std::chrono::microseconds;
+using std::chrono::nanoseconds;
+
+TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one every 64") {
+    for (Priority priority : {Priority::high, Priority::low}) {
+        Simulation simulation;
+        Processor& t800 = simulation.processor("t800");
+        std::int64_t early = 0, late = 0;
+        simulation.process("reader", [&] {
+            Timer timer;
+            wait_until(microseconds{640} - nanoseconds{101}); // reading takes two cycles, 100 ns
+            early = timer.read();
+            wait_until(microseconds{640});
+            late = timer.read();
+        }, &t800, priority);
+        simulation.run();
+        CHECK(early == (priority == Priority::high ? 639 : 9));
+        CHECK(late == (priority == Priority::high ? 640 : 10));
+    }
+}
+
+TEST_CASE("AFTER waits until the clock reads more than the time given") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Time high{}, low{}, past{};
+    std::int64_t reading = 0;
+    simulation.process("high", [&] { Timer().wait_after(5), high = now(); }, &t800, Priority::high);
+    simulation.process("low", [&] {
+        Timer timer;
+        timer.wait_after(3), low = now();
+        reading = timer.read();
+        timer.wait_after(0), past = now();
+    }, &t800);
+    simulation.run();
+    CHECK(high == microseconds{6});
+    CHECK(low == microseconds{256});
+    CHECK(reading == 4);
+    CHECK(past == microseconds{256} + nanoseconds{(2 + 30) * 50}); // it does not wait, but costs its cycles
+}
+
+TEST_CASE("delays of one moment end in the order in which they began") {
+    Simulation simulation;
+    std::string order;
+    simulation.process("a", [&] { wait_for(nanoseconds{1}), wait_until(nanoseconds{9}), order += "a"; });
+    simulation.process("b", [&] { wait_until(nanoseconds{9}), order += "b"; });
+    simulation.process("c", [&] { wait_until(nanoseconds{9}), order += "c"; });
+    simulation.run();
+    CHECK(order == "bca");
+}
+
+TEST_CASE("a wait beyond the end of time does not come back, one for the past does at once") {
+    Simulation simulation;
+    bool returned = false;
+    Time after_past{};
+    simulation.process("waits", [&] {
+        wait_until(nanoseconds{5});
+        wait_until(nanoseconds{3}), after_past = now();
+        wait_for(Time::max()), returned = true;
+    });
+    CHECK(simulation.run(std::chrono::seconds{1}).ending == Ending::time_limit);
+    CHECK(after_past == nanoseconds{5});
+    CHECK_FALSE(returned);
+}
+
+TEST_CASE("times are printed in the unit that suits them") {
+    CHECK(to_string(Time{999'999}) == "999999 ps");
+    CHECK(to_string(microseconds{1}) == "1.000000 us");
+    CHECK(to_string(nanoseconds{1'234'567}) == "1.234567 ms");
+    CHECK(to_string(std::chrono::seconds{90}) == "90.000000 s");
+}
