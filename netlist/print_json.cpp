@@ -1,4 +1,5 @@
 #include "netlist/print.hpp"
+#include "netlist/print_text.hpp"
 
 #include <boost/json.hpp>
 
@@ -11,7 +12,11 @@ namespace json = boost::json;
 namespace {
 
 json::value to_json(const Value& value) {
-    return std::visit([](const auto& held) { return json::value(held); }, value);
+    if (const auto* text = std::get_if<std::string>(&value))
+        return json::value(as_utf8(*text));
+    if (const auto* integer = std::get_if<std::int64_t>(&value))
+        return json::value(*integer);
+    return json::value(std::get<double>(value));
 }
 
 json::object to_json(const std::map<std::string, Value>& values) {
@@ -58,7 +63,7 @@ public:
 
     json::object print() const {
         json::object document;
-        document["source"] = n_.source_path;
+        document["source"] = as_utf8(n_.source_path);
         document["hash"] = fmt::format("{:016x}", n_.hash);
         document["nodes"] = list(n_.nodes, [](const Node& node) { return to_json(node); });
         document["connections"] =
@@ -107,7 +112,7 @@ private:
     json::object process_object(const ProcessInstance& process) const {
         json::object object;
         object["name"] = process.name;
-        object["kind"] = process.kind;
+        object["kind"] = as_utf8(process.kind);
         object["stand_in"] = process.stand_in;
         object["node"] = n_.nodes[process.node].name;
         object["high_priority"] = process.high_priority;

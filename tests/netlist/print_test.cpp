@@ -82,6 +82,25 @@ TEST_CASE("the JSON document") {
     CHECK(channel.at("carrier").as_object().at("shared") == true);
 }
 
+TEST_CASE("the JSON document is UTF-8 whatever the file is") {
+    auto text = [](const std::string& value) {
+        auto result =
+            read_netlist_text("T800 t; process (interface (char s[9])) p; use \"p.lku\" for p; place p on t;"
+                              "p (s = \"" +
+                                  value + "\");",
+                              small_catalogue());
+        auto document = boost::json::parse(print_json(result.network.value()));
+        return std::string(document.at("processes").at(0).at("parameters").at("s").as_string());
+    };
+    CHECK(text("Stra\xc3\x9f"
+               "e") == "Stra\xc3\x9f"
+                       "e"); // UTF-8
+    CHECK(text("Stra\xdf"
+               "e") == "Stra\xc3\x9f"
+                       "e");                                   // Latin-1
+    CHECK(text("\xed\xa0\x80") == "\xc3\xad\xc2\xa0\xc2\x80"); // half of a surrogate pair is no character
+}
+
 TEST_CASE("the drawing names what there is and the links of each wire") {
     auto result = read_netlist(netlist_folder() + "/good/shared.cfs", small_catalogue());
     REQUIRE(result.network);
