@@ -78,6 +78,7 @@ std::string print_reading(const Reading& reading) {
     out += fmt::format("\n{:<{}}", "", width);
     for (std::size_t i = 0; i < columns.size(); ++i)
         out += "  simulat.  thesis   error ";
+    out.pop_back();
     for (const auto& row : rows) {
         bool first = true;
         for (const Cell& cell : reading.cells)
@@ -87,6 +88,8 @@ std::string print_reading(const Reading& reading) {
                 first = false;
                 out += "  " + print_cell(cell);
             }
+        if (out.back() == ' ')
+            out.pop_back();
     }
     return out + "\n" + reading.notes;
 }
