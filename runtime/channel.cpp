@@ -49,7 +49,7 @@ void AnyChannel::enable(Alternation& alternation) {
 
 void AnyChannel::note_inputter(const Process& process) { inputter_ = user(process); }
 
-void AnyChannel::output_any(void* message, const WireForm& form, const std::source_location& where) {
+void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     if (!carrier_)
         charge_channel_call();
@@ -63,7 +63,7 @@ void AnyChannel::output_any(void* message, const WireForm& form, const std::sour
         output_soft(self, form, where);
 }
 
-void AnyChannel::input_any(void* slot, const std::source_location& where) {
+void AnyChannel::input_any(void* slot, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     if (!carrier_)
         charge_channel_call();
@@ -85,7 +85,7 @@ void AnyChannel::hand_over() {
     message_ = slot_ = nullptr;
 }
 
-void AnyChannel::output_soft(Process& self, const WireForm& form, const std::source_location& where) {
+void AnyChannel::output_soft(Process& self, const WireForm& form, const SourceLocation& where) {
     Kernel& kernel = self.kernel();
     if (slot_) {
         Process& inputter = *waiting_;
@@ -100,7 +100,7 @@ void AnyChannel::output_soft(Process& self, const WireForm& form, const std::sou
     self.wait_for(Activity::outputting, this, where);
 }
 
-void AnyChannel::input_soft(Process& self, const std::source_location& where) {
+void AnyChannel::input_soft(Process& self, const SourceLocation& where) {
     Kernel& kernel = self.kernel();
     if (message_) {
         Process& outputter = *waiting_;

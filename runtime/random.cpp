@@ -7,8 +7,8 @@ namespace {
 /// FNV-1a, 64 bits: a published, stable hash, for std::hash may differ from one library to the next.
 std::uint64_t path_hash(std::string_view path) {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (unsigned char c : path)
-        hash = (hash ^ c) * 0x100000001b3u;
+    for (char c : path)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return hash;
 }
 
