@@ -53,7 +53,7 @@ Cycles cost(std::size_t guards, bool has_to_wait) {
 }
 
 /// A process that polls costs no time when it is not placed: without this nobody else would ever run.
-void give_others_a_turn(Process& self, const std::source_location& where) {
+void give_others_a_turn(Process& self, const SourceLocation& where) {
     self.kernel().make_ready(self);
     self.wait_for(Activity::ready, nullptr, where);
 }
@@ -94,7 +94,7 @@ void AnyChannel::announce() {
         alternation_->wake();
 }
 
-std::size_t select(std::span<const Guard> guards, const std::source_location& where) {
+std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     for (const Guard& guard : guards)
         if (guard.kind == Guard::input)

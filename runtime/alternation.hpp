@@ -1,10 +1,10 @@
 #pragma once
 
 #include "runtime/channel.hpp"
+#include "runtime/source_location.hpp"
 #include "runtime/timer.hpp"
 
 #include <cstddef>
-#include <source_location>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -17,31 +17,31 @@ struct Guard {
     enum Kind { never, input, timeout, skip } kind;
     AnyChannel* channel = nullptr; ///< of an input guard
     Time due{};                    ///< of a timeout guard
-    std::source_location where{};  ///< in the program
+    SourceLocation where{};  ///< in the program
 };
 
 /// Waits until one of the guards is ready and returns its index: the first ready one in the order given,
 /// which is occam's PRI ALT, and the choice that the transputer's own instructions make for ALT.
 /// `never` guards (a condition that is false) are passed over. Nothing has been input yet.
 /// Throws std::logic_error when no guard could ever be ready (occam: such an ALT acts as STOP).
-std::size_t select(std::span<const Guard> guards, const std::source_location& = std::source_location::current());
+std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
 /// An input guard and the process that it guards: `on(c, [&](int x) { ... })`.
 template <class T, class Body>
-auto on(Input<T> from, Body body, const std::source_location& where = std::source_location::current()) {
+auto on(Input<T> from, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::input, &from.channel(), Time{}, where},
                      [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
 /// A timeout guard, occam's `timer ? AFTER t`: ready when the virtual time `due` has come.
 template <class Body>
-auto after(Time due, Body body, const std::source_location& where = std::source_location::current()) {
+auto after(Time due, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
 
 /// occam's SKIP guard: always ready, so whatever stands behind it is reached only if nothing before is ready.
 template <class Body>
-auto skip(Body body, const std::source_location& where = std::source_location::current()) {
+auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
 }
 
@@ -67,7 +67,7 @@ std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
 /// The replicated form, `ALT i = 0 FOR n`: `alt(inputs, [&](std::size_t i, T message) { ... })`.
 template <class T, class Body>
 std::size_t alt(std::span<const Input<T>> inputs, Body body,
-                const std::source_location& where = std::source_location::current()) {
+                const SourceLocation& where = SourceLocation::current()) {
     std::vector<Guard> guards;
     for (const Input<T>& from : inputs)
         guards.push_back({Guard::input, &from.channel()});

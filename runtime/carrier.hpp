@@ -1,8 +1,7 @@
 #pragma once
 
 #include "runtime/protocol.hpp"
-
-#include <source_location>
+#include "runtime/source_location.hpp"
 
 namespace placedpar {
 
@@ -16,9 +15,9 @@ public:
     virtual ~Carrier() = default;
 
     /// Sends the message that waits in the channel. REQUIRES: called by the outputting process.
-    virtual void output(AnyChannel&, const WireForm&, const std::source_location&) = 0;
+    virtual void output(AnyChannel&, const WireForm&, const SourceLocation&) = 0;
     /// Receives a message into the channel's waiting slot. REQUIRES: called by the inputting process.
-    virtual void input(AnyChannel&, const std::source_location&) = 0;
+    virtual void input(AnyChannel&, const SourceLocation&) = 0;
     /// Whether the first byte of a message has arrived that nobody has asked for yet.
     virtual bool message_waits(const AnyChannel&) const = 0;
 };

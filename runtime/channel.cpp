@@ -50,7 +50,7 @@ void AnyChannel::enable(Alternation& alternation) {
 
 void AnyChannel::note_inputter(const Process& process) { inputter_ = user(process); }
 
-void AnyChannel::output_any(void* message, const WireForm& form, const std::source_location& where) {
+void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     if (!carrier_)
         compute(instructions::input_or_output);
@@ -64,7 +64,7 @@ void AnyChannel::output_any(void* message, const WireForm& form, const std::sour
         output_soft(self, form, where);
 }
 
-void AnyChannel::input_any(void* slot, const std::source_location& where) {
+void AnyChannel::input_any(void* slot, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     if (!carrier_)
         compute(instructions::input_or_output);
@@ -88,7 +88,7 @@ void AnyChannel::hand_over() {
     message_ = slot_ = nullptr;
 }
 
-void AnyChannel::output_soft(Process& self, const WireForm& form, const std::source_location& where) {
+void AnyChannel::output_soft(Process& self, const WireForm& form, const SourceLocation& where) {
     Kernel& kernel = self.kernel();
     if (slot_) {
         Process& inputter = *waiting_;
@@ -103,7 +103,7 @@ void AnyChannel::output_soft(Process& self, const WireForm& form, const std::sou
     self.wait_for(Activity::outputting, this, where);
 }
 
-void AnyChannel::input_soft(Process& self, const std::source_location& where) {
+void AnyChannel::input_soft(Process& self, const SourceLocation& where) {
     Kernel& kernel = self.kernel();
     if (message_) {
         Process& outputter = *waiting_;

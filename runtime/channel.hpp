@@ -2,10 +2,10 @@
 
 #include "runtime/carrier.hpp"
 #include "runtime/protocol.hpp"
+#include "runtime/source_location.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <source_location>
 #include <string>
 #include <typeindex>
 #include <utility>
@@ -71,13 +71,13 @@ public:
     bool input_waits() const { return slot_ != nullptr; }
 
 protected:
-    void output_any(void* message, const WireForm&, const std::source_location&);
-    void input_any(void* slot, const std::source_location&);
+    void output_any(void* message, const WireForm&, const SourceLocation&);
+    void input_any(void* slot, const SourceLocation&);
 
 private:
     virtual void move_message(void* from, void* to) = 0;
-    void output_soft(Process&, const WireForm&, const std::source_location&);
-    void input_soft(Process&, const std::source_location&);
+    void output_soft(Process&, const WireForm&, const SourceLocation&);
+    void input_soft(Process&, const SourceLocation&);
 
     std::string name_;
     Carrier* carrier_ = nullptr;
@@ -97,7 +97,7 @@ template <class T>
 class Output {
 public:
     Output() = default;
-    void output(T message, const std::source_location& where = std::source_location::current()) const {
+    void output(T message, const SourceLocation& where = SourceLocation::current()) const {
         channel_->output(std::move(message), where);
     }
     AnyChannel& channel() const { return *channel_; }
@@ -114,7 +114,7 @@ template <class T>
 class Input {
 public:
     Input() = default;
-    T input(const std::source_location& where = std::source_location::current()) const {
+    T input(const SourceLocation& where = SourceLocation::current()) const {
         return channel_->input(where);
     }
     AnyChannel& channel() const { return *channel_; }
@@ -140,8 +140,8 @@ private:
     friend class Output<T>;
     friend class Input<T>;
 
-    void output(T message, const std::source_location& where) { output_any(&message, wire_form(message), where); }
-    T input(const std::source_location& where) {
+    void output(T message, const SourceLocation& where) { output_any(&message, wire_form(message), where); }
+    T input(const SourceLocation& where) {
         std::optional<T> slot;
         input_any(&slot, where);
         return std::move(*slot);

@@ -46,7 +46,7 @@ void LinkDirection::serve(AnyChannel& channel) {
     channel_ = &channel;
 }
 
-void LinkDirection::output(AnyChannel& channel, const WireForm& form, const std::source_location& where) {
+void LinkDirection::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
     serve(channel);
     if (form.total() == 0)
         throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
@@ -58,7 +58,7 @@ void LinkDirection::output(AnyChannel& channel, const WireForm& form, const std:
         }
 }
 
-void LinkDirection::input(AnyChannel& channel, const std::source_location& where) {
+void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     serve(channel);
     bool last;
     do {
@@ -67,7 +67,7 @@ void LinkDirection::input(AnyChannel& channel, const std::source_location& where
     } while (!last);
 }
 
-void LinkDirection::send(std::uint32_t bytes, bool last_part, const std::source_location& where) {
+void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocation& where) {
     sender_ = &kernel_.running();
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
@@ -79,7 +79,7 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const std::source_
     sender_->wait_for(Activity::outputting, channel_, where);
 }
 
-bool LinkDirection::receive(const std::source_location& where) {
+bool LinkDirection::receive(const SourceLocation& where) {
     receiver_ = &kernel_.running();
     bool first_byte_here = std::exchange(first_byte_waits_, false);
     if (std::exchange(acknowledge_owed_, false))

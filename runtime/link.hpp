@@ -3,9 +3,8 @@
 #include "runtime/carrier.hpp"
 #include "runtime/event.hpp"
 #include "runtime/link_timing.hpp"
+#include "runtime/source_location.hpp"
 #include "runtime/wire.hpp"
-
-#include <source_location>
 
 namespace placedpar {
 
@@ -23,8 +22,8 @@ public:
     /// Its bytes travel on `out`, their acknowledges on `back`; `opposite` uses them the other way round.
     LinkDirection(Kernel&, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
 
-    void output(AnyChannel&, const WireForm&, const std::source_location&) override;
-    void input(AnyChannel&, const std::source_location&) override;
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return first_byte_waits_; }
 
     /// Makes every byte a matter of events of its own: the model by which the closed form is tested.
@@ -36,8 +35,8 @@ public:
 
 private:
     void serve(AnyChannel&);
-    void send(std::uint32_t bytes, bool last_part, const std::source_location&);
-    bool receive(const std::source_location&);
+    void send(std::uint32_t bytes, bool last_part, const SourceLocation&);
+    bool receive(const SourceLocation&);
 
     // What happens to a byte, in this order.
     void start_byte();

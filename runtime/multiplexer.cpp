@@ -38,7 +38,7 @@ void Multiplexer::End::send_packets() {
     for (;;) {
         while (queue_.empty()) {
             sender_idle_ = true;
-            sender_.wait_for(Activity::inputting, nullptr, std::source_location::current());
+            sender_.wait_for(Activity::inputting, nullptr, SourceLocation::current());
         }
         Packet packet = queue_.front();
         queue_.pop_front();
@@ -55,7 +55,7 @@ void Multiplexer::End::receive_packets() {
     }
 }
 
-void Multiplexer::Lane::output(AnyChannel& channel, const WireForm& form, const std::source_location& where) {
+void Multiplexer::Lane::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
     charge_channel_call();
     channel_ = &channel;
     outputter_ = &Kernel::current()->running();
@@ -63,7 +63,7 @@ void Multiplexer::Lane::output(AnyChannel& channel, const WireForm& form, const 
     outputter_->wait_for(Activity::outputting, &channel, where);
 }
 
-void Multiplexer::Lane::input(AnyChannel& channel, const std::source_location& where) {
+void Multiplexer::Lane::input(AnyChannel& channel, const SourceLocation& where) {
     charge_channel_call();
     if (std::exchange(message_here_, false)) {
         take_message();

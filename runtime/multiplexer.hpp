@@ -4,6 +4,7 @@
 #include "runtime/channel.hpp"
 #include "runtime/link.hpp"
 #include "runtime/process.hpp"
+#include "runtime/source_location.hpp"
 
 #include <deque>
 #include <list>
@@ -60,8 +61,8 @@ private:
     class Lane final : public Carrier {
     public:
         Lane(End& near, End& far) : near_(near), far_(far) {}
-        void output(AnyChannel&, const WireForm&, const std::source_location&) override;
-        void input(AnyChannel&, const std::source_location&) override;
+        void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+        void input(AnyChannel&, const SourceLocation&) override;
         bool message_waits(const AnyChannel&) const override { return message_here_; }
         void packet_came(const Packet&);
 

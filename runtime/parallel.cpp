@@ -10,7 +10,7 @@ namespace placedpar {
 
 Priority own_priority() { return Kernel::current()->running().priority(); }
 
-void run_in_parallel(std::vector<Component> components, const std::source_location& where) {
+void run_in_parallel(std::vector<Component> components, const SourceLocation& where) {
     if (components.empty())
         return;
     Kernel& kernel = *Kernel::current();

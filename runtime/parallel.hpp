@@ -1,10 +1,10 @@
 #pragma once
 
 #include "runtime/process.hpp"
+#include "runtime/source_location.hpp"
 
 #include <cstddef>
 #include <functional>
-#include <source_location>
 #include <utility>
 #include <vector>
 
@@ -18,7 +18,7 @@ struct Component {
 
 /// Runs the components as processes on the running process's processor and waits until all have ended.
 /// A component that throws ends the simulation, whose run rethrows it.
-void run_in_parallel(std::vector<Component>, const std::source_location&);
+void run_in_parallel(std::vector<Component>, const SourceLocation&);
 
 /// The priority of the running process, which its components inherit.
 Priority own_priority();
@@ -26,12 +26,12 @@ Priority own_priority();
 /// occam's PAR: `par([&] { ... }, [&] { ... })`.
 template <class... Bodies>
 void par(Bodies&&... bodies) {
-    run_in_parallel({Component{std::forward<Bodies>(bodies), own_priority()}...}, std::source_location{});
+    run_in_parallel({Component{std::forward<Bodies>(bodies), own_priority()}...}, SourceLocation{});
 }
 
 /// occam's replicated PAR, `PAR i = 0 FOR n`: `par_for(n, [&](std::size_t i) { ... })`.
 template <class Body>
-void par_for(std::size_t n, Body body, const std::source_location& where = std::source_location::current()) {
+void par_for(std::size_t n, Body body, const SourceLocation& where = SourceLocation::current()) {
     std::vector<Component> components;
     for (std::size_t i = 0; i < n; ++i)
         components.push_back({[i, &body] { body(i); }, own_priority()});
@@ -40,7 +40,7 @@ void par_for(std::size_t n, Body body, const std::source_location& where = std::
 
 /// occam's PRI PAR of two: the first at high priority, the second at low priority.
 template <class High, class Low>
-void pri_par(High&& high, Low&& low, const std::source_location& where = std::source_location::current()) {
+void pri_par(High&& high, Low&& low, const SourceLocation& where = SourceLocation::current()) {
     run_in_parallel({{std::forward<High>(high), Priority::high}, {std::forward<Low>(low), Priority::low}},
                     where);
 }

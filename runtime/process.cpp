@@ -25,7 +25,7 @@ Process::~Process() { kernel_.remove(*this); }
 
 std::string Process::path() const { return join_ ? fmt::format("{}/{}", join_->parent.path(), index_) : name_; }
 
-void Process::wait_for(Activity activity, const AnyChannel* channel, const std::source_location& where) {
+void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     awaited_.clear();
     if (channel)
         awaited_.push_back(channel);
@@ -34,7 +34,7 @@ void Process::wait_for(Activity activity, const AnyChannel* channel, const std::
 }
 
 void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels,
-                       const std::source_location& where) {
+                       const SourceLocation& where) {
     awaited_.assign(channels.begin(), channels.end());
     where_ = where;
     wait(activity);

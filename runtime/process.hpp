@@ -1,11 +1,11 @@
 #pragma once
 
+#include "runtime/source_location.hpp"
 #include "runtime/time.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <source_location>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,13 +64,13 @@ public:
     /// What it does or waits for, and where in its program, for reports.
     Activity activity() const { return activity_; }
     const std::vector<const AnyChannel*>& awaited_channels() const { return awaited_; }
-    const std::source_location& place_in_program() const { return where_; }
+    const SourceLocation& place_in_program() const { return where_; }
     /// Time spent in waits for partners, joins and delays, up to the moment when its processor took it up again.
     Time time_waited() const { return waited_; }
 
     /// Waits, as part of the operation named, until made ready. REQUIRES: this process is running.
-    void wait_for(Activity, const AnyChannel*, const std::source_location&);
-    void wait_for(Activity, std::span<const AnyChannel* const>, const std::source_location&);
+    void wait_for(Activity, const AnyChannel*, const SourceLocation&);
+    void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&);
 
 private:
     friend class Kernel;
@@ -91,7 +91,7 @@ private:
     bool machine_ = false;
     Activity activity_ = Activity::ready;
     std::vector<const AnyChannel*> awaited_;
-    std::source_location where_;
+    SourceLocation where_;
     Time waited_{};
 
     Worker* worker_ = nullptr; ///< the fiber that runs its body; null before its first turn

@@ -18,7 +18,7 @@ struct Alarm final : Event {
 
 Time now() { return Kernel::current()->now(); }
 
-void wait_until(Time due, const std::source_location& where) {
+void wait_until(Time due, const SourceLocation& where) {
     Kernel& kernel = *Kernel::current();
     Process& self = kernel.running();
     if (due <= kernel.now() || (!self.processor() && kernel.pass_time(due)))
@@ -28,7 +28,7 @@ void wait_until(Time due, const std::source_location& where) {
     self.wait_for(Activity::delayed, nullptr, where);
 }
 
-void wait_for(Time how_long, const std::source_location& where) { wait_until(later(now(), how_long), where); }
+void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now(), how_long), where); }
 
 Time Timer::tick() const {
     const Process& self = Kernel::current()->running();
@@ -40,7 +40,7 @@ std::int64_t Timer::read() const {
     return now() / tick();
 }
 
-void Timer::wait_after(std::int64_t ticks, const std::source_location& where) const {
+void Timer::wait_after(std::int64_t ticks, const SourceLocation& where) const {
     compute(instructions::timer_input);
     wait_until(moment_after(ticks), where);
 }

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "runtime/source_location.hpp"
 #include "runtime/time.hpp"
 
 #include <cstdint>
-#include <source_location>
 
 namespace placedpar {
 
@@ -11,9 +11,9 @@ namespace placedpar {
 Time now();
 
 /// The running process waits until the virtual time `due`; not at all if that has passed.
-void wait_until(Time due, const std::source_location& = std::source_location::current());
+void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// ... for a while. REQUIRES: how_long >= 0.
-void wait_for(Time how_long, const std::source_location& = std::source_location::current());
+void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
 
 /// occam's TIMER: the clock of the running process's priority. High-priority processes see one that ticks
 /// every microsecond, low-priority ones every 64 microseconds (INMOS ticks.inc). It does not wrap, as the
@@ -30,7 +30,7 @@ public:
     /// When the clock's reading becomes later than `ticks`: the moment for which `timer ? AFTER ticks` waits.
     Time moment_after(std::int64_t ticks) const { return (ticks + 1) * tick(); }
     /// `timer ? AFTER ticks`.
-    void wait_after(std::int64_t ticks, const std::source_location& = std::source_location::current()) const;
+    void wait_after(std::int64_t ticks, const SourceLocation& = SourceLocation::current()) const;
 };
 
 } // namespace placedpar

@@ -18,7 +18,7 @@ BitModel::BitModel(const LinkTiming& timing, const std::array<Traffic, 2>& traff
 }
 
 std::array<Course, 2> BitModel::run(std::int64_t limit) {
-    for (int direction : {0, 1})
+    for (std::size_t direction : {0u, 1u})
         if (!traffic_[direction].messages.empty()) {
             sender_[direction].wakes_at = traffic_[direction].messages[0].sender_pause;
             receiver_[direction].wakes_at = traffic_[direction].messages[0].receiver_pause;
@@ -26,24 +26,24 @@ std::array<Course, 2> BitModel::run(std::int64_t limit) {
     for (; !over(); ++now_) {
         if (now_ > limit)
             throw std::runtime_error("the link is stuck");
-        for (int end : {0, 1})
+        for (std::size_t end : {0u, 1u})
             notice(end);
-        for (int end : {0, 1})
+        for (std::size_t end : {0u, 1u})
             transmit(end);
-        for (int direction : {0, 1})
+        for (std::size_t direction : {0u, 1u})
             processes(direction);
-        for (int direction : {0, 1})
+        for (std::size_t direction : {0u, 1u})
             timers(direction);
-        for (int end : {0, 1})
+        for (std::size_t end : {0u, 1u})
             drive(end);
-        for (int end : {0, 1})
+        for (std::size_t end : {0u, 1u})
             decode(end);
     }
     return course_;
 }
 
 bool BitModel::over() const {
-    for (int d : {0, 1})
+    for (std::size_t d : {0u, 1u})
         if (sender_[d].message < traffic_[d].messages.size() || receiver_[d].message < traffic_[d].messages.size())
             return false;
     return true;
@@ -51,7 +51,7 @@ bool BitModel::over() const {
 
 /// Reads the wire that leaves `end`, at its far side: a packet starts with a one, its second bit tells data
 /// (11 bits) from an acknowledge (2 bits).
-void BitModel::decode(int end) {
+void BitModel::decode(std::size_t end) {
     Decoder& decoder = decoder_[end];
     if (now_ < delay_)
         return;
@@ -66,7 +66,7 @@ void BitModel::decode(int end) {
     }
 }
 
-void BitModel::packet_known(int end, bool data) {
+void BitModel::packet_known(std::size_t end, bool data) {
     std::int64_t began = decoder_[end].began;
     if (data) {
         ++receiver_[end].seen;
@@ -82,7 +82,7 @@ void BitModel::packet_known(int end, bool data) {
 }
 
 /// Direction `d` has had a byte for long enough to acknowledge it, if its process has asked for it.
-void BitModel::notice(int d) {
+void BitModel::notice(std::size_t d) {
     Receiver& receiver = receiver_[d];
     if (receiver.notice_at != now_)
         return;
@@ -92,7 +92,7 @@ void BitModel::notice(int d) {
         receiver.owed = true;
 }
 
-void BitModel::transmit(int end) {
+void BitModel::transmit(std::size_t end) {
     Transmitter& transmitter = transmitter_[end];
     Sender& sender = sender_[end];
     if (now_ < transmitter.idle_from)
@@ -114,7 +114,7 @@ void BitModel::transmit(int end) {
     transmitter.idle_from = now_ + bits(static_cast<std::int64_t>(transmitter.packet.size()));
 }
 
-void BitModel::drive(int end) {
+void BitModel::drive(std::size_t end) {
     transmit(end); // what a process asked for in this nanosecond
     Transmitter& transmitter = transmitter_[end];
     bool level = now_ < transmitter.idle_from &&
@@ -122,7 +122,7 @@ void BitModel::drive(int end) {
     transmitter.level.push_back(level);
 }
 
-void BitModel::processes(int d) {
+void BitModel::processes(std::size_t d) {
     Receiver& receiver = receiver_[d];
     if (receiver.arrives_at == now_) {
         ++receiver.arrived;
@@ -133,14 +133,14 @@ void BitModel::processes(int d) {
         next_output(d);
 }
 
-void BitModel::timers(int d) {
+void BitModel::timers(std::size_t d) {
     if (!sender_[d].sending && sender_[d].message < traffic_[d].messages.size() && sender_[d].wakes_at == now_)
         begin_part(d);
     if (!receiver_[d].receiving && receiver_[d].message < traffic_[d].messages.size() && receiver_[d].wakes_at == now_)
         ask_part(d);
 }
 
-void BitModel::begin_part(int d) {
+void BitModel::begin_part(std::size_t d) {
     Sender& sender = sender_[d];
     sender.sending = true;
     sender.ends_at = -1;
@@ -148,7 +148,7 @@ void BitModel::begin_part(int d) {
     transmit(d);
 }
 
-void BitModel::next_output(int d) {
+void BitModel::next_output(std::size_t d) {
     Sender& sender = sender_[d];
     const auto& messages = traffic_[d].messages;
     if (++sender.part < messages[sender.message].parts.size())
@@ -163,7 +163,7 @@ void BitModel::next_output(int d) {
         begin_part(d);
 }
 
-void BitModel::ask_part(int d) {
+void BitModel::ask_part(std::size_t d) {
     Receiver& receiver = receiver_[d];
     receiver.receiving = true;
     receiver.asked += traffic_[d].messages[receiver.message].parts[receiver.part];
@@ -176,7 +176,7 @@ void BitModel::ask_part(int d) {
         next_input(d);
 }
 
-void BitModel::next_input(int d) {
+void BitModel::next_input(std::size_t d) {
     Receiver& receiver = receiver_[d];
     const auto& messages = traffic_[d].messages;
     if (++receiver.part < messages[receiver.message].parts.size())

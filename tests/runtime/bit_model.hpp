@@ -3,6 +3,7 @@
 #include "runtime/link_timing.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -56,17 +57,17 @@ private:
         bool owed = false, receiving = false;
     };
 
-    void decode(int end);
-    void packet_known(int end, bool data);
-    void notice(int end);
-    void transmit(int end);
-    void drive(int end);
-    void processes(int direction);
-    void timers(int direction);
-    void begin_part(int direction);
-    void ask_part(int direction);
-    void next_output(int direction);
-    void next_input(int direction);
+    void decode(std::size_t end);
+    void packet_known(std::size_t end, bool data);
+    void notice(std::size_t end);
+    void transmit(std::size_t end);
+    void drive(std::size_t end);
+    void processes(std::size_t direction);
+    void timers(std::size_t direction);
+    void begin_part(std::size_t direction);
+    void ask_part(std::size_t direction);
+    void next_output(std::size_t direction);
+    void next_input(std::size_t direction);
     bool over() const;
     std::int64_t bits(std::int64_t count) const { return count * bit_; }
 
