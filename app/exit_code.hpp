@@ -5,10 +5,10 @@ namespace placedpar {
 /// What the program's exit code says; documented in README.md.
 enum class ExitCode {
     success = 0,
-    bad_input = 1,         ///< wrong use, or input that is refused
-    deadlock = 2,          ///< processes were left that nothing would ever wake
-    missed_tolerance = 3,  ///< a cell of a comparison is further from the thesis than it may be
-    interrupted = 130      ///< by a signal, as shells count it; what was measured so far is printed
+    bad_input = 1,        ///< wrong use, or input that is refused
+    deadlock = 2,         ///< processes were left that nothing would ever wake
+    missed_tolerance = 3, ///< a cell of a comparison is further from the thesis than it may be
+    interrupted = 130     ///< by a signal, as shells count it; what was measured so far is printed
 };
 
 } // namespace placedpar

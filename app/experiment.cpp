@@ -29,7 +29,8 @@ std::string mark(const Cell& cell) {
 std::string print_cell(const Cell& cell) {
     std::string thesis = cell.thesis ? fmt::format("{:7.5g}", *cell.thesis) : std::string(7, ' ');
     auto error = cell.error_percent();
-    return fmt::format("{:7.2f} {} {:>7}{}", cell.simulated, thesis, error ? fmt::format("{:+.1f}%", *error) : "", mark(cell));
+    return fmt::format("{:7.2f} {} {:>7}{}", cell.simulated, thesis, error ? fmt::format("{:+.1f}%", *error) : "",
+                       mark(cell));
 }
 
 } // namespace
@@ -84,7 +85,8 @@ std::string print_reading(const Reading& reading) {
         for (const Cell& cell : reading.cells)
             if (cell.row == row) {
                 if (first)
-                    out += fmt::format("\n{:<{}}", cell.unit.empty() ? row : fmt::format("{} [{}]", row, cell.unit), width);
+                    out += fmt::format("\n{:<{}}", cell.unit.empty() ? row : fmt::format("{} [{}]", row, cell.unit),
+                                       width);
                 first = false;
                 out += "  " + print_cell(cell);
             }

@@ -65,7 +65,8 @@ std::string print_kind(const std::string& name) {
     Catalogue catalogue = known_kinds(problems);
     const ProcessKind* kind = catalogue.find(name);
     if (!kind)
-        throw std::runtime_error(fmt::format("there is no process kind \"{}\"; say placedpar kinds for those there are", name));
+        throw std::runtime_error(
+            fmt::format("there is no process kind \"{}\"; say placedpar kinds for those there are", name));
     std::string out = fmt::format("{}\n{}\n\nports\n", kind->name, kind->about);
     for (const PortDescription& port : kind->ports)
         out += fmt::format("  {:<14} {:<7} {:<14} {}{}\n", port.name,

@@ -100,7 +100,8 @@ void declare_commands(CLI::App& app, Options& options, Command& chosen) {
     add_netlist_arguments(*run_command, options);
     add_seed(*run_command, options);
     run_command->add_option("--json", options.json, "writes the report for machines")->type_name("FILE");
-    run_command->add_option("--trace", options.trace, "writes a timeline that ui.perfetto.dev shows")->type_name("FILE");
+    run_command->add_option("--trace", options.trace, "writes a timeline that ui.perfetto.dev shows")
+        ->type_name("FILE");
 
     add_netlist_arguments(*add("check", "Reads and checks a netlist", check), options);
 
@@ -113,9 +114,8 @@ void declare_commands(CLI::App& app, Options& options, Command& chosen) {
     add("kinds", "Lists the process kinds that a netlist can use", kinds)
         ->add_option("NAME", options.kind, "everything about this kind");
 
-    auto* replay_sub = add("replay", "Runs an experiment of the thesis beside the thesis's figures", [](const Options& o) {
-        return replay(o.experiment, o.seed, o.json, o.command);
-    });
+    auto* replay_sub = add("replay", "Runs an experiment of the thesis beside the thesis's figures",
+                           [](const Options& o) { return replay(o.experiment, o.seed, o.json, o.command); });
     replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
     add_seed(*replay_sub, options);
     replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
@@ -140,7 +140,8 @@ int main(int argc, char** argv) {
         options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
     try {
         if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
-            throw std::runtime_error(fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
+            throw std::runtime_error(
+                fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
         app.parse(argc, argv);
         return static_cast<int>(chosen(options));
     } catch (const CLI::ParseError& error) {

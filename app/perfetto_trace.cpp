@@ -29,7 +29,8 @@ std::uint32_t PerfettoTrace::track(const Process& process) {
     std::string group = process.processor() ? process.processor()->name() : "not on a processor";
     auto [found, is_new] = groups_.try_emplace(group, static_cast<std::uint32_t>(groups_.size() + 1));
     if (is_new)
-        add(fmt::format(R"({{"ph":"M","name":"process_name","pid":{},"args":{{"name":{}}}}})", found->second, quoted(group)));
+        add(fmt::format(R"({{"ph":"M","name":"process_name","pid":{},"args":{{"name":{}}}}})", found->second,
+                        quoted(group)));
     if (group_of_track_.try_emplace(process.ordinal(), found->second).second)
         add(fmt::format(R"({{"ph":"M","name":"thread_name","pid":{},"tid":{},"args":{{"name":{}}}}})", found->second,
                         process.ordinal(), quoted(process.path())));

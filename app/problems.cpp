@@ -16,8 +16,7 @@ void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
     BoomScenario scenario;
     RandomStream noise(seed, "record of the boom");
     auto record = boom_record(scenario, low_noise, [&] { return noise.uniform(); });
-    problems.add("boom",
-                 make_search_problem(BoomProblem(scenario.flow, scenario.machine.inlet_compliance_in3_per_psi)),
+    problems.add("boom", make_search_problem(BoomProblem(scenario.flow, scenario.machine.inlet_compliance_in3_per_psi)),
                  std::move(record));
 }
 

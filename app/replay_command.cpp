@@ -19,7 +19,8 @@ namespace {
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw std::runtime_error(fmt::format("there is no experiment \"{}\"; there are:\n{}", name, list_experiments()));
+        throw std::runtime_error(
+            fmt::format("there is no experiment \"{}\"; there are:\n{}", name, list_experiments()));
     return *found;
 }
 

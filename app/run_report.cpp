@@ -34,9 +34,12 @@ std::size_t width_of(const Rows& rows, Name name, std::size_t least) {
 }
 
 std::string print_measurements(const std::vector<Measurement>& rows) {
-    std::size_t process = width_of(rows, [](auto& m) { return m.process; }, 7);
-    std::size_t name = width_of(rows, [](auto& m) { return m.name; }, 8);
-    std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process, "measured", name, "value", "unit");
+    std::size_t process = width_of(
+        rows, [](auto& m) { return m.process; }, 7);
+    std::size_t name = width_of(
+        rows, [](auto& m) { return m.name; }, 8);
+    std::string out =
+        fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process, "measured", name, "value", "unit");
     for (const Measurement& m : rows)
         out += fmt::format("{:<{}}  {:<{}}  {:>16}{}{}\n", m.process, process, m.name, name, print_value(m),
                            m.unit.empty() ? "" : "  ", m.unit);
@@ -44,7 +47,8 @@ std::string print_measurements(const std::vector<Measurement>& rows) {
 }
 
 std::string print_processors(const std::vector<ProcessorUse>& rows) {
-    std::size_t name = width_of(rows, [](auto& p) { return p.name; }, 9);
+    std::size_t name = width_of(
+        rows, [](auto& p) { return p.name; }, 9);
     std::string out = fmt::format("\n{:<{}}  {:<6}  {:>6}\n", "processor", name, "type", "busy");
     for (const ProcessorUse& p : rows)
         out += fmt::format("{:<{}}  {:<6}  {:>5.1f}%\n", p.name, name, p.type, 100 * p.busy);
@@ -52,7 +56,9 @@ std::string print_processors(const std::vector<ProcessorUse>& rows) {
 }
 
 std::string print_links(const std::vector<LinkUse>& rows) {
-    std::size_t width = width_of(rows, [](auto& l) { return l.from + l.to; }, 9) + 4;
+    std::size_t width = width_of(
+                            rows, [](auto& l) { return l.from + l.to; }, 9) +
+                        4;
     std::string out = fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied");
     for (const LinkUse& l : rows)
         if (l.bytes > 0)
@@ -61,8 +67,10 @@ std::string print_links(const std::vector<LinkUse>& rows) {
 }
 
 std::string print_processes(const std::vector<ProcessUse>& rows) {
-    std::size_t name = width_of(rows, [](auto& p) { return p.name; }, 7);
-    std::size_t node = width_of(rows, [](auto& p) { return p.processor; }, 2);
+    std::size_t name = width_of(
+        rows, [](auto& p) { return p.name; }, 7);
+    std::size_t node = width_of(
+        rows, [](auto& p) { return p.processor; }, 2);
     std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting");
     for (const ProcessUse& p : rows)
         out += fmt::format("{:<{}}  {:<{}}  {:>6.1f}%\n", p.name, name, p.processor, node, 100 * p.waiting);
@@ -94,8 +102,9 @@ boost::json::object deadlock_json(const Deadlock& deadlock) {
 } // namespace
 
 std::string print_report(const RunReport& report, const Network& network) {
-    std::string out = fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path,
-                                  describe(report.result.ending), to_string(report.result.time), report.result.fingerprint);
+    std::string out =
+        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, describe(report.result.ending),
+                    to_string(report.result.time), report.result.fingerprint);
     if (report.result.deadlock)
         out += "\n" + report.result.deadlock->text();
     if (!report.measurements.empty())
@@ -115,7 +124,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
     for (const ProcessorUse& p : report.processors)
         processors.push_back(boost::json::object{{"name", p.name}, {"type", p.type}, {"busy", p.busy}});
     for (const LinkUse& l : report.links)
-        links.push_back(boost::json::object{{"from", l.from}, {"to", l.to}, {"bytes", l.bytes}, {"occupied", l.occupied}});
+        links.push_back(
+            boost::json::object{{"from", l.from}, {"to", l.to}, {"bytes", l.bytes}, {"occupied", l.occupied}});
     for (const ProcessUse& p : report.processes)
         processes.push_back(boost::json::object{{"name", p.name}, {"on", p.processor}, {"waiting", p.waiting}});
     boost::json::object json{{"manifest", manifest_json(manifest, network)},

@@ -35,7 +35,9 @@ Origin origin_of(std::string_view row, int slaves) {
     return Origin::outcome;
 }
 
-std::filesystem::path netlist_in(const ReplayContext& context) { return context.examples / "03-table-e1" / "cluster.cfs"; }
+std::filesystem::path netlist_in(const ReplayContext& context) {
+    return context.examples / "03-table-e1" / "cluster.cfs";
+}
 
 struct Way {
     std::string name;
@@ -114,7 +116,8 @@ std::string print_constants(const std::filesystem::path& netlist) {
         "   an individual, read off the column without slaves; {} bytes of measurements, 240 of strings and 240 of\n"
         "   fitness (appendix E)\n"
         "c  calibrated: {} cycles to make a word of the measurements ready to send, to C_time2 with one slave\n"
-        "   published: 20 MHz, 20 Mbit/s, the link's bits and latencies (databook), instruction times, {} cycles a call\n"
+        "   published: 20 MHz, 20 Mbit/s, the link's bits and latencies (databook), instruction times, {} cycles a "
+        "call\n"
         "   of the communication library (a ping-pong on real T805s, Poznan 2008), block move 6 cycles a word\n"
         "!  an outcome further from the thesis than 3 %; its own T_exe is off its T_sr + S_time2 by up to 0.9 %\n",
         value(at_120, "cycles_per_error"), value(at_30, "cycles_per_error"), value(at_120, "cycles_per_individual"),

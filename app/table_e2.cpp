@@ -94,7 +94,8 @@ Replay replay_table_e2(const ReplayContext& context) {
     Fingerprint fingerprint;
     for (const char* reading : {"120", "30"})
         replay.readings.push_back(run_reading(reading, context, fingerprint));
-    replay.constants = "   The thesis computed the combined speedup from the others (equation E.2: 117.6 is 12 x 9.8); it is printed, not judged.\n";
+    replay.constants = "   The thesis computed the combined speedup from the others (equation E.2: 117.6 is 12 x 9.8); "
+                       "it is printed, not judged.\n";
     replay.fingerprint = fingerprint.value();
     return replay;
 }

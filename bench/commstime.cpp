@@ -60,7 +60,8 @@ Timing commstime(long loops, Time pause) {
             rest();
         }
     };
-    Process main(kernel, "commstime", [&] { par(prefix, delta, successor, consumer); }, nullptr, Priority::low);
+    Process main(
+        kernel, "commstime", [&] { par(prefix, delta, successor, consumer); }, nullptr, Priority::low);
     kernel.make_ready(main);
     auto start = std::chrono::steady_clock::now();
     kernel.run(Time::max(), [](Ending) {});

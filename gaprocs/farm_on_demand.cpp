@@ -41,8 +41,7 @@ void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<do
     auto send_to = [&](std::size_t slave) {
         if (!dealer.anything_left())
             return;
-        to_slaves_.output(
-            make_task(Task::Kind::evaluate, slave, dealer.next(), population, !has_measurements[slave]));
+        to_slaves_.output(make_task(Task::Kind::evaluate, slave, dealer.next(), population, !has_measurements[slave]));
         has_measurements[slave] = true;
     };
     auto deal_out = [&] {

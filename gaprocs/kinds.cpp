@@ -15,9 +15,12 @@ using Parameters = std::vector<ParameterDescription>;
 using Measures = std::vector<MeasureDescription>;
 
 template <class T>
-PortDescription port(std::string name, Direction direction, std::string protocol, std::string about, bool optional = false) {
-    return {std::move(name), direction, optional, std::move(protocol), typeid(T),
-            [](std::string channel) { return std::make_unique<Channel<T>>(std::move(channel)); }, std::move(about)};
+PortDescription port(std::string name, Direction direction, std::string protocol, std::string about,
+                     bool optional = false) {
+    return {std::move(name), direction,
+            optional,        std::move(protocol),
+            typeid(T),       [](std::string channel) { return std::make_unique<Channel<T>>(std::move(channel)); },
+            std::move(about)};
 }
 
 ParameterDescription integer(std::string name, std::string unit, std::int64_t by_default, double least, double most,
@@ -30,12 +33,17 @@ ParameterDescription real(std::string name, std::string unit, double by_default,
     return {std::move(name), ParameterType::real, std::move(unit), by_default, least, most, {}, std::move(about)};
 }
 
-ParameterDescription text(std::string name, std::string by_default, std::vector<std::string> choices, std::string about) {
-    return {std::move(name), ParameterType::text, "", std::move(by_default), {}, {}, std::move(choices), std::move(about)};
+ParameterDescription text(std::string name, std::string by_default, std::vector<std::string> choices,
+                          std::string about) {
+    return {std::move(name),    ParameterType::text, "", std::move(by_default), {}, {},
+            std::move(choices), std::move(about)};
 }
 
 ParameterDescription problem() {
-    return {"problem", ParameterType::text, "", Value{std::string("boom")}, {}, {}, {}, "the search problem and its record of measurements"};
+    return {"problem", ParameterType::text,
+            "",        Value{std::string("boom")},
+            {},        {},
+            {},        "the search problem and its record of measurements"};
 }
 
 Parameters operator+(Parameters a, const Parameters& b) {
@@ -57,7 +65,8 @@ Parameters search_parameters() {
         text("stream", "", {}, "name of the random stream; the process's own name if empty"),
         integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
         integer("cycles_per_individual", "cycles", 1750, 0, 1e9, "workload: the genetic operators, for one individual"),
-        integer("cycles_per_measurement_word", "cycles", 0, 0, 1e9, "workload: making a word of the measurements ready to send"),
+        integer("cycles_per_measurement_word", "cycles", 0, 0, 1e9,
+                "workload: making a word of the measurements ready to send"),
         integer("string_bytes", "bytes", 2, 1, 65536, "an individual's string in a message"),
         integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message"),
         integer("measurement_bytes", "bytes", 148, 1, 65536, "the measurements of a window in a message (appendix E)"),
@@ -68,14 +77,18 @@ Parameters farm_parameters() {
     return {
         integer("slaves", "", 1, 1, 4096, "slaves in the chain, where one is connected"),
         text("split", "individuals", {"individuals", "demand", "evaluations"},
-             "how the evaluations are dealt out: whole individuals, individuals to whoever is idle, or single error evaluations"),
-        text("measurements", "sample", {"sample", "generation"}, "when the slaves are sent the measurements: with each new sample, or in every generation"),
-        integer("rehearsals", "rounds", 100, 1, 1e6, "rounds of communication with nothing to evaluate, to measure C_time2"),
+             "how the evaluations are dealt out: whole individuals, individuals to whoever is idle, or single error "
+             "evaluations"),
+        text("measurements", "sample", {"sample", "generation"},
+             "when the slaves are sent the measurements: with each new sample, or in every generation"),
+        integer("rehearsals", "rounds", 100, 1, 1e6,
+                "rounds of communication with nothing to evaluate, to measure C_time2"),
     };
 }
 
 Parameters ring_parameters() {
-    return {integer("exchange_every", "generations", 3, 1, 1e6, "how often the islands exchange their best individuals (thesis 4.3)")};
+    return {integer("exchange_every", "generations", 3, 1, 1e6,
+                    "how often the islands exchange their best individuals (thesis 4.3)")};
 }
 
 Measures search_measures() {
@@ -98,8 +111,9 @@ PortDescription from_host() {
 }
 
 std::vector<PortDescription> slave_ports(bool optional) {
-    return {port<Task>("to_slaves", Direction::output, "task", "to the first slave of the chain", optional),
-            port<Fitnesses>("from_slaves", Direction::input, "fitnesses", "from the first slave of the chain", optional)};
+    return {
+        port<Task>("to_slaves", Direction::output, "task", "to the first slave of the chain", optional),
+        port<Fitnesses>("from_slaves", Direction::input, "fitnesses", "from the first slave of the chain", optional)};
 }
 
 std::vector<PortDescription> ring_ports() {
@@ -108,49 +122,61 @@ std::vector<PortDescription> ring_ports() {
 }
 
 ProcessKind host_kind() {
-    return {"ga.host",
-            "The host computer's part: sends each sample of the problem's record to every master, as fast as they take it.",
-            {port<HostMessage>("to_masters", Direction::output, "host message", "an array: one end for each master")},
-            {problem(), integer("samples", "samples", 0, 0, 1e9, "how many samples of the record are sent; 0: all"),
-             integer("sample_bytes", "bytes", 16, 1, 65536, "a sample in a message")},
-            {},
-            {}};
+    return {
+        "ga.host",
+        "The host computer's part: sends each sample of the problem's record to every master, as fast as they take it.",
+        {port<HostMessage>("to_masters", Direction::output, "host message", "an array: one end for each master")},
+        {problem(), integer("samples", "samples", 0, 0, 1e9, "how many samples of the record are sent; 0: all"),
+         integer("sample_bytes", "bytes", 16, 1, 65536, "a sample in a message")},
+        {},
+        {}};
 }
 
 ProcessKind traditional_kind() {
-    return {"ga.traditional", "The traditional genetic algorithm: one population, on one processor.", {from_host()},
-            search_parameters(), search_measures(), {}};
+    return {"ga.traditional",  "The traditional genetic algorithm: one population, on one processor.",
+            {from_host()},     search_parameters(),
+            search_measures(), {}};
 }
 
 ProcessKind master_kind() {
-    ProcessKind kind{"ga.master",
-                     "The master of algorithm A: deals the population out to its slaves, evaluates a share itself, and applies the "
-                     "genetic operators. Without slaves it is the traditional genetic algorithm.",
-                     slave_ports(true), search_parameters() + farm_parameters(), search_measures(), {}};
+    ProcessKind kind{
+        "ga.master",
+        "The master of algorithm A: deals the population out to its slaves, evaluates a share itself, and applies the "
+        "genetic operators. Without slaves it is the traditional genetic algorithm.",
+        slave_ports(true),
+        search_parameters() + farm_parameters(),
+        search_measures(),
+        {}};
     kind.ports.push_back(from_host());
     return kind;
 }
 
 ProcessKind slave_kind() {
-    return {"ga.slave",
-            "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves beyond it.",
-            {port<Task>("from_master", Direction::input, "task", "from the master or the slave before"),
-             port<Fitnesses>("to_master", Direction::output, "fitnesses", "to the master or the slave before"),
-             port<Task>("to_next", Direction::output, "task", "to the slave beyond", true),
-             port<Fitnesses>("from_next", Direction::input, "fitnesses", "from the slave beyond", true)},
-            {problem(), integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
-             integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message"),
-             integer("beyond", "slaves", 0, 0, 4096,
-                     "slaves beyond this one whose results go before its own in every round; 0: results go as they come")},
-            {},
-            {}};
+    return {
+        "ga.slave",
+        "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves beyond it.",
+        {port<Task>("from_master", Direction::input, "task", "from the master or the slave before"),
+         port<Fitnesses>("to_master", Direction::output, "fitnesses", "to the master or the slave before"),
+         port<Task>("to_next", Direction::output, "task", "to the slave beyond", true),
+         port<Fitnesses>("from_next", Direction::input, "fitnesses", "from the slave beyond", true)},
+        {problem(),
+         integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
+         integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message"),
+         integer("beyond", "slaves", 0, 0, 4096,
+                 "slaves beyond this one whose results go before its own in every round; 0: results go as they come")},
+        {},
+        {}};
 }
 
 ProcessKind island_kind() {
     ProcessKind kind{"ga.island",
-                     "An island of algorithm B: a genetic algorithm of its own that exchanges its best individual around a ring. With "
+                     "An island of algorithm B: a genetic algorithm of its own that exchanges its best individual "
+                     "around a ring. With "
                      "slaves it is a master as well (A + B); without a ring it is that only.",
-                     ring_ports(), search_parameters() + farm_parameters() + ring_parameters(), search_measures(), {}};
+                     ring_ports(),
+                     search_parameters() + farm_parameters() + ring_parameters(),
+                     search_measures(),
+                     {}};
     kind.ports.push_back(from_host());
     for (PortDescription& each : slave_ports(true))
         kind.ports.push_back(std::move(each));

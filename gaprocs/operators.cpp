@@ -15,9 +15,7 @@ RouletteWheel::RouletteWheel(std::span<const double> fitness) : ends_(fitness.si
         throw std::invalid_argument("roulette: the fitness values add up beyond a double");
 }
 
-bool RouletteWheel::empty() const {
-    return ends_.empty() || ends_.back() < std::numeric_limits<double>::min();
-}
+bool RouletteWheel::empty() const { return ends_.empty() || ends_.back() < std::numeric_limits<double>::min(); }
 
 std::size_t RouletteWheel::sector(double turn) const {
     // The first sector that ends beyond the ball is not an empty one. There is one: with turn <= 1 - 2^-32
@@ -26,9 +24,8 @@ std::size_t RouletteWheel::sector(double turn) const {
     return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), ball) - ends_.begin());
 }
 
-std::optional<std::vector<std::size_t>> RouletteReproduction::operator()(std::span<const double> fitness,
-                                                                         std::size_t count,
-                                                                         RandomStream& random) const {
+std::optional<std::vector<std::size_t>>
+RouletteReproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
     RouletteWheel wheel(fitness);
     if (wheel.empty())
         return std::nullopt;

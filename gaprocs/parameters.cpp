@@ -65,10 +65,11 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.split = split_named(environment.text("split"));
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
-        throw std::invalid_argument(fmt::format(
-            "process {}: slaves = {}, but a population of {} has work for {} slaves at the most, the master being an evaluator too",
-            environment.process(), settings.slaves, environment.integer("population"),
-            environment.integer("population") - 1));
+        throw std::invalid_argument(fmt::format("process {}: slaves = {}, but a population of {} has work for {} "
+                                                "slaves at the most, the master being an evaluator too",
+                                                environment.process(), settings.slaves,
+                                                environment.integer("population"),
+                                                environment.integer("population") - 1));
     return settings;
 }
 

@@ -28,12 +28,12 @@ Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream ra
 
 Search::Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random)
     : bits_(population.empty() ? 0 : population.front().size()),
-      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability},
-      random_(std::move(random)), population_(std::move(population)) {
+      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)),
+      population_(std::move(population)) {
     settings.validate();
     if (population_.size() != settings.population)
-        throw std::invalid_argument(fmt::format("{} strings are given for a population of {}",
-                                                population_.size(), settings.population));
+        throw std::invalid_argument(
+            fmt::format("{} strings are given for a population of {}", population_.size(), settings.population));
     if (bits_ == 0)
         throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
     for (const Genome& genome : population_)
@@ -75,8 +75,8 @@ Individual Search::emigrant(std::span<const double> fitness) const {
 void Search::accept(const Individual& immigrant, std::span<double> fitness) {
     require_fitness(fitness);
     if (immigrant.genome.size() != bits_)
-        throw std::invalid_argument(fmt::format("an immigrant of {} bits comes to an island of {} bits",
-                                                immigrant.genome.size(), bits_));
+        throw std::invalid_argument(
+            fmt::format("an immigrant of {} bits comes to an island of {} bits", immigrant.genome.size(), bits_));
     std::size_t index = worst_index(fitness);
     population_[index] = immigrant.genome;
     fitness[index] = immigrant.fitness;

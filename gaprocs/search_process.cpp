@@ -40,8 +40,8 @@ public:
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.bits(), settings_, environment.random_stream(stream_name(environment))) {
         if (environment.connected("ring_out") != environment.connected("ring_in"))
-            throw std::invalid_argument(
-                fmt::format("process {}: a ring takes both ring_out and ring_in, only one is connected", environment.process()));
+            throw std::invalid_argument(fmt::format(
+                "process {}: a ring takes both ring_out and ring_in, only one is connected", environment.process()));
         if (environment.connected("ring_out")) {
             to_ring_ = environment.output<Emigrant>("ring_out");
             from_ring_ = environment.input<Emigrant>("ring_in");
@@ -114,7 +114,8 @@ private:
         environment_.measure("T_exe", execution_.mean_milliseconds(), "ms");
         environment_.measure("T_sr", farm_.send_to_receive.mean_milliseconds(), "ms");
         environment_.measure("P_time2", farm_.own_evaluation.mean_milliseconds(), "ms");
-        environment_.measure("C_time2", rehearsals_ > 0 ? rehearsal_.mean_milliseconds() / static_cast<double>(rehearsals_) : 0, "ms");
+        environment_.measure(
+            "C_time2", rehearsals_ > 0 ? rehearsal_.mean_milliseconds() / static_cast<double>(rehearsals_) : 0, "ms");
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
         environment_.measure("generations", static_cast<double>(search_.generation()));
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);

@@ -42,8 +42,8 @@ void WindowSettings::validate_for(std::size_t record_length) const {
 
 void SearchSettings::validate() const {
     if (population < 2)
-        throw std::invalid_argument(fmt::format(
-            "the population is {}, expected at least 2: crossover needs two parents", population));
+        throw std::invalid_argument(
+            fmt::format("the population is {}, expected at least 2: crossover needs two parents", population));
     require_probability("the crossover probability", crossover_probability);
     require_probability("the mutation probability", mutation_probability);
     window.validate();

@@ -20,8 +20,8 @@ class Slave {
 public:
     Slave(const ProcessEnvironment& environment, const SearchProblem& problem)
         : problem_(problem), workload_(read_slave_workload(environment)), has_next_(environment.connected("to_next")),
-          from_master_(environment.input<Task>("from_master")),
-          to_master_(environment.output<Fitnesses>("to_master")), beyond_(environment.integer("beyond")) {
+          from_master_(environment.input<Task>("from_master")), to_master_(environment.output<Fitnesses>("to_master")),
+          beyond_(environment.integer("beyond")) {
         if (has_next_) {
             to_next_ = environment.output<Task>("to_next");
             from_next_ = environment.input<Fitnesses>("from_next");
@@ -70,7 +70,8 @@ private:
 
     /// Whichever result is ready. False at the end of all.
     bool pass_next_result_on() {
-        auto own = when(own_open_, on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = pass_on(std::move(r.message)); }));
+        auto own = when(
+            own_open_, on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = pass_on(std::move(r.message)); }));
         if (has_next_)
             alt(when(next_open_, on(from_next_, [&](Fitnesses r) { next_open_ = pass_on(std::move(r)); })), own);
         else

@@ -26,8 +26,7 @@ SearchResult run_traditional(const SearchProblem& problem, std::span<const Sampl
         if (!window.ready())
             continue;
         for (std::size_t trial = 0; trial < settings.window.trials; ++trial)
-            search.next_generation(
-                evaluate(problem, search.population(), window.samples(), settings.window.bias));
+            search.next_generation(evaluate(problem, search.population(), window.samples(), settings.window.bias));
         result.estimates.push_back({i, search.best(), problem.decode(search.best().genome)});
     }
     result.generations = search.generation();

@@ -10,8 +10,8 @@ class ProcessEnvironment;
 
 /// What the program costs on the machine, as the netlist states it.
 struct Workload {
-    Cycles error_evaluation{};      ///< one individual at one sample
-    Cycles genetic_operators{};     ///< reproduction, crossover and mutation of one individual
+    Cycles error_evaluation{};       ///< one individual at one sample
+    Cycles genetic_operators{};      ///< reproduction, crossover and mutation of one individual
     Cycles measurement_conversion{}; ///< one word of the measurements, made ready for a slave
     std::uint32_t string_bytes = 0;
     std::uint32_t fitness_bytes = 0;

@@ -86,8 +86,8 @@ std::vector<BoomState> simulate_boom(const BoomScenario& scenario) {
     State state = state_at_rest(scenario);
     for (std::size_t i = 0;; ++i) {
         double time_s = static_cast<double>(i) * step_s;
-        motion.push_back({time_s, state[inlet_psi], state[outlet_psi], state[piston_in],
-                          state[velocity_in_per_s], state[spool_in]});
+        motion.push_back(
+            {time_s, state[inlet_psi], state[outlet_psi], state[piston_in], state[velocity_in_per_s], state[spool_in]});
         if (i == steps)
             return motion;
         bool stepped = time_s + step_s / 2 > scenario.step_time_s;

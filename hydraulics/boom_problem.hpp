@@ -40,11 +40,9 @@ concept BinaryString = requires(const G& genome) {
 /// The error of equations 3.5 to 3.8 in in^3/s, by which the pump's flow is missed: the pump pressure is too
 /// noisy to be used, so that it is estimated from the flow into the cylinder.
 /// REQUIRES: sample.inlet_in2 > 0.
-inline double boom_error_in3_per_s(double compliance_in3_per_psi, const BoomSample& sample,
-                                   const FlowConstants& flow) {
+inline double boom_error_in3_per_s(double compliance_in3_per_psi, const BoomSample& sample, const FlowConstants& flow) {
     double k = flow.orifice_in3_per_s_in2_sqrt_psi;
-    double inlet =
-        sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance_in3_per_psi; // 3.5
+    double inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance_in3_per_psi; // 3.5
     double root = inlet / (k * sample.inlet_in2);
     double pump_psi = root * root + sample.inlet_psi;                                           // 3.6
     double bypass = k * sample.bypass_in2 * std::sqrt(std::max(pump_psi - flow.tank_psi, 0.0)); // 3.7

@@ -38,8 +38,7 @@ double open_by_psi(const BoomSample& sample, const FlowConstants& flow) {
 } // namespace
 
 std::vector<BoomSample> usable_samples(std::span<const BoomMeasurement> record, const FlowConstants& flow,
-                                       const BoomMachine& machine, const UsableSamples& usable,
-                                       double period_s) {
+                                       const BoomMachine& machine, const UsableSamples& usable, double period_s) {
     require_period(record, period_s);
     CentredLineFit fit(period_s);
     std::vector<double> pressure = readings(record, &BoomMeasurement::inlet_psi);
@@ -50,8 +49,8 @@ std::vector<BoomSample> usable_samples(std::span<const BoomMeasurement> record, 
         if (!CentredLineFit::has_slope(record.size(), i))
             continue;
         OrificeAreas areas = boom_orifices(record[i].spool_in);
-        BoomSample sample{pressure[i], fit.slope_per_s(pressure, i),
-                          piston_flow_per_deg * fit.slope_per_s(angle, i), areas.inlet_in2, areas.bypass_in2};
+        BoomSample sample{pressure[i], fit.slope_per_s(pressure, i), piston_flow_per_deg * fit.slope_per_s(angle, i),
+                          areas.inlet_in2, areas.bypass_in2};
         double open = open_by_psi(sample, flow);
         bool first = samples.empty();
         if (areas.inlet_in2 <= 0 || open <= (first ? usable.open_by_psi : 0))

@@ -14,9 +14,7 @@ struct Branch {
     double psi;
 };
 
-double square(double x) {
-    return x * x;
-}
+double square(double x) { return x * x; }
 
 /// The pressure at which flow Q parts into two branches, none of which flows backwards; infinite when both
 /// are shut. With u^2 the drop over `high`: Q = a u + b sqrt(u^2 + D), a quadratic in u whose positive root

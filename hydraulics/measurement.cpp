@@ -24,9 +24,7 @@ std::size_t stride_of(std::span<const BoomState> motion, double period_s) {
 }
 
 /// REQUIRES: resolution is a power of two, so that nothing but the rounding to it rounds.
-double reading(double value, double resolution) {
-    return std::nearbyint(value / resolution) * resolution;
-}
+double reading(double value, double resolution) { return std::nearbyint(value / resolution) * resolution; }
 
 } // namespace
 
@@ -35,9 +33,8 @@ double standard_normal(const UniformSource& uniform) {
     return radius * std::cos(2 * std::numbers::pi * uniform());
 }
 
-std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in,
-                                          double period_s, const MeasurementNoise& noise,
-                                          const UniformSource& uniform) {
+std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
+                                          const MeasurementNoise& noise, const UniformSource& uniform) {
     std::size_t stride = stride_of(motion, period_s);
     constexpr double deg_per_rad = 180 / std::numbers::pi;
     std::vector<BoomMeasurement> record;

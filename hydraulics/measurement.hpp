@@ -47,8 +47,7 @@ inline constexpr double spool_resolution_in = 0x1p-30;
 /// Samples a motion every `period_s`, from its first state on; draws three normal numbers a sample in the
 /// order pressure, angle, spool, whatever the noise, so that two levels see the same disturbance in
 /// proportion. Throws std::invalid_argument when the period is no whole multiple of the motion's step.
-std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in,
-                                          double period_s, const MeasurementNoise& noise,
-                                          const UniformSource& uniform);
+std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
+                                          const MeasurementNoise& noise, const UniformSource& uniform);
 
 } // namespace placedpar

@@ -47,8 +47,8 @@ public:
         return text();
     }
     [[noreturn]] void illegal(const std::string& value, const std::string& hint) const {
-        reporter_.error(setting_.at,
-                        fmt::format("illegal value of the attribute \"{}\": {}", setting_.name, value), hint);
+        reporter_.error(setting_.at, fmt::format("illegal value of the attribute \"{}\": {}", setting_.name, value),
+                        hint);
         throw StatementRefused{};
     }
 
@@ -58,8 +58,7 @@ private:
             wrong_type("an integer");
         return *setting_.value.integer();
     }
-    std::int64_t within(std::int64_t value, std::int64_t least, std::int64_t most,
-                        const std::string& unit) const {
+    std::int64_t within(std::int64_t value, std::int64_t least, std::int64_t most, const std::string& unit) const {
         if (value < least || value > most)
             illegal(fmt::format("{}", value), fmt::format("it goes from {} to {} {}", least, most, unit));
         return value;

@@ -15,8 +15,7 @@ std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporte
 /// `scopes` knows the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);
-void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings,
-                                 Reporter& reporter);
+void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
 
 bool is_process_attribute(const std::string& name);
 const std::vector<std::string>& process_attribute_names();

@@ -22,11 +22,11 @@ enum class Direction { input, output };
 struct PortDescription {
     std::string name;
     Direction direction;
-    bool optional;            ///< may stay unconnected; a port that is not optional must be connected
-    std::string protocol;     ///< the protocol's name, for people
-    std::type_index type;     ///< the C++ type that the channel carries; both ends must agree
+    bool optional;        ///< may stay unconnected; a port that is not optional must be connected
+    std::string protocol; ///< the protocol's name, for people
+    std::type_index type; ///< the C++ type that the channel carries; both ends must agree
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
-    std::string about;        ///< one line
+    std::string about; ///< one line
 };
 
 enum class ParameterType { integer, real, text };
@@ -35,11 +35,11 @@ enum class ParameterType { integer, real, text };
 struct ParameterDescription {
     std::string name;
     ParameterType type;
-    std::string unit;                    ///< "" where it has none
-    std::optional<Value> default_value;  ///< of the type stated; none: the netlist must give it
-    std::optional<double> least, most;   ///< range, both ends allowed
-    std::vector<std::string> choices;    ///< for text: the allowed words; empty: any text
-    std::string about;                   ///< one line
+    std::string unit;                   ///< "" where it has none
+    std::optional<Value> default_value; ///< of the type stated; none: the netlist must give it
+    std::optional<double> least, most;  ///< range, both ends allowed
+    std::vector<std::string> choices;   ///< for text: the allowed words; empty: any text
+    std::string about;                  ///< one line
 };
 
 /// One quantity that a process of this kind measures itself and reports at the end of a run.

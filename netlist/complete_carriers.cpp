@@ -18,8 +18,7 @@ public:
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
             between_[{connection.b.node, connection.a.node}].push_back(i);
-            for (auto [inner, outer] :
-                 {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
+            for (auto [inner, outer] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (outer.link < 0)
                     edges_of_[inner.node].push_back(i);
         }
@@ -67,9 +66,8 @@ private:
             told = connection;
             told_at = placed->second.at;
         }
-        auto draft = c_.draft_channel[index] == nowhere
-                         ? nowhere
-                         : c_.draft.channels[c_.draft_channel[index]].connection;
+        auto draft =
+            c_.draft_channel[index] == nowhere ? nowhere : c_.draft.channels[c_.draft_channel[index]].connection;
         auto by_connection = c_.draft.connection_placements.find(draft);
         if (by_connection != c_.draft.connection_placements.end()) {
             auto wire = c_.connection_named.find(by_connection->second.wire);
@@ -86,8 +84,7 @@ private:
         return true;
     }
 
-    bool refuse(const Location& at, std::string message, std::string hint = "",
-                std::vector<SecondPlace> others = {}) {
+    bool refuse(const Location& at, std::string message, std::string hint = "", std::vector<SecondPlace> others = {}) {
         c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
         return true;
     }
@@ -101,26 +98,24 @@ private:
             auto found = between_.find({process.node, placement.where.node});
             if (found != between_.end())
                 return found->second.front();
-            refuse(
-                placement.at,
-                fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it",
-                            name, node_name(placement.where.node), node_name(process.node)));
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it", name,
+                               node_name(placement.where.node), node_name(process.node)));
             return std::nullopt;
         }
         if (placement.where.node != process.node) {
-            refuse(
-                placement.at,
-                fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
-                            name, node_name(placement.where.node), node_name(process.node)),
-                "", {{"the process is placed here", process.placed}});
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"", name,
+                               node_name(placement.where.node), node_name(process.node)),
+                   "", {{"the process is placed here", process.placed}});
             return std::nullopt;
         }
         auto found = c_.connection_at.find({placement.where.node, placement.where.link});
         if (found != c_.connection_at.end())
             return found->second;
         refuse(placement.at,
-               fmt::format("the channel \"{}\" is placed on \"{}.link[{}]\", which is connected to nothing",
-                           name, node_name(placement.where.node), placement.where.link));
+               fmt::format("the channel \"{}\" is placed on \"{}.link[{}]\", which is connected to nothing", name,
+                           node_name(placement.where.node), placement.where.link));
         return std::nullopt;
     }
 
@@ -136,17 +131,16 @@ private:
             return edge_missing(channel);
         bool forwards = connection.a.node == from && connection.b.node == to;
         if (!forwards && !(connection.b.node == from && connection.a.node == to)) {
-            refuse(
-                at,
-                fmt::format(
-                    "the channel \"{}\" leads from \"{}\" to \"{}\", but is placed on a wire between \"{}\" "
-                    "and \"{}\"",
-                    channel.name, node_name(from), node_name(to), node_name(connection.a.node),
-                    node_name(connection.b.node)),
-                "", {{"the wire is connected here", connection.connected}});
+            refuse(at,
+                   fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\", but is placed on a wire between \"{}\" "
+                               "and \"{}\"",
+                               channel.name, node_name(from), node_name(to), node_name(connection.a.node),
+                               node_name(connection.b.node)),
+                   "", {{"the wire is connected here", connection.connected}});
             return;
         }
-        channel.placement = {to_edge ? ChannelPlacement::Kind::edge : ChannelPlacement::Kind::link, index, forwards, false};
+        channel.placement = {to_edge ? ChannelPlacement::Kind::edge : ChannelPlacement::Kind::link, index, forwards,
+                             false};
         ++load(channel.placement);
     }
 
@@ -154,8 +148,7 @@ private:
         auto& channel = c_.network.channels[index];
         if (channel.from.at_edge() || channel.to.at_edge())
             return choose_edge(channel);
-        if (channel.from.node == nowhere || channel.to.node == nowhere ||
-            channel.from.node == channel.to.node)
+        if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
             return; // reported, or soft
         auto found = between_.find({channel.from.node, channel.to.node});
         if (found == between_.end())
@@ -208,11 +201,9 @@ private:
     std::string links_of(std::size_t node) const {
         std::string text;
         for (const auto& connection : c_.network.connections)
-            for (auto [near, far] :
-                 {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
+            for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (near.node == node)
-                    text += fmt::format("{}link {} to {}", text.empty() ? "" : ", ", near.link,
-                                        node_name(far.node));
+                    text += fmt::format("{}link {} to {}", text.empty() ? "" : ", ", near.link, node_name(far.node));
         return text.empty() ? "no links" : text;
     }
 
@@ -221,9 +212,8 @@ private:
         const auto &sender = c_.draft.processes[channel.from.process],
                    &receiver = c_.draft.processes[channel.to.process];
         refuse(channel.connected,
-               fmt::format(
-                   "the channel \"{}\" has no route: the processors \"{}\" and \"{}\" are not neighbours",
-                   channel.name, node_name(from), node_name(to)),
+               fmt::format("the channel \"{}\" has no route: the processors \"{}\" and \"{}\" are not neighbours",
+                           channel.name, node_name(from), node_name(to)),
                fmt::format("\"{}\" has {}; \"{}\" has {}; channels are not routed through other processors",
                            node_name(from), links_of(from), node_name(to), links_of(to)),
                {{fmt::format("\"{}\" is placed here", sender.name), sender.placed},
@@ -238,8 +228,6 @@ private:
 
 } // namespace
 
-void complete_carriers(Completion& completion) {
-    Carriers(completion).run();
-}
+void complete_carriers(Completion& completion) { Carriers(completion).run(); }
 
 } // namespace placedpar

@@ -10,9 +10,7 @@ namespace placedpar {
 
 namespace {
 
-const char* word(Direction direction) {
-    return direction == Direction::input ? "input" : "output";
-}
+const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
 
 class Channels {
 public:
@@ -64,16 +62,16 @@ private:
     void refuse_unknown(const DraftChannelEnd& end, const DraftProcess& process, const ProcessKind* kind) {
         misnamed_.insert(end.process);
         if (kind == nullptr)
-            return c_.reporter.error(
-                end.at, fmt::format("the process \"{}\" has no channel \"{}\"", process.name, end.port),
-                "declare its interface: process (interface (input in, output out)) name;",
-                {{"the process is declared here", process.declared}});
+            return c_.reporter.error(end.at,
+                                     fmt::format("the process \"{}\" has no channel \"{}\"", process.name, end.port),
+                                     "declare its interface: process (interface (input in, output out)) name;",
+                                     {{"the process is declared here", process.declared}});
         std::vector<std::string> names;
         for (const auto& port : kind->ports)
             names.push_back(port.name);
         c_.reporter.error(end.at,
-                          fmt::format("the kind \"{}\" of \"{}\" has no channel \"{}\"", kind->name,
-                                      process.name, base_name(end.port)),
+                          fmt::format("the kind \"{}\" of \"{}\" has no channel \"{}\"", kind->name, process.name,
+                                      base_name(end.port)),
                           did_you_mean(base_name(end.port), names));
     }
 
@@ -91,9 +89,9 @@ private:
         bool forwards = a->direction == Direction::output;
         const auto &from = forwards ? draft.a : draft.b, &to = forwards ? draft.b : draft.a;
         if (a->port != nullptr && b->port != nullptr && a->port->type != b->port->type)
-            c_.reporter.error(
-                draft.at, fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}",
-                                      shown(draft.a), a->port->protocol, shown(draft.b), b->port->protocol));
+            c_.reporter.error(draft.at,
+                              fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}", shown(draft.a),
+                                          a->port->protocol, shown(draft.b), b->port->protocol));
         NetworkChannel channel;
         channel.from = end_of(from);
         channel.to = end_of(to);
@@ -115,12 +113,11 @@ private:
                                      "a channel leads from an output to an input");
         const auto& edge = draft.a.process == nowhere ? draft.a : draft.b;
         const auto& process = draft.a.process == nowhere ? draft.b : draft.a;
-        c_.reporter.error(
-            draft.b.at,
-            fmt::format("the edge channel \"{}\" is an {} of the network, \"{}\" an {} of its process",
-                        edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction), shown(process),
-                        word(direction)),
-            "an input of the network leads to an input of a process, an output to an output");
+        c_.reporter.error(draft.b.at,
+                          fmt::format("the edge channel \"{}\" is an {} of the network, \"{}\" an {} of its process",
+                                      edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction),
+                                      shown(process), word(direction)),
+                          "an input of the network leads to an input of a process, an output to an output");
     }
 
     ChannelEnd end_of(const DraftChannelEnd& end) const {
@@ -142,9 +139,7 @@ private:
         std::size_t edge = placement.where.link < 0 ? placement.where.node : nowhere;
         if (wire != c_.connection_at.end()) {
             const auto& connection = c_.network.connections[wire->second];
-            edge = connection.a.link < 0   ? connection.a.node
-                   : connection.b.link < 0 ? connection.b.node
-                                           : nowhere;
+            edge = connection.a.link < 0 ? connection.a.node : connection.b.link < 0 ? connection.b.node : nowhere;
         }
         const auto& process = c_.draft.processes[index];
         if (edge == nowhere)
@@ -174,9 +169,7 @@ private:
             check_kind(index, *c_.kinds[index]);
         auto& bindings = bindings_[index];
         std::stable_sort(bindings.begin(), bindings.end(), [&](const PortBinding& x, const PortBinding& y) {
-            auto key = [&](const PortBinding& b) {
-                return std::pair(order(index, b.port), subscripts_of(b.port));
-            };
+            auto key = [&](const PortBinding& b) { return std::pair(order(index, b.port), subscripts_of(b.port)); };
             return key(x) < key(y);
         });
         c_.network.processes[index].ports = bindings;
@@ -202,8 +195,7 @@ private:
                 auto name = element_name(port.name, element_subscripts(i, port.dimensions));
                 if (bound.contains(name))
                     continue;
-                if (auto placed = c_.draft.placements.find({index, name});
-                    placed != c_.draft.placements.end())
+                if (auto placed = c_.draft.placements.find({index, name}); placed != c_.draft.placements.end())
                     add_placed(index, port, name, placed->second);
                 else if (!is_optional(index, port.name))
                     refuse_unconnected(index, port.at, name);
@@ -220,9 +212,8 @@ private:
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;
         const auto& process = c_.draft.processes[index];
-        c_.reporter.error(
-            at, fmt::format("the channel \"{}.{}\" is neither connected nor placed", process.name, port),
-            fmt::format("connect {}.{} to ...;", process.name, port));
+        c_.reporter.error(at, fmt::format("the channel \"{}.{}\" is neither connected nor placed", process.name, port),
+                          fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
     /// Without an interface the ports are those that were connected; the kind says which must be among them.
@@ -238,16 +229,14 @@ private:
             std::sort(used.begin(), used.end());
             for (std::size_t i = 0; i < used.size(); ++i)
                 if (!used[i].empty() && (used[i].size() > 1 || used[i][0] != static_cast<std::int64_t>(i)))
-                    return c_.reporter.error(
-                        process.declared,
-                        fmt::format("the channels {}[...] of \"{}\" are not numbered 0, 1, 2 ...", port.name,
-                                    process.name),
-                        fmt::format("{}[{}] is connected to nothing", port.name, i));
-                else if (used[i].empty() && used.size() > 1)
                     return c_.reporter.error(process.declared,
-                                             fmt::format("the channel \"{}\" of \"{}\" is connected "
-                                                         "both with and without a subscript",
-                                                         port.name, process.name));
+                                             fmt::format("the channels {}[...] of \"{}\" are not numbered 0, 1, 2 ...",
+                                                         port.name, process.name),
+                                             fmt::format("{}[{}] is connected to nothing", port.name, i));
+                else if (used[i].empty() && used.size() > 1)
+                    return c_.reporter.error(process.declared, fmt::format("the channel \"{}\" of \"{}\" is connected "
+                                                                           "both with and without a subscript",
+                                                                           port.name, process.name));
         }
         check_placed(index);
     }
@@ -272,14 +261,12 @@ private:
     Completion& c_;
     std::vector<std::vector<PortBinding>> bindings_;
     std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port, in a connect
-    std::set<std::size_t> misnamed_; ///< processes of which an unknown channel was named
-    bool refused_ = false;           ///< some connect was
+    std::set<std::size_t> misnamed_;                          ///< processes of which an unknown channel was named
+    bool refused_ = false;                                    ///< some connect was
 };
 
 } // namespace
 
-void complete_channels(Completion& completion) {
-    Channels(completion).run();
-}
+void complete_channels(Completion& completion) { Channels(completion).run(); }
 
 } // namespace placedpar

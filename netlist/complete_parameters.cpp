@@ -84,10 +84,9 @@ private:
         if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end())
             return;
         auto guess = did_you_mean(text, choices);
-        c_.reporter.error(setting.at,
-                          fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text),
-                          fmt::format("it is one of \"{}\"{}", fmt::join(choices, "\", \""),
-                                      guess.empty() ? "" : "; " + guess));
+        c_.reporter.error(
+            setting.at, fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text),
+            fmt::format("it is one of \"{}\"{}", fmt::join(choices, "\", \""), guess.empty() ? "" : "; " + guess));
     }
 
     void check_range(const Setting& setting, const ParameterDescription& known, const Value& value) {
@@ -96,13 +95,11 @@ private:
         if ((!known.least || number >= *known.least) && (!known.most || number <= *known.most))
             return;
         auto unit = known.unit.empty() ? "" : " " + known.unit;
-        auto range = known.least && known.most
-                         ? fmt::format("it goes from {} to {}{}", *known.least, *known.most, unit)
-                     : known.least ? fmt::format("it is at least {}{}", *known.least, unit)
-                                   : fmt::format("it is at most {}{}", *known.most, unit);
+        auto range = known.least && known.most ? fmt::format("it goes from {} to {}{}", *known.least, *known.most, unit)
+                     : known.least             ? fmt::format("it is at least {}{}", *known.least, unit)
+                                               : fmt::format("it is at most {}{}", *known.most, unit);
         c_.reporter.error(setting.at,
-                          fmt::format("the parameter \"{}\" is out of range: {}{}", known.name, number, unit),
-                          range);
+                          fmt::format("the parameter \"{}\" is out of range: {}{}", known.name, number, unit), range);
     }
 
     std::optional<Value> convert(const Setting& setting, ParameterType type) {
@@ -116,16 +113,16 @@ private:
         if (type == ParameterType::text && value.text() != nullptr)
             return *value.text();
         static constexpr const char* wanted[] = {"an integer", "a number", "a string"};
-        c_.reporter.error(setting.at,
-                          fmt::format("wrong type for the parameter \"{}\": {} is {}", setting.name,
-                                      shown(value), type_name(value)),
-                          fmt::format("it takes {}", wanted[static_cast<int>(type)]));
+        c_.reporter.error(
+            setting.at,
+            fmt::format("wrong type for the parameter \"{}\": {} is {}", setting.name, shown(value), type_name(value)),
+            fmt::format("it takes {}", wanted[static_cast<int>(type)]));
         return std::nullopt;
     }
 
     void take_for_stand_in(const Setting& setting, const ParameterDeclaration& declared) {
-        auto type = declared.type == "float" || declared.type == "double" ? ParameterType::real
-                                                                          : ParameterType::integer;
+        auto type =
+            declared.type == "float" || declared.type == "double" ? ParameterType::real : ParameterType::integer;
         if (declared.type == "char" && declared.dimensions.size() == 1 && setting.value.text() != nullptr)
             result_[declared.name] = *setting.value.text();
         else
@@ -143,11 +140,9 @@ private:
         }
         const auto* array = setting.value.array();
         if (array == nullptr || static_cast<std::int64_t>((*array)->size()) != declared.dimensions[level]) {
-            auto given = array == nullptr
-                             ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
-                             : fmt::format("an array of {} elements", (*array)->size());
-            c_.reporter.error(setting.at,
-                              fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
+            auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
+                                          : fmt::format("an array of {} elements", (*array)->size());
+            c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
                               fmt::format("it takes an array of {} elements", declared.dimensions[level]),
                               {{"declared here", declared.at}});
             return;
@@ -182,8 +177,7 @@ private:
     }
 
     void refuse_missing(const std::string& name) {
-        c_.reporter.error(draft_.declared,
-                          fmt::format("the parameter \"{}\" of \"{}\" is missing", name, draft_.name),
+        c_.reporter.error(draft_.declared, fmt::format("the parameter \"{}\" of \"{}\" is missing", name, draft_.name),
                           fmt::format("{} ({} = ...);", draft_.name, name));
     }
 

@@ -15,12 +15,10 @@ bool is_program_file(std::string_view name) {
     if (dot == std::string_view::npos || name.size() - dot != 4)
         return false;
     auto extension = name.substr(dot + 1);
-    if (extension == "lku" || extension == "lkd" || extension == "tco" || extension == "rsc" ||
-        extension == "btl")
+    if (extension == "lku" || extension == "lkd" || extension == "tco" || extension == "rsc" || extension == "btl")
         return true;
     static constexpr std::string_view forms = "clt", targets = "0123456789abce", modes = "hsxu";
-    return forms.find(extension[0]) != std::string_view::npos &&
-           targets.find(extension[1]) != std::string_view::npos &&
+    return forms.find(extension[0]) != std::string_view::npos && targets.find(extension[1]) != std::string_view::npos &&
            modes.find(extension[2]) != std::string_view::npos;
 }
 
@@ -42,18 +40,14 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
     c.kind_refused[index] = true;
     auto guess = did_you_mean(process.kind, kind_names(c.catalogue));
     c.reporter.error(used, fmt::format("there is no process kind \"{}\"", process.kind),
-                     guess.empty()
-                         ? "`placedpar kinds` lists them; a program file ends in .lku, .c8h and the like"
-                         : guess);
+                     guess.empty() ? "`placedpar kinds` lists them; a program file ends in .lku, .c8h and the like"
+                                   : guess);
     return nullptr;
 }
 
-const char* word(Direction direction) {
-    return direction == Direction::input ? "input" : "output";
-}
+const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
 
-void check_port(Completion& c, const DraftProcess& process, const PortDeclaration& port,
-                const ProcessKind& kind) {
+void check_port(Completion& c, const DraftProcess& process, const PortDeclaration& port, const ProcessKind& kind) {
     const auto* known = kind.port(port.name);
     if (known == nullptr) {
         std::vector<std::string> names;
@@ -64,8 +58,8 @@ void check_port(Completion& c, const DraftProcess& process, const PortDeclaratio
                          {{"it is used here", process.used.value_or(c.draft.default_used)}});
     } else if (known->direction != port.direction) {
         c.reporter.error(port.at,
-                         fmt::format("the channel \"{}\" of the kind \"{}\" is an {}, not an {}", port.name,
-                                     kind.name, word(known->direction), word(port.direction)),
+                         fmt::format("the channel \"{}\" of the kind \"{}\" is an {}, not an {}", port.name, kind.name,
+                                     word(known->direction), word(port.direction)),
                          "", {{"it is used here", process.used.value_or(c.draft.default_used)}});
     }
 }
@@ -73,8 +67,7 @@ void check_port(Completion& c, const DraftProcess& process, const PortDeclaratio
 ParameterType type_of(const ParameterDeclaration& parameter) {
     if (parameter.type == "char" && !parameter.dimensions.empty())
         return ParameterType::text;
-    return parameter.type == "float" || parameter.type == "double" ? ParameterType::real
-                                                                   : ParameterType::integer;
+    return parameter.type == "float" || parameter.type == "double" ? ParameterType::real : ParameterType::integer;
 }
 
 const char* word(ParameterType type) {
@@ -95,10 +88,10 @@ void check_parameter(Completion& c, const DraftProcess& process, const Parameter
                          fmt::format("the kind \"{}\" has no parameter \"{}\"", kind.name, parameter.name),
                          did_you_mean(parameter.name, names), std::move(others));
     } else if (known->type != type_of(parameter)) {
-        c.reporter.error(parameter.at,
-                         fmt::format("the parameter \"{}\" of the kind \"{}\" is {}", parameter.name,
-                                     kind.name, word(known->type)),
-                         "", std::move(others));
+        c.reporter.error(
+            parameter.at,
+            fmt::format("the parameter \"{}\" of the kind \"{}\" is {}", parameter.name, kind.name, word(known->type)),
+            "", std::move(others));
     }
 }
 
@@ -115,12 +108,11 @@ void check_interface(Completion& c, const DraftProcess& process, const ProcessKi
         for (const auto& port : interface.ports)
             there = there || port.name == needed.name;
         if (!there && !needed.optional)
-            c.reporter.error(
-                process.declared,
-                fmt::format("the channel \"{}\" of the kind \"{}\" is missing in the interface of \"{}\"",
-                            needed.name, kind.name, process.name),
-                fmt::format("interface ({} {}, ...)", word(needed.direction), needed.name),
-                {{"it is used here", process.used.value_or(c.draft.default_used)}});
+            c.reporter.error(process.declared,
+                             fmt::format("the channel \"{}\" of the kind \"{}\" is missing in the interface of \"{}\"",
+                                         needed.name, kind.name, process.name),
+                             fmt::format("interface ({} {}, ...)", word(needed.direction), needed.name),
+                             {{"it is used here", process.used.value_or(c.draft.default_used)}});
     }
 }
 
@@ -135,8 +127,7 @@ void complete_processes(Completion& c) {
         const auto* kind = c.kinds[i] = find_kind(c, i);
         const auto& draft = c.draft.processes[i];
         if (draft.node == nowhere)
-            c.reporter.error(draft.declared,
-                             fmt::format("the process \"{}\" is placed on no processor", draft.name),
+            c.reporter.error(draft.declared, fmt::format("the process \"{}\" is placed on no processor", draft.name),
                              fmt::format("place {} on ...;", draft.name));
         if (kind != nullptr && draft.interface)
             check_interface(c, draft, *kind);

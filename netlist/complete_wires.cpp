@@ -10,9 +10,7 @@ namespace {
 
 using Socket = std::pair<std::size_t, int>; ///< node and link
 
-Socket socket(const LinkEnd& end) {
-    return {end.node, end.link};
-}
+Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
 /// Follows wires through switches.
 class Wiring {
@@ -70,8 +68,8 @@ private:
     }
 
     void leads_nowhere(const DraftWire& wire, const LinkEnd& at, const std::string& why) {
-        c_.reporter.warning(wire.at, fmt::format("the wire ends at \"{}.link[{}]\": {}",
-                                                 c_.draft.nodes[at.node].name, at.link, why));
+        c_.reporter.warning(
+            wire.at, fmt::format("the wire ends at \"{}.link[{}]\": {}", c_.draft.nodes[at.node].name, at.link, why));
     }
 
     void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {
@@ -81,8 +79,7 @@ private:
                 fmt::format("two links of the same processor \"{}\" are connected through a switch",
                             c_.draft.nodes[connection.a.node].name));
         if (connection.a.link < 0 && connection.b.link < 0)
-            return c_.reporter.error(connection.connected,
-                                     "two edges cannot be connected, through a switch neither");
+            return c_.reporter.error(connection.connected, "two edges cannot be connected, through a switch neither");
         auto place = c_.network.connections.size();
         std::optional<std::int64_t> speed;
         for (auto piece : pieces) {
@@ -96,8 +93,8 @@ private:
             connection.metres += attributes.metres.value_or(0);
             if (speed && attributes.bits_per_second && *speed != *attributes.bits_per_second)
                 return c_.reporter.error(attributes.declared,
-                                         fmt::format("the pieces of one connection run at {} and {} bit/s",
-                                                     *speed, *attributes.bits_per_second));
+                                         fmt::format("the pieces of one connection run at {} and {} bit/s", *speed,
+                                                     *attributes.bits_per_second));
             speed = attributes.bits_per_second ? attributes.bits_per_second : speed;
         }
         connection.bits_per_second = speed ? *speed : speed_of_ends(connection);
@@ -113,8 +110,8 @@ private:
             return b.link_bits_per_second;
         if (b.kind != NodeKind::edge && a.link_bits_per_second != b.link_bits_per_second)
             c_.reporter.error(connection.connected,
-                              fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s",
-                                          a.name, a.link_bits_per_second, b.name, b.link_bits_per_second),
+                              fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s", a.name,
+                                          a.link_bits_per_second, b.name, b.link_bits_per_second),
                               "set both by a connection: connection (linkspeed = 10M) c; connect ... by c;",
                               {{"declared here", a.declared}, {"declared here", b.declared}});
         return a.link_bits_per_second;
@@ -125,9 +122,7 @@ private:
     std::map<Socket, std::size_t> wire_at_, crosspoint_at_;
 };
 
-bool is_computer(const Node& node) {
-    return node.kind == NodeKind::processor || node.kind == NodeKind::workstation;
-}
+bool is_computer(const Node& node) { return node.kind == NodeKind::processor || node.kind == NodeKind::workstation; }
 
 void check_isolated(Completion& c) {
     std::vector<bool> wired(c.draft.nodes.size(), false);
@@ -137,8 +132,7 @@ void check_isolated(Completion& c) {
         return;
     for (std::size_t i = 0; i < wired.size(); ++i)
         if (const auto& node = c.draft.nodes[i]; !wired[i] && is_computer(node))
-            c.reporter.error(node.declared,
-                             fmt::format("the processor \"{}\" is connected to nothing", node.name),
+            c.reporter.error(node.declared, fmt::format("the processor \"{}\" is connected to nothing", node.name),
                              fmt::format("connect {}.link[0] to ...;", node.name));
 }
 

@@ -17,14 +17,10 @@ double as_real(const Constant& constant) {
 /// One reading of an integer operation; false where 64 bits do not hold the result.
 bool integer_operation(char symbol, std::int64_t a, std::int64_t b, std::int64_t& result) {
     switch (symbol) {
-    case '+':
-        return !__builtin_add_overflow(a, b, &result);
-    case '-':
-        return !__builtin_sub_overflow(a, b, &result);
-    case '*':
-        return !__builtin_mul_overflow(a, b, &result);
-    default:
-        break;
+    case '+': return !__builtin_add_overflow(a, b, &result);
+    case '-': return !__builtin_sub_overflow(a, b, &result);
+    case '*': return !__builtin_mul_overflow(a, b, &result);
+    default: break;
     }
     if (b == 0 || (a == std::numeric_limits<std::int64_t>::min() && b == -1))
         return false;
@@ -77,9 +73,7 @@ bool is_comparison(const std::string& symbol) {
 
 } // namespace
 
-Constant integer_constant(std::int64_t value) {
-    return {Integer{value, value}};
-}
+Constant integer_constant(std::int64_t value) { return {Integer{value, value}}; }
 
 std::string type_name(const Constant& constant) {
     if (constant.integer() != nullptr)
@@ -127,8 +121,7 @@ Constant apply_binary(const std::string& symbol, const Constant& left, const Con
 
 Constant apply_cast(const std::string& type, const Constant& operand) {
     if (!operand.is_number())
-        throw NoResult{
-            fmt::format("wrong type for the cast ({}): the operand is {}", type, type_name(operand)), ""};
+        throw NoResult{fmt::format("wrong type for the cast ({}): the operand is {}", type, type_name(operand)), ""};
     if (type == "double")
         return {as_real(operand)};
     if (type == "float")
@@ -159,9 +152,8 @@ Constant apply_subscript(const Constant& array, const Constant& subscript) {
     auto size = array.text() != nullptr ? array.text()->size() : (*array.array())->size();
     auto index = subscript.integer()->value;
     if (index < 0 || static_cast<std::uint64_t>(index) >= size)
-        throw NoResult{
-            fmt::format("the subscript {} is outside of the array", index),
-            fmt::format("it has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
+        throw NoResult{fmt::format("the subscript {} is outside of the array", index),
+                       fmt::format("it has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
     auto place = static_cast<std::size_t>(index);
     if (array.text() != nullptr)
         return integer_constant(static_cast<unsigned char>((*array.text())[place]));

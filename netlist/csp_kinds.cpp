@@ -22,8 +22,9 @@ struct Packet {
 };
 
 PortDescription port(std::string name, Direction direction, std::string about) {
-    return {std::move(name), direction, false, "packet", typeid(Packet),
-            [](std::string channel) { return std::make_unique<Channel<Packet>>(std::move(channel)); },
+    return {std::move(name), direction,
+            false,           "packet",
+            typeid(Packet),  [](std::string channel) { return std::make_unique<Channel<Packet>>(std::move(channel)); },
             std::move(about)};
 }
 
@@ -31,10 +32,16 @@ PortDescription in() { return port("in", Direction::input, "packets come in"); }
 PortDescription out(std::string name = "out") { return port(std::move(name), Direction::output, "packets go out"); }
 
 ParameterDescription count() {
-    return {"count", ParameterType::integer, "packets", std::int64_t{1000}, 1, 1e12, {}, "packets that pass before it ends"};
+    return {"count",   ParameterType::integer,
+            "packets", std::int64_t{1000},
+            1,         1e12,
+            {},        "packets that pass before it ends"};
 }
 ParameterDescription cycles() {
-    return {"cycles", ParameterType::integer, "cycles", std::int64_t{0}, 0, 1e12, {}, "workload: computation for each packet"};
+    return {"cycles", ParameterType::integer,
+            "cycles", std::int64_t{0},
+            0,        1e12,
+            {},       "workload: computation for each packet"};
 }
 ParameterDescription bytes() {
     return {"bytes", ParameterType::integer, "bytes", std::int64_t{4}, 1, 1e9, {}, "length of a packet on the wire"};
@@ -119,12 +126,34 @@ void consume(ProcessEnvironment& environment) {
 
 void add_csp_kinds(Catalogue& catalogue) {
     catalogue.add({"csp.producer", "Outputs numbered packets.", {out()}, {count(), bytes(), cycles()}, {}, produce});
-    catalogue.add({"csp.identity", "Outputs what it inputs: a buffer for one packet.", {in(), out()}, {count(), cycles()}, {}, identity});
-    catalogue.add({"csp.prefix", "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.", {in(), out()},
-                   {count(), bytes(), cycles()}, {}, prefix});
-    catalogue.add({"csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", {in(), out()}, {count(), cycles()}, {}, delta});
-    catalogue.add({"csp.successor", "Outputs what it inputs with the number one higher.", {in(), out()}, {count(), cycles()}, {}, successor});
-    catalogue.add({"csp.consumer", "Takes packets in and measures how fast they come.", {in()}, {count(), cycles()},
+    catalogue.add({"csp.identity",
+                   "Outputs what it inputs: a buffer for one packet.",
+                   {in(), out()},
+                   {count(), cycles()},
+                   {},
+                   identity});
+    catalogue.add({"csp.prefix",
+                   "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
+                   {in(), out()},
+                   {count(), bytes(), cycles()},
+                   {},
+                   prefix});
+    catalogue.add({"csp.delta",
+                   "Outputs what it inputs to each of its outputs, an array, in order.",
+                   {in(), out()},
+                   {count(), cycles()},
+                   {},
+                   delta});
+    catalogue.add({"csp.successor",
+                   "Outputs what it inputs with the number one higher.",
+                   {in(), out()},
+                   {count(), cycles()},
+                   {},
+                   successor});
+    catalogue.add({"csp.consumer",
+                   "Takes packets in and measures how fast they come.",
+                   {in()},
+                   {count(), cycles()},
                    {{"time", "ms", "from its start to the last packet"},
                     {"last_number", "", "the number of the last packet"},
                     {"time_per_packet", "us", "mean"},

@@ -20,9 +20,7 @@ std::string printable(std::string_view line) {
 }
 
 /// A byte that continues a UTF-8 character takes no column of its own on the screen.
-bool continues_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-}
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 std::string caret_line(std::string_view before) {
     std::string result;
@@ -64,8 +62,7 @@ std::string render(const Diagnostic& diagnostic) {
     if (!diagnostic.hint.empty())
         text += "hint: " + diagnostic.hint + "\n";
     for (const auto& other : diagnostic.others)
-        text +=
-            fmt::format("{}note: {}\n{}", heading(other.location), other.message, excerpt(other.location));
+        text += fmt::format("{}note: {}\n{}", heading(other.location), other.message, excerpt(other.location));
     return text;
 }
 

@@ -9,8 +9,7 @@ void Elaborator::refuse_unknown_port(const DraftProcess& process, const Referenc
     std::vector<std::string> names;
     for (const auto& port : process.interface->ports)
         names.push_back(port.name);
-    refuse(reference.field_at,
-           fmt::format("the process \"{}\" has no channel \"{}\"", process.name, reference.field),
+    refuse(reference.field_at, fmt::format("the process \"{}\" has no channel \"{}\"", process.name, reference.field),
            did_you_mean(reference.field, names), {{"the process is declared here", process.declared}});
 }
 
@@ -22,10 +21,9 @@ void Elaborator::perform(const ConnectStatement& form, const Location& at) {
     };
     for (const auto& [found, reference] : {std::pair(&a, &form.a), std::pair(&b, &form.b)})
         if (found->category == Category::connection)
-            refuse(
-                reference->at,
-                fmt::format("\"{}\" is a connection: links and channels can be connected", reference->name),
-                "connect ... to ... by connection;");
+            refuse(reference->at,
+                   fmt::format("\"{}\" is a connection: links and channels can be connected", reference->name),
+                   "connect ... to ... by connection;");
     if (is_link(a) && is_link(b))
         connect_links(link_end(form.a, a), link_end(form.b, b), form, at);
     else if (is_channel(a) && is_channel(b))
@@ -40,8 +38,7 @@ std::size_t Elaborator::connection_for(const ConnectStatement& form, const Locat
         return nowhere;
     auto found = find(*form.by);
     if (found.category != Category::connection)
-        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name),
-               "declare it: connection name;");
+        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name), "declare it: connection name;");
     auto index = element(*form.by, found);
     auto& connection = draft_.connections[index];
     if (connection.used)
@@ -95,10 +92,10 @@ void Elaborator::connect_channels(DraftChannelEnd a, DraftChannelEnd b, const Co
         }
         auto [known, is_new] = used_ports_.emplace(std::pair(end->process, end->port), end->at);
         if (!is_new)
-            refuse(end->at,
-                   fmt::format("the channel \"{}.{}\" is connected twice",
-                               draft_.processes[end->process].name, end->port),
-                   "", {{"first connected here", known->second}});
+            refuse(
+                end->at,
+                fmt::format("the channel \"{}.{}\" is connected twice", draft_.processes[end->process].name, end->port),
+                "", {{"first connected here", known->second}});
     }
     draft_.channels.push_back({std::move(a), std::move(b), connection_for(form, at), at});
 }

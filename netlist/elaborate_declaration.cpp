@@ -20,8 +20,7 @@ std::size_t element_count(const std::vector<std::int64_t>& dimensions) {
     return count;
 }
 
-std::vector<std::int64_t> element_subscripts(std::size_t element,
-                                             const std::vector<std::int64_t>& dimensions) {
+std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions) {
     std::vector<std::int64_t> result(dimensions.size());
     for (auto i = dimensions.size(); i-- > 0;) {
         auto size = static_cast<std::size_t>(dimensions[i]);
@@ -51,19 +50,17 @@ void Elaborator::count_things(std::size_t count, const Location& at) {
     draft_.things += count;
     if (draft_.things <= most_things)
         return;
-    reporter_.error(
-        at, fmt::format("the network is too large: it may have {} processors, processes and channel ends "
-                        "in all",
-                        most_things));
+    reporter_.error(at, fmt::format("the network is too large: it may have {} processors, processes and channel ends "
+                                    "in all",
+                                    most_things));
     throw GiveUp{};
 }
 
 std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
     if (declarator.dimensions.size() > most_dimensions)
-        refuse(
-            declarator.dimensions[most_dimensions]->at,
-            fmt::format("\"{}\" has too many dimensions: {}", declarator.name, declarator.dimensions.size()),
-            fmt::format("{} are allowed", most_dimensions));
+        refuse(declarator.dimensions[most_dimensions]->at,
+               fmt::format("\"{}\" has too many dimensions: {}", declarator.name, declarator.dimensions.size()),
+               fmt::format("{} are allowed", most_dimensions));
     std::vector<std::int64_t> sizes;
     std::size_t product = 1;
     for (const auto& expression : declarator.dimensions) {
@@ -71,11 +68,9 @@ std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
         if (size < 1)
             refuse(expression->at, fmt::format("illegal dimension size {} of \"{}\"", size, declarator.name),
                    "an array has at least one element; declare what may be absent inside an \"if\"");
-        if (static_cast<std::uint64_t>(size) > most_things ||
-            (product *= static_cast<std::size_t>(size)) > most_things)
+        if (static_cast<std::uint64_t>(size) > most_things || (product *= static_cast<std::size_t>(size)) > most_things)
             refuse(expression->at,
-                   fmt::format("illegal dimension size {} of \"{}\": the array is too large", size,
-                               declarator.name),
+                   fmt::format("illegal dimension size {} of \"{}\": the array is too large", size, declarator.name),
                    fmt::format("a network has {} things at most", most_things));
         sizes.push_back(size);
     }
@@ -108,8 +103,7 @@ NodeType Elaborator::node_type(const std::string& name, const Location& at) {
 
 void Elaborator::perform(const DefineStatement& form, const Location&) {
     auto type = node_type(form.base, form.base_at);
-    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_,
-                          reporter_);
+    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_, reporter_);
     for (const auto& name : form.names) {
         check_free(name.name, name.at);
         scopes_.declare(name.name, {type, name.at});
@@ -118,8 +112,7 @@ void Elaborator::perform(const DefineStatement& form, const Location&) {
 
 void Elaborator::perform(const NodeDeclaration& form, const Location&) {
     auto type = node_type(form.type, form.type_at);
-    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_,
-                          reporter_);
+    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_, reporter_);
     if (type.needs_type)
         refuse(form.type_at, "the type of the processor is missing", "processor (type = \"T800\") name;");
     for (const auto& name : form.names)
@@ -151,8 +144,7 @@ void Elaborator::perform(const ConnectionDeclaration& form, const Location&) {
 void Elaborator::perform(const EdgeChannelDeclaration& form, const Location&) {
     for (const auto& name : form.names)
         declare(name, Category::edge_channel, draft_.edge_channels.size(), [&](std::string unique) {
-            draft_.edge_channels.push_back(
-                {std::move(unique), form.direction, name.at, std::nullopt, nowhere, {}});
+            draft_.edge_channels.push_back({std::move(unique), form.direction, name.at, std::nullopt, nowhere, {}});
         });
 }
 

@@ -13,8 +13,8 @@ void Elaborator::perform(const PlaceStatement& form, const Location&) {
     else if (found.category == Category::connection)
         place_connection(form);
     else
-        refuse(form.what.at, fmt::format("\"{}\" is a node: processes, channels and connections are placed",
-                                         form.what.name));
+        refuse(form.what.at,
+               fmt::format("\"{}\" is a node: processes, channels and connections are placed", form.what.name));
 }
 
 void Elaborator::place_process(const PlaceStatement& form) {
@@ -48,9 +48,8 @@ void Elaborator::place_port(const PlaceStatement& form) {
         draft_.placements.emplace(std::pair(end.process, end.port), DraftPlacement{link, form.what.at});
     if (!is_new)
         refuse(form.what.at,
-               fmt::format("the channel \"{}.{}\" is placed twice", draft_.processes[end.process].name,
-                           end.port),
-               "", {{"first placed here", known->second.at}});
+               fmt::format("the channel \"{}.{}\" is placed twice", draft_.processes[end.process].name, end.port), "",
+               {{"first placed here", known->second.at}});
 }
 
 void Elaborator::place_edge_channel(const PlaceStatement& form) {
@@ -58,8 +57,7 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
     auto where = find(form.where);
     auto index = where.category == Category::node ? element(form.where, where) : nowhere;
     if (index == nowhere || draft_.nodes[index].kind != NodeKind::edge || !form.where.field.empty())
-        refuse(form.where.at,
-               fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
+        refuse(form.where.at, fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
                "declare it: edge name;");
     if (channel.edge != nowhere)
         refuse(form.what.at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
@@ -71,16 +69,13 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
 void Elaborator::place_connection(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::connection)
-        refuse(form.where.at,
-               fmt::format("\"{}\" is no connection: a connection of channels is placed on a connection "
-                           "of links",
-                           form.where.name));
+        refuse(form.where.at, fmt::format("\"{}\" is no connection: a connection of channels is placed on a connection "
+                                          "of links",
+                                          form.where.name));
     auto channel = element(form.what, find(form.what)), wire = element(form.where, where);
-    auto [known, is_new] =
-        draft_.connection_placements.emplace(channel, DraftConnectionPlacement{wire, form.what.at});
+    auto [known, is_new] = draft_.connection_placements.emplace(channel, DraftConnectionPlacement{wire, form.what.at});
     if (!is_new)
-        refuse(form.what.at,
-               fmt::format("the connection \"{}\" is placed twice", draft_.connections[channel].name), "",
+        refuse(form.what.at, fmt::format("the connection \"{}\" is placed twice", draft_.connections[channel].name), "",
                {{"first placed here", known->second.at}});
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 template <typename Entries>
 void check_unique(const Entries& entries, const Declarator& declarator, Reporter& reporter) {
-    auto known = std::find_if(entries.begin(), entries.end(),
-                              [&](const auto& entry) { return entry.name == declarator.name; });
+    auto known =
+        std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.name == declarator.name; });
     if (known == entries.end())
         return;
     reporter.error(declarator.at, fmt::format("\"{}\" is twice in the interface", declarator.name), "",
@@ -44,15 +44,14 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
         check_unique(result->parameters, entry.declarator, reporter_);
         auto sizes = dimensions(entry.declarator);
         if (const auto* direction = std::get_if<Direction>(&entry.type)) {
-            result->ports.push_back(
-                {entry.declarator.name, *direction, std::move(sizes), entry.declarator.at});
+            result->ports.push_back({entry.declarator.name, *direction, std::move(sizes), entry.declarator.at});
             continue;
         }
         std::optional<Constant> default_value;
         if (entry.default_value)
             default_value = evaluator_.evaluate(*entry.default_value);
-        result->parameters.push_back({entry.declarator.name, std::get<std::string>(entry.type),
-                                      std::move(sizes), std::move(default_value), entry.declarator.at});
+        result->parameters.push_back({entry.declarator.name, std::get<std::string>(entry.type), std::move(sizes),
+                                      std::move(default_value), entry.declarator.at});
     }
     return result;
 }
@@ -99,10 +98,9 @@ void Elaborator::perform(const ParameterSetting& form, const Location&) {
         return;
     }
     if (found.category != Category::process)
-        refuse(form.process.at,
-               fmt::format("\"{}\" is no process and no connection: its attributes stand where it is "
-                           "declared",
-                           form.process.name));
+        refuse(form.process.at, fmt::format("\"{}\" is no process and no connection: its attributes stand where it is "
+                                            "declared",
+                                            form.process.name));
     count_things(range.count * settings.size(), form.process.at);
     for (std::size_t i = 0; i < range.count; ++i) {
         auto& process = draft_.processes[range.first + i];
@@ -127,8 +125,8 @@ void Elaborator::perform(const UseStatement& form, const Location& at) {
     for (std::size_t i = 0; i < range.count; ++i) {
         auto& process = draft_.processes[range.first + i];
         if (process.used)
-            refuse(form.process->at, fmt::format("the process \"{}\" is given a program twice", process.name),
-                   "", {{"first given here", *process.used}});
+            refuse(form.process->at, fmt::format("the process \"{}\" is given a program twice", process.name), "",
+                   {{"first given here", *process.used}});
         process.kind = program;
         process.used = at;
     }

@@ -10,8 +10,8 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
         refuse_undefined(reporter_, scopes_, reference.name, reference.at);
     const auto* things = std::get_if<DeclaredThings>(&symbol->meaning);
     if (things == nullptr)
-        refuse(reference.at, fmt::format("\"{}\" is {}, nothing that can be connected or placed",
-                                         reference.name, describe(*symbol)));
+        refuse(reference.at,
+               fmt::format("\"{}\" is {}, nothing that can be connected or placed", reference.name, describe(*symbol)));
     if (things->first != nowhere)
         return {things->category, things->dimensions, things->first};
     if (host_ == nowhere) { // the predefined edge comes into being when it is first used
@@ -37,8 +37,8 @@ Elaborator::Elements Elaborator::elements(const Reference& reference, const Foun
     auto given = subscripts(reference.subscripts);
     if (given.size() > sizes.size())
         refuse(reference.subscripts[sizes.size()]->at,
-               fmt::format("wrong number of subscripts: \"{}\" has {}, here are {}", reference.name,
-                           sizes.size(), given.size()));
+               fmt::format("wrong number of subscripts: \"{}\" has {}, here are {}", reference.name, sizes.size(),
+                           given.size()));
     Elements range{found.first, element_count(sizes)};
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i] < 0 || given[i] >= sizes[i])
@@ -54,11 +54,10 @@ Elaborator::Elements Elaborator::elements(const Reference& reference, const Foun
 std::size_t Elaborator::element(const Reference& reference, const Found& found) {
     auto range = elements(reference, found);
     if (reference.subscripts.size() < found.dimensions.size())
-        refuse(
-            reference.at,
-            fmt::format("\"{}\" is not completely subscripted: it has {} subscripts, here are {}",
-                        reference.name, found.dimensions.size(), reference.subscripts.size()),
-            fmt::format("such as {}", element_name(reference.name, element_subscripts(0, found.dimensions))));
+        refuse(reference.at,
+               fmt::format("\"{}\" is not completely subscripted: it has {} subscripts, here are {}", reference.name,
+                           found.dimensions.size(), reference.subscripts.size()),
+               fmt::format("such as {}", element_name(reference.name, element_subscripts(0, found.dimensions))));
     return range.first;
 }
 
@@ -73,8 +72,7 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
     const auto& declared = draft_.nodes[node];
     if (declared.kind == NodeKind::edge) {
         if (!reference.field.empty())
-            refuse(reference.field_at,
-                   fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
+            refuse(reference.field_at, fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
         return {node, -1};
     }
     if (reference.field.empty())
@@ -85,13 +83,11 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
                fmt::format("its links are {}.link[0] and so on", declared.name));
     auto given = subscripts(reference.field_subscripts);
     if (given.size() != 1)
-        refuse(reference.field_at,
-               fmt::format("wrong number of subscripts: \"link\" has 1, here are {}", given.size()),
+        refuse(reference.field_at, fmt::format("wrong number of subscripts: \"link\" has 1, here are {}", given.size()),
                fmt::format("such as {}.link[0]", declared.name));
     auto links = draft_.links[node];
     if (given[0] < 0 || given[0] >= links)
-        refuse(reference.field_subscripts[0]->at,
-               fmt::format("\"{}\" has no link {}", declared.name, given[0]),
+        refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", declared.name, given[0]),
                fmt::format("a {} has the links 0 to {}", declared.type, links - 1));
     return {node, static_cast<int>(given[0])};
 }
@@ -121,17 +117,15 @@ DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& fo
         if (given.size() != port.dimensions.size())
             refuse(reference.field_at,
                    fmt::format("{}: \"{}\" has {}, here are {}",
-                               given.size() < port.dimensions.size()
-                                   ? "the channel is not completely subscripted"
-                                   : "wrong number of subscripts",
+                               given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
+                                                                     : "wrong number of subscripts",
                                port.name, port.dimensions.size(), given.size()),
                    "", {{"declared here", port.at}});
         for (std::size_t i = 0; i < given.size(); ++i)
             if (given[i] < 0 || given[i] >= port.dimensions[i])
                 refuse(reference.field_subscripts[i]->at,
                        fmt::format("the subscript {} is outside of \"{}\"", given[i], port.name),
-                       fmt::format("it goes from 0 to {}", port.dimensions[i] - 1),
-                       {{"declared here", port.at}});
+                       fmt::format("it goes from 0 to {}", port.dimensions[i] - 1), {{"declared here", port.at}});
         return end;
     }
     refuse_unknown_port(process, reference);

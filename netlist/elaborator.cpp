@@ -62,15 +62,12 @@ Elaborator::Elaborator(Reporter& reporter, const Overrides& overrides)
     scopes_.declare_predefined("host", {DeclaredThings{Category::node, nowhere, {}}, {}});
 }
 
-void Elaborator::refuse(const Location& at, std::string message, std::string hint,
-                        std::vector<SecondPlace> others) {
+void Elaborator::refuse(const Location& at, std::string message, std::string hint, std::vector<SecondPlace> others) {
     reporter_.error(at, std::move(message), std::move(hint), std::move(others));
     throw StatementRefused{};
 }
 
-void Elaborator::run(const Statements& statements) {
-    execute_all(statements);
-}
+void Elaborator::run(const Statements& statements) { execute_all(statements); }
 
 void Elaborator::execute_all(const Statements& statements) {
     for (const auto& statement : statements)
@@ -101,10 +98,8 @@ void Elaborator::perform(const ValStatement& form, const Location& at) {
 Constant Elaborator::overridden(const std::string& name, const Constant& original, const std::string& text) {
     auto parsed = parse_override(name, text, reporter_);
     auto value = evaluator_.evaluate(*parsed.value);
-    if (value.value.index() != original.value.index() &&
-        !(value.integer() != nullptr && original.real() != nullptr))
-        refuse(parsed.at,
-               fmt::format("wrong type for the val \"{}\": {} is {}", name, shown(value), type_name(value)),
+    if (value.value.index() != original.value.index() && !(value.integer() != nullptr && original.real() != nullptr))
+        refuse(parsed.at, fmt::format("wrong type for the val \"{}\": {} is {}", name, shown(value), type_name(value)),
                fmt::format("the netlist gives it {}, {}", shown(original), type_name(original)));
     return value;
 }
@@ -125,8 +120,7 @@ void Elaborator::perform(const RepStatement& form, const Location& at) {
     auto count = evaluator_.integer(*form.count, "a replicator's count").value;
     std::int64_t last = 0;
     if (count < 0)
-        refuse(form.count->at, fmt::format("a replicator cannot count {} times", count),
-               "the count is 0 or more");
+        refuse(form.count->at, fmt::format("a replicator cannot count {} times", count), "the count is 0 or more");
     if (__builtin_add_overflow(first, count, &last))
         refuse(form.count->at, fmt::format("{} + {} is beyond 64 bits", first, count));
     for (auto i = first; i < last; ++i) {

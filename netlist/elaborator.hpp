@@ -61,8 +61,7 @@ private:
     // elaborate_connect.cpp
     void perform(const ConnectStatement& form, const Location& at);
     void connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at);
-    void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form,
-                          const Location& at);
+    void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form, const Location& at);
     void use_link(const LinkEnd& end, const Reference& reference, bool crosspoint);
     std::size_t connection_for(const ConnectStatement& form, const Location& at);
 
@@ -115,7 +114,6 @@ std::string element_name(const std::string& name, const std::vector<std::int64_t
 /// The product; 1 for a single thing.
 std::size_t element_count(const std::vector<std::int64_t>& dimensions);
 /// The subscripts of an element, the last running fastest.
-std::vector<std::int64_t> element_subscripts(std::size_t element,
-                                             const std::vector<std::int64_t>& dimensions);
+std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions);
 
 } // namespace placedpar

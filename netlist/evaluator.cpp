@@ -10,21 +10,19 @@ namespace placedpar {
 
 void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name, const Location& at) {
     if (!scopes.is_poisoned(name) || !reporter.failed())
-        reporter.error(at, fmt::format("the name \"{}\" is undefined", name),
-                       did_you_mean(name, scopes.names()));
+        reporter.error(at, fmt::format("the name \"{}\" is undefined", name), did_you_mean(name, scopes.names()));
     throw StatementRefused{};
 }
 
-void Evaluator::refuse(const Location& at, std::string message, std::string hint,
-                       std::vector<SecondPlace> others) {
+void Evaluator::refuse(const Location& at, std::string message, std::string hint, std::vector<SecondPlace> others) {
     reporter_.error(at, std::move(message), std::move(hint), std::move(others));
     throw StatementRefused{};
 }
 
 void Evaluator::step(const Location& at) {
     if (++steps_ > most_steps) {
-        reporter_.error(
-            at, fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
+        reporter_.error(at,
+                        fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
         throw GiveUp{};
     }
 }
@@ -38,8 +36,7 @@ Constant Evaluator::evaluate_name(const NameUse& use, const Location& at) {
     std::vector<SecondPlace> others;
     if (symbol->declared.file)
         others.push_back({"declared here", symbol->declared});
-    refuse(at, fmt::format("\"{}\" is {}, which has no value", use.name, describe(*symbol)), "",
-           std::move(others));
+    refuse(at, fmt::format("\"{}\" is {}, which has no value", use.name, describe(*symbol)), "", std::move(others));
 }
 
 /// && and || look at their right operand only if it matters.
@@ -131,8 +128,6 @@ std::string Evaluator::text(const Expression& expression, std::string_view whose
            "it takes a string: \"...\"");
 }
 
-bool Evaluator::condition(const Expression& expression) {
-    return integer(expression, "a condition").value != 0;
-}
+bool Evaluator::condition(const Expression& expression) { return integer(expression, "a condition").value != 0; }
 
 } // namespace placedpar

@@ -9,15 +9,9 @@ namespace placedpar {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_hex_digit(char c) {
-    return std::isxdigit(static_cast<unsigned char>(c)) != 0;
-}
-bool in_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_hex_digit(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
+bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 } // namespace
 
@@ -56,10 +50,10 @@ Token Lexer::read_number() {
     while (in_name(peek()))
         advance();
     if (suffix != position_)
-        reporter_.error(token.at,
-                        fmt::format("\"{}\" is no number",
-                                    text().substr(start, std::min<std::size_t>(60, position_ - start))),
-                        "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l");
+        reporter_.error(
+            token.at,
+            fmt::format("\"{}\" is no number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
+            "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l");
     token.text = text().substr(start, position_ - start);
     return token;
 }
@@ -75,8 +69,7 @@ Token Lexer::read_real(std::string_view digits, Token token) {
 }
 
 Token Lexer::read_integer(std::string_view digits, int base, Token token) {
-    auto [end, problem] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), token.integer.value, base);
+    auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), token.integer.value, base);
     if (problem == std::errc::result_out_of_range)
         reporter_.error(token.at, "the number is beyond 64 bits");
     else if (digits.empty())

@@ -43,9 +43,9 @@ char Lexer::read_escaped(const Location& start) {
     }
     auto found = letters.find(c);
     if (found == std::string_view::npos || at_end()) {
-        reporter_.error(
-            start, at_end() ? "illegal escape at the end of the file" : fmt::format("illegal escape \\{}", c),
-            "C's escapes are \\a \\b \\f \\n \\r \\t \\v \\\\ \\' \\\" \\? \\ooo and \\xhh");
+        reporter_.error(start,
+                        at_end() ? "illegal escape at the end of the file" : fmt::format("illegal escape \\{}", c),
+                        "C's escapes are \\a \\b \\f \\n \\r \\t \\v \\\\ \\' \\\" \\? \\ooo and \\xhh");
         if (!at_end() && c != '\n')
             advance();
         return c;
@@ -74,8 +74,7 @@ Token Lexer::read_string() {
     }
     advance();
     if (token.text.size() > longest_string)
-        reporter_.error(token.at,
-                        fmt::format("the string is too long: {} characters are allowed", longest_string));
+        reporter_.error(token.at, fmt::format("the string is too long: {} characters are allowed", longest_string));
     return token;
 }
 
@@ -99,8 +98,7 @@ Token Lexer::read_character() {
     if (peek() == '\'') {
         advance();
     } else {
-        reporter_.error(token.at, "the character constant has no closing '",
-                        "a longer text is a string: \"...\"");
+        reporter_.error(token.at, "the character constant has no closing '", "a longer text is a string: \"...\"");
         token.kind = TokenKind::illegal;
         skip_line();
     }

@@ -10,15 +10,9 @@ namespace placedpar {
 
 namespace {
 
-bool starts_name(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-bool in_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
+bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string shown(char c) {
     auto byte = static_cast<unsigned char>(c);
@@ -29,21 +23,15 @@ std::string shown(char c) {
 
 std::string describe(const Token& token) {
     switch (token.kind) {
-    case TokenKind::end:
-        return "the end of the file";
-    case TokenKind::integer:
-        return "the number " + token.text;
-    case TokenKind::real:
-        return "the number " + token.text;
+    case TokenKind::end: return "the end of the file";
+    case TokenKind::integer: return "the number " + token.text;
+    case TokenKind::real: return "the number " + token.text;
     case TokenKind::text:
-        return "the string \"" + (token.text.size() > 40 ? token.text.substr(0, 40) + "..." : token.text) +
-               "\"";
-    case TokenKind::directive:
-        return "\"#" + token.text + "\"";
+        return "the string \"" + (token.text.size() > 40 ? token.text.substr(0, 40) + "..." : token.text) + "\"";
+    case TokenKind::directive: return "\"#" + token.text + "\"";
     case TokenKind::illegal:
     case TokenKind::name:
-    case TokenKind::symbol:
-        break;
+    case TokenKind::symbol: break;
     }
     return "\"" + (token.text.size() > 60 ? token.text.substr(0, 60) + "..." : token.text) + "\"";
 }

@@ -22,11 +22,11 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
     if (const ProcessKind* kind = catalogue.find(process.kind))
         return *kind;
     if (process.kind.empty())
-        throw std::invalid_argument(fmt::format("process {} has no program: say use \"kind\" for {};", process.name,
-                                                process.name));
-    throw std::invalid_argument(fmt::format(
-        "process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run", process.name,
-        process.kind));
+        throw std::invalid_argument(
+            fmt::format("process {} has no program: say use \"kind\" for {};", process.name, process.name));
+    throw std::invalid_argument(
+        fmt::format("process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run",
+                    process.name, process.kind));
 }
 
 void mix_text(Fingerprint& fingerprint, std::string_view text) {
@@ -80,9 +80,9 @@ void Machine::make_links() {
         if (channel.placement.kind != ChannelPlacement::Kind::link || !channel.placement.shared || multiplexers_[c])
             continue;
         const LinkConnection& connection = network_.connections[c];
-        multiplexers_[c] = &simulation_.multiplexer(fmt::format("{} - {}", link_name(connection.a), link_name(connection.b)),
-                                                    *links_[c], processors_[connection.a.node],
-                                                    processors_[connection.b.node]);
+        multiplexers_[c] =
+            &simulation_.multiplexer(fmt::format("{} - {}", link_name(connection.a), link_name(connection.b)),
+                                     *links_[c], processors_[connection.a.node], processors_[connection.b.node]);
     }
 }
 
@@ -159,9 +159,8 @@ RunReport Machine::report(RunResult result) const {
 namespace {
 
 const Measurement& find_measurement(const RunReport& report, std::string_view process, std::string_view name) {
-    auto found = std::ranges::find_if(report.measurements, [&](const Measurement& m) {
-        return m.process == process && m.name == name;
-    });
+    auto found = std::ranges::find_if(report.measurements,
+                                      [&](const Measurement& m) { return m.process == process && m.name == name; });
     if (found == report.measurements.end())
         throw std::out_of_range(fmt::format("process {} measured no {}", process, name));
     return *found;

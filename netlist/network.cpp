@@ -4,9 +4,7 @@
 
 namespace placedpar {
 
-std::string_view base_name(std::string_view name) {
-    return name.substr(0, name.find('['));
-}
+std::string_view base_name(std::string_view name) { return name.substr(0, name.find('[')); }
 
 std::vector<std::int64_t> subscripts_of(std::string_view name) {
     std::vector<std::int64_t> result;

@@ -34,11 +34,10 @@ void add_transputers(Types& types) {
         int links;
     };
     // M212: two links for the network, two of the four lead to its disk ports.
-    static constexpr Chip chips[] = {{"T805", 4 * kilobyte, 4}, {"T801", 4 * kilobyte, 4},
-                                     {"T800", 4 * kilobyte, 4}, {"T425", 4 * kilobyte, 4},
-                                     {"T414", 2 * kilobyte, 4}, {"T400", 2 * kilobyte, 2},
-                                     {"T225", 4 * kilobyte, 4}, {"T222", 4 * kilobyte, 4},
-                                     {"T212", 2 * kilobyte, 4}, {"M212", 2 * kilobyte, 2}};
+    static constexpr Chip chips[] = {{"T805", 4 * kilobyte, 4}, {"T801", 4 * kilobyte, 4}, {"T800", 4 * kilobyte, 4},
+                                     {"T425", 4 * kilobyte, 4}, {"T414", 2 * kilobyte, 4}, {"T400", 2 * kilobyte, 2},
+                                     {"T225", 4 * kilobyte, 4}, {"T222", 4 * kilobyte, 4}, {"T212", 2 * kilobyte, 4},
+                                     {"M212", 2 * kilobyte, 2}};
     for (const auto& chip : chips) {
         auto type = transputer(chip.name, chip.memory, chip.links);
         std::string lower(1, static_cast<char>(std::tolower(chip.name[0])));

@@ -59,10 +59,10 @@ Attribute Parser::parse_attribute() {
     else if (accept("="))
         attribute.value = parse_expression();
     else
-        refuse(tokens_.peek().at,
-               fmt::format("the attribute \"{}\" has no value: {} stands here", attribute.name,
-                           describe(tokens_.peek())),
-               fmt::format("{} = ...", attribute.name));
+        refuse(
+            tokens_.peek().at,
+            fmt::format("the attribute \"{}\" has no value: {} stands here", attribute.name, describe(tokens_.peek())),
+            fmt::format("{} = ...", attribute.name));
     return attribute;
 }
 

@@ -35,8 +35,7 @@ Statement Parser::parse_define() {
     auto names = parse_declarators("a node type");
     for (const auto& name : names)
         if (!name.dimensions.empty())
-            refuse(name.at, "a node type cannot be an array",
-                   "declare an array of nodes of this type instead");
+            refuse(name.at, "a node type cannot be an array", "declare an array of nodes of this type instead");
     expect_semicolon("define");
     return {at, DefineStatement{base.text, base.at, std::move(attributes), std::move(names)}};
 }
@@ -61,8 +60,8 @@ Statement Parser::parse_edge_channel() {
     auto word = tokens_.take();
     auto names = parse_declarators("an edge channel");
     expect_semicolon(word.text);
-    return {word.at, EdgeChannelDeclaration{word.text == "input" ? Direction::input : Direction::output,
-                                            std::move(names)}};
+    return {word.at,
+            EdgeChannelDeclaration{word.text == "input" ? Direction::input : Direction::output, std::move(names)}};
 }
 
 Statement Parser::parse_process() {

@@ -51,8 +51,8 @@ ExpressionPointer make(const Location& at, Form form, int height = 1) {
 ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right) {
     auto height = std::max(left->height, right->height) + 1;
     if (height > highest_expression)
-        refuse(symbol.at, fmt::format("the expression is too long: {} operators in a row are allowed",
-                                      highest_expression));
+        refuse(symbol.at,
+               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
     if (symbol.text == "[")
         return make(symbol.at, SubscriptOperation{std::move(left), std::move(right)}, height);
     return make(symbol.at, BinaryOperation{symbol.text, std::move(left), std::move(right)}, height);
@@ -61,8 +61,7 @@ ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, E
 ExpressionPointer Parser::parse_whole_expression() {
     auto expression = parse_expression();
     if (tokens_.peek().kind != TokenKind::end)
-        refuse(tokens_.peek().at,
-               fmt::format("illegal token behind an expression: {}", describe(tokens_.peek())));
+        refuse(tokens_.peek().at, fmt::format("illegal token behind an expression: {}", describe(tokens_.peek())));
     return expression;
 }
 

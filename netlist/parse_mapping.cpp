@@ -35,8 +35,7 @@ Statement Parser::parse_connect() {
     if (!accept(",")) {
         if (!tokens_.peek().is_word("to"))
             refuse(tokens_.peek().at,
-                   fmt::format("\",\" or \"to\" is missing in connect: {} stands here",
-                               describe(tokens_.peek())),
+                   fmt::format("\",\" or \"to\" is missing in connect: {} stands here", describe(tokens_.peek())),
                    "connect a.link[0] to b.link[1];");
         tokens_.take();
     }
@@ -65,8 +64,7 @@ Statement Parser::parse_place() {
     auto at = tokens_.take().at;
     auto what = parse_reference("what is placed");
     if (!tokens_.peek().is_word("on"))
-        refuse(tokens_.peek().at,
-               fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
+        refuse(tokens_.peek().at, fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
                "place name on processor;");
     tokens_.take();
     PlaceStatement statement{std::move(what), parse_reference("the place")};

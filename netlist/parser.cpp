@@ -16,9 +16,8 @@ bool is_reserved(std::string_view word) {
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
     if (++parser.depth_ > deepest_nesting) {
-        parser.reporter_.error(
-            parser.tokens_.peek().at,
-            fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
+        parser.reporter_.error(parser.tokens_.peek().at,
+                               fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
         throw GiveUp{};
     }
 }
@@ -61,8 +60,8 @@ Token Parser::expect_name(std::string_view what) {
     if (token.kind != TokenKind::name)
         refuse(token.at, fmt::format("the name of {} is missing: {} stands here", what, describe(token)));
     if (is_reserved(token.text))
-        refuse(token.at, fmt::format("{} is a word of the language: it cannot be the name of {}",
-                                     describe(token), what));
+        refuse(token.at,
+               fmt::format("{} is a word of the language: it cannot be the name of {}", describe(token), what));
     return tokens_.take();
 }
 

@@ -52,8 +52,8 @@ private:
 
     void print_nodes() {
         static const Node defaults;
-        for (const auto& range : element_ranges(
-                 n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
+        for (const auto& range :
+             element_ranges(n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
             const auto& node = n_.nodes[range.first];
             std::vector<std::string> attributes;
             if (node.memory_bytes != defaults.memory_bytes)
@@ -66,8 +66,7 @@ private:
                 attributes.push_back(fmt::format("channelcall = {}", node.channel_call_cycles));
             for (auto& other : print_others(node.other))
                 attributes.push_back(std::move(other));
-            line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ",
-                 range.declarator);
+            line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
         }
     }
 
@@ -83,9 +82,7 @@ private:
             line("connection {};", declarator);
     }
 
-    static bool is_named(const NetworkChannel& channel) {
-        return channel.name.find("->") == std::string::npos;
-    }
+    static bool is_named(const NetworkChannel& channel) { return channel.name.find("->") == std::string::npos; }
 
     std::string end(const LinkEnd& at) const {
         const auto& name = n_.nodes[at.node].name;
@@ -122,8 +119,8 @@ private:
     }
 
     void print_processes() {
-        auto ranges = element_ranges(n_.processes.size(),
-                                     [&](std::size_t i) { return std::string_view(n_.processes[i].name); });
+        auto ranges =
+            element_ranges(n_.processes.size(), [&](std::size_t i) { return std::string_view(n_.processes[i].name); });
         for (const auto& range : ranges) {
             print_declaration(range);
             print_programs(range);
@@ -160,8 +157,7 @@ private:
             if (!process.stand_in)
                 continue;
             for (const auto& binding : process.ports) {
-                type_of.emplace(base_name(binding.port),
-                                binding.direction == Direction::input ? "input" : "output");
+                type_of.emplace(base_name(binding.port), binding.direction == Direction::input ? "input" : "output");
                 inputs_and_outputs.push_back(binding.port);
             }
             for (const auto& [name, value] : process.parameters) {
@@ -179,8 +175,7 @@ private:
         return entries.empty() ? "" : "interface " + print_list(entries);
     }
 
-    void print_settings(const ProcessInstance& process, const std::map<std::string, Value>& common,
-                        bool all_high) {
+    void print_settings(const ProcessInstance& process, const std::map<std::string, Value>& common, bool all_high) {
         std::vector<std::string> entries;
         if (process.high_priority && !all_high)
             entries.push_back("priority = HIGH");
@@ -191,10 +186,9 @@ private:
         for (auto entry = parameters.begin(); entry != parameters.end(); ++entry) {
             if (entry->first.find('[') == std::string::npos)
                 entries.push_back(fmt::format("{} = {}", entry->first, print_constant(entry->second)));
-            else if (entry == parameters.begin() ||
-                     base_name(std::prev(entry)->first) != base_name(entry->first))
-                entries.push_back(fmt::format("{} = {}", base_name(entry->first),
-                                              print_array(parameters, base_name(entry->first))));
+            else if (entry == parameters.begin() || base_name(std::prev(entry)->first) != base_name(entry->first))
+                entries.push_back(
+                    fmt::format("{} = {}", base_name(entry->first), print_array(parameters, base_name(entry->first))));
         }
         if (!entries.empty())
             line("{} {};", process.name, print_list(entries));
@@ -203,8 +197,7 @@ private:
     /// The elements "a[0]", "a[1]" ... as one constant, nested as the dimensions are.
     static std::string print_array(const std::map<std::string, Value>& parameters, std::string_view base) {
         std::map<std::vector<std::int64_t>, std::string> elements;
-        for (auto entry = parameters.lower_bound(std::string(base) + "["); entry != parameters.end();
-             ++entry) {
+        for (auto entry = parameters.lower_bound(std::string(base) + "["); entry != parameters.end(); ++entry) {
             if (base_name(entry->first) != base)
                 break;
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
@@ -252,8 +245,7 @@ private:
     void print_channel(const NetworkChannel& channel) {
         if (end(channel.from).empty() || end(channel.to).empty())
             return; // an edge without a channel of its own: placing the other end says it
-        line("connect {} to {}{};", end(channel.from), end(channel.to),
-             is_named(channel) ? " by " + channel.name : "");
+        line("connect {} to {}{};", end(channel.from), end(channel.to), is_named(channel) ? " by " + channel.name : "");
     }
 
     void print_carrier(const NetworkChannel& channel) {
@@ -264,8 +256,7 @@ private:
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& connection = n_.connections[channel.placement.connection];
-        line("place {} on {};", end(inner),
-             end(connection.a.node == inner.node ? connection.a : connection.b));
+        line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
     }
 
     const Network& n_;
@@ -274,8 +265,6 @@ private:
 
 } // namespace
 
-std::string print_cfs(const Network& network) {
-    return CfsPrinter(network).print();
-}
+std::string print_cfs(const Network& network) { return CfsPrinter(network).print(); }
 
 } // namespace placedpar

@@ -69,8 +69,7 @@ private:
         }
         for (bool workstations : {true, false})
             for (std::size_t start = 0; start < n_.nodes.size(); ++start) {
-                if (level_[start] != nowhere ||
-                    (workstations && n_.nodes[start].kind != NodeKind::workstation))
+                if (level_[start] != nowhere || (workstations && n_.nodes[start].kind != NodeKind::workstation))
                     continue;
                 std::vector<std::size_t> reached{start};
                 level_[start] = 0;
@@ -88,10 +87,9 @@ private:
         if (node.kind == NodeKind::c004)
             return; // wires are drawn from end to end, with the number of switches on their way
         if (node.kind == NodeKind::edge) {
-            text_ +=
-                fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
-                            "label=<{}>]\n",
-                            index, html(node.name));
+            text_ += fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
+                                 "label=<{}>]\n",
+                                 index, html(node.name));
             return;
         }
         bool workstation = node.kind == NodeKind::workstation;
@@ -114,15 +112,13 @@ private:
 
     void print_process(const ProcessInstance& process) {
         auto kind = process.kind.empty() ? "no program" : html(process.kind);
-        text_ += fmt::format(
-            "<tr><td bgcolor=\"#ffffff\" align=\"left\">{}{} <font point-size=\"10\" color=\"#777777\">{}"
-            "</font></td></tr>",
-            html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
+        text_ +=
+            fmt::format("<tr><td bgcolor=\"#ffffff\" align=\"left\">{}{} <font point-size=\"10\" color=\"#777777\">{}"
+                        "</font></td></tr>",
+                        html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
     }
 
-    static std::string link_label(const LinkEnd& end) {
-        return end.link < 0 ? "" : fmt::format("{}", end.link);
-    }
+    static std::string link_label(const LinkEnd& end) { return end.link < 0 ? "" : fmt::format("{}", end.link); }
 
     std::vector<std::size_t> channels_carried() const {
         std::vector<std::size_t> channels(n_.connections.size(), 0);
@@ -142,11 +138,11 @@ private:
         auto upper = connection.a, lower = connection.b;
         if (level_[upper.node] > level_[lower.node])
             std::swap(upper, lower);
-        text_ += fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node,
-                             lower.node, link_label(upper), link_label(lower),
-                             label.empty() ? "" : fmt::format(", label=\"{}\"", label),
-                             channels[index] == 0 ? ", style=dotted" : "",
-                             level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
+        text_ +=
+            fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node, lower.node,
+                        link_label(upper), link_label(lower), label.empty() ? "" : fmt::format(", label=\"{}\"", label),
+                        channels[index] == 0 ? ", style=dotted" : "",
+                        level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
     }
 
     const Network& n_;
@@ -157,8 +153,6 @@ private:
 
 } // namespace
 
-std::string print_dot(const Network& network) {
-    return DotPrinter(network).print();
-}
+std::string print_dot(const Network& network) { return DotPrinter(network).print(); }
 
 } // namespace placedpar

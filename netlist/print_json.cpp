@@ -28,14 +28,10 @@ json::object to_json(const std::map<std::string, Value>& values) {
 
 const char* word(NodeKind kind) {
     switch (kind) {
-    case NodeKind::processor:
-        return "processor";
-    case NodeKind::workstation:
-        return "workstation";
-    case NodeKind::edge:
-        return "edge";
-    case NodeKind::c004:
-        break;
+    case NodeKind::processor: return "processor";
+    case NodeKind::workstation: return "workstation";
+    case NodeKind::edge: return "edge";
+    case NodeKind::c004: break;
     }
     return "c004";
 }
@@ -68,10 +64,8 @@ public:
         document["nodes"] = list(n_.nodes, [](const Node& node) { return to_json(node); });
         document["connections"] =
             list(n_.connections, [&](const auto& connection) { return connection_object(connection); });
-        document["processes"] =
-            list(n_.processes, [&](const auto& process) { return process_object(process); });
-        document["channels"] =
-            list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
+        document["processes"] = list(n_.processes, [&](const auto& process) { return process_object(process); });
+        document["channels"] = list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
         return document;
     }
 
@@ -147,7 +141,7 @@ private:
         json::object carrier;
         carrier["kind"] = channel.placement.kind == ChannelPlacement::Kind::soft   ? "soft"
                           : channel.placement.kind == ChannelPlacement::Kind::link ? "link"
-                                                                        : "edge";
+                                                                                   : "edge";
         if (channel.placement.kind != ChannelPlacement::Kind::soft) {
             const auto& connection = n_.connections[channel.placement.connection];
             carrier["connection"] = channel.placement.connection;

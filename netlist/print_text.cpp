@@ -48,12 +48,7 @@ std::string declarator(std::string_view base, const std::vector<std::int64_t>& d
 std::size_t utf8_length(std::string_view text) {
     auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     auto lead = byte(0);
-    std::size_t length = lead < 0x80   ? 1
-                         : lead < 0xc2 ? 0
-                         : lead < 0xe0 ? 2
-                         : lead < 0xf0 ? 3
-                         : lead < 0xf5 ? 4
-                                       : 0;
+    std::size_t length = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xc0) != 0x80)
             return 0;
@@ -92,8 +87,7 @@ std::string print_constant(const Value& value) {
     return print_string(std::get<std::string>(value));
 }
 
-std::vector<ElementRange> element_ranges(std::size_t count,
-                                         const std::function<std::string_view(std::size_t)>& name) {
+std::vector<ElementRange> element_ranges(std::size_t count, const std::function<std::string_view(std::size_t)>& name) {
     std::vector<ElementRange> ranges;
     std::vector<std::int64_t> dimensions;
     for (std::size_t i = 0; i < count; ++i) {

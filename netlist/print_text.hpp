@@ -23,8 +23,7 @@ struct ElementRange {
 };
 
 /// Finds the arrays again among names in the order of their elements.
-std::vector<ElementRange> element_ranges(std::size_t count,
-                                         const std::function<std::string_view(std::size_t)>& name);
+std::vector<ElementRange> element_ranges(std::size_t count, const std::function<std::string_view(std::size_t)>& name);
 
 /// The declarators, in order of first appearance, that make all these names: "c[3]" for c[0] and c[2].
 std::vector<std::string> declarators_of(const std::vector<std::string>& names);

@@ -12,8 +12,7 @@ namespace placedpar {
 namespace {
 
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
-                                   const Catalogue& catalogue, const Overrides& overrides,
-                                   Reporter& reporter) {
+                                   const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter) {
     for (const auto& problem : source.problems)
         reporter.error({source.file, problem.line, problem.column}, problem.message);
     if (reporter.failed())
@@ -67,8 +66,7 @@ ReadResult read(const LoadedSource& source, const std::filesystem::path& path, c
 
 } // namespace
 
-ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue,
-                        const Overrides& overrides) {
+ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides) {
     return read(load_source(path), path, catalogue, overrides);
 }
 

@@ -21,11 +21,10 @@ struct ReadResult {
 };
 
 /// Reads, elaborates and checks a netlist. Throws nothing that the text can cause.
-ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue,
-                        const Overrides& overrides = {});
+ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {});
 
 /// The same for a text that is no file; `#include` is then relative to the working directory.
-ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue,
-                             const Overrides& overrides = {}, const std::string& shown_path = "netlist");
+ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
+                             const std::string& shown_path = "netlist");
 
 } // namespace placedpar

@@ -27,8 +27,7 @@ public:
                 throw GiveUp{};
             return;
         }
-        diagnostics_.push_back(
-            {Severity::error, std::move(message), location, std::move(hint), std::move(others)});
+        diagnostics_.push_back({Severity::error, std::move(message), location, std::move(hint), std::move(others)});
         if (++errors_ >= most_errors)
             throw GiveUp{};
     }
@@ -43,8 +42,7 @@ public:
 
 private:
     bool is_known(const Location& place) const {
-        return place.file &&
-               std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& known) {
+        return place.file && std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& known) {
                    return known.severity == Severity::error && known.location.file == place.file &&
                           known.location.line == place.line && known.location.column == place.column;
                });

@@ -11,14 +11,11 @@ std::string describe(const Symbol& symbol) {
     std::string array = things.dimensions.empty() ? "a" : "an array of";
     std::string plural = things.dimensions.empty() ? "" : "s";
     switch (things.category) {
-    case DeclaredThings::Category::node:
-        return array + " node" + plural;
-    case DeclaredThings::Category::connection:
-        return array + " connection" + plural;
+    case DeclaredThings::Category::node: return array + " node" + plural;
+    case DeclaredThings::Category::connection: return array + " connection" + plural;
     case DeclaredThings::Category::edge_channel:
         return (things.dimensions.empty() ? "an edge channel" : "an array of edge channels");
-    case DeclaredThings::Category::process:
-        break;
+    case DeclaredThings::Category::process: break;
     }
     return array + " process" + (plural.empty() ? "" : "es");
 }

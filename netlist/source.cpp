@@ -62,8 +62,7 @@ std::string why_not_a_file(const std::filesystem::path& path) {
         return "there is no such file";
     if (status.type() == std::filesystem::file_type::directory)
         return "this is a directory, not a netlist";
-    if (status.type() == std::filesystem::file_type::none ||
-        status.type() == std::filesystem::file_type::unknown)
+    if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
         return "the file cannot be read: " + error.message();
     if (status.type() != std::filesystem::file_type::regular)
         return "this is no regular file";
@@ -76,9 +75,8 @@ LoadedSource check_source(std::string shown_path, std::string text) {
     if (text.starts_with("\xef\xbb\xbf"))
         text.erase(0, 3);
     if (text.size() > largest_source_bytes)
-        return refused(
-            std::move(shown_path),
-            fmt::format("the file is too large: a netlist may have {} bytes", largest_source_bytes));
+        return refused(std::move(shown_path),
+                       fmt::format("the file is too large: a netlist may have {} bytes", largest_source_bytes));
     LoadedSource loaded{std::make_shared<SourceFile>(std::move(shown_path), std::move(text)), {}};
     const auto& all = loaded.file->text();
     auto odd = std::find_if_not(all.begin(), all.end(), is_text);
@@ -90,10 +88,9 @@ LoadedSource check_source(std::string shown_path, std::string text) {
     for (std::size_t start = 0; start < all.size(); ++number) {
         auto end = std::min(all.find('\n', start), all.size());
         if (end - start > longest_source_line) {
-            loaded.problems.push_back(
-                {fmt::format("the line is too long: it has {} characters, {} are allowed", end - start,
-                             longest_source_line),
-                 number, longest_source_line + 1});
+            loaded.problems.push_back({fmt::format("the line is too long: it has {} characters, {} are allowed",
+                                                   end - start, longest_source_line),
+                                       number, longest_source_line + 1});
             return loaded;
         }
         start = end + 1;

@@ -49,8 +49,8 @@ struct ArrayConstant {
 
 struct Expression {
     Location at; ///< of the operator, for operations of two operands
-    std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation,
-                 CastOperation, SubscriptOperation, ArrayConstant>
+    std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation, CastOperation,
+                 SubscriptOperation, ArrayConstant>
         form;
     int height = 1; ///< of the tree, kept small so that walking it cannot exhaust the stack
 };
@@ -156,9 +156,9 @@ struct BlockStatement {
 
 struct Statement {
     Location at; ///< of the name declared by a `val`, else of the first word
-    std::variant<ValStatement, DefineStatement, NodeDeclaration, ConnectionDeclaration,
-                 EdgeChannelDeclaration, ProcessDeclaration, ParameterSetting, ConnectStatement, UseStatement,
-                 PlaceStatement, RepStatement, IfStatement, BlockStatement>
+    std::variant<ValStatement, DefineStatement, NodeDeclaration, ConnectionDeclaration, EdgeChannelDeclaration,
+                 ProcessDeclaration, ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, RepStatement,
+                 IfStatement, BlockStatement>
         form;
 };
 

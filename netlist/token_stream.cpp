@@ -14,8 +14,7 @@ std::filesystem::path real_path(const std::filesystem::path& path) {
 
 } // namespace
 
-TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path,
-                         Reporter& reporter)
+TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter)
     : reporter_(reporter) {
     open_.push_back({Lexer(std::move(main), reporter), real_path(path), {}});
 }
@@ -37,8 +36,7 @@ void TokenStream::fill(std::size_t count) {
     while (ahead_.size() < count) {
         auto token = open_.back().lexer.next();
         if (++tokens_ > most_tokens) {
-            reporter_.error(token.at,
-                            fmt::format("the netlist is too large: it has more than {} words", most_tokens));
+            reporter_.error(token.at, fmt::format("the netlist is too large: it has more than {} words", most_tokens));
             throw GiveUp{};
         }
         if (token.kind == TokenKind::directive)

@@ -16,8 +16,7 @@ inline constexpr std::size_t most_includes = 1000;
 /// itself, directly or through others, is refused.
 class TokenStream {
 public:
-    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path,
-                Reporter& reporter);
+    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter);
 
     const Token& peek(std::size_t ahead = 0);
     Token take();

@@ -17,7 +17,7 @@ struct Guard {
     enum Kind { never, input, timeout, skip } kind;
     AnyChannel* channel = nullptr; ///< of an input guard
     Time due{};                    ///< of a timeout guard
-    SourceLocation where{};  ///< in the program
+    SourceLocation where{};        ///< in the program
 };
 
 /// Waits until one of the guards is ready and returns its index: the first ready one in the order given,
@@ -66,8 +66,7 @@ std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
 
 /// The replicated form, `ALT i = 0 FOR n`: `alt(inputs, [&](std::size_t i, T message) { ... })`.
 template <class T, class Body>
-std::size_t alt(std::span<const Input<T>> inputs, Body body,
-                const SourceLocation& where = SourceLocation::current()) {
+std::size_t alt(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     std::vector<Guard> guards;
     for (const Input<T>& from : inputs)
         guards.push_back({Guard::input, &from.channel()});

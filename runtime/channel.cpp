@@ -14,9 +14,9 @@ namespace placedpar {
 namespace {
 
 [[noreturn]] void refuse_second_user(const char* verb, const Process& self, const AnyChannel& channel) {
-    throw std::logic_error(fmt::format(
-        "process {} {} channel {} while another process is doing so: a channel joins two processes only",
-        self.path(), verb, channel.name()));
+    throw std::logic_error(
+        fmt::format("process {} {} channel {} while another process is doing so: a channel joins two processes only",
+                    self.path(), verb, channel.name()));
 }
 
 AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }

@@ -82,8 +82,8 @@ private:
     std::string name_;
     Carrier* carrier_ = nullptr;
     User outputter_, inputter_;
-    void* message_ = nullptr; ///< set while an outputter is in the channel
-    void* slot_ = nullptr;    ///< set while an inputter is
+    void* message_ = nullptr;    ///< set while an outputter is in the channel
+    void* slot_ = nullptr;       ///< set while an inputter is
     Process* waiting_ = nullptr; ///< on a soft channel, the first to arrive
     WireForm waiting_form_{0};
     Alternation* alternation_ = nullptr; ///< that of an inputter which sleeps on several channels
@@ -114,9 +114,7 @@ template <class T>
 class Input {
 public:
     Input() = default;
-    T input(const SourceLocation& where = SourceLocation::current()) const {
-        return channel_->input(where);
-    }
+    T input(const SourceLocation& where = SourceLocation::current()) const { return channel_->input(where); }
     AnyChannel& channel() const { return *channel_; }
     explicit operator bool() const { return channel_ != nullptr; }
 

@@ -36,9 +36,8 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     for (const AnyChannel* channel : process.awaited_channels())
-        partners.push_back(who_is(process.activity() == Activity::outputting ? channel->last_inputter()
-                                                                             : channel->last_outputter(),
-                                  living));
+        partners.push_back(who_is(
+            process.activity() == Activity::outputting ? channel->last_inputter() : channel->last_outputter(), living));
     if (process.activity() == Activity::joining)
         for (const Process* other : living)
             if (other->parent() == &process)
@@ -142,7 +141,8 @@ std::string Deadlock::text() const {
     if (!channels.empty())
         out += fmt::format("\n{:<44} {:<28} {:<28} {}\n", "channel", "outputter", "inputter", "who waits");
     for (const auto& channel : channels)
-        out += fmt::format("{:<44} {:<28} {:<28} {}\n", channel.name, channel.outputter, channel.inputter, channel.waiting);
+        out += fmt::format("{:<44} {:<28} {:<28} {}\n", channel.name, channel.outputter, channel.inputter,
+                           channel.waiting);
     return out;
 }
 

@@ -14,9 +14,7 @@ EventQueue::~EventQueue() {
         entry.event->queue_ = nullptr;
 }
 
-void EventQueue::schedule(Event& event, Time time, Priority priority) {
-    schedule(event, time, priority, inserted_++);
-}
+void EventQueue::schedule(Event& event, Time time, Priority priority) { schedule(event, time, priority, inserted_++); }
 
 void EventQueue::schedule(Event& event, Time time, Priority priority, std::uint64_t rank) {
     assert(!event.scheduled());

@@ -59,9 +59,7 @@ private:
         Time time;
         std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank below
         Event* event;
-        bool before(const Entry& other) const {
-            return time != other.time ? time < other.time : order < other.order;
-        }
+        bool before(const Entry& other) const { return time != other.time ? time < other.time : order < other.order; }
     };
     void put(Entry, std::size_t position);
     void sift_up(Entry, std::size_t position);

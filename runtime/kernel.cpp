@@ -4,8 +4,8 @@
 #include "runtime/processor.hpp"
 #include "runtime/worker.hpp"
 
-#include <boost/fiber/operations.hpp>
 #include <boost/fiber/algo/round_robin.hpp>
+#include <boost/fiber/operations.hpp>
 
 #include <algorithm>
 #include <stdexcept>

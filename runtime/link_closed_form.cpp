@@ -27,7 +27,8 @@ void LinkDirection::simulate_bytes_again(Time happened_until) {
     cancel(start_byte_);
     std::int64_t started = 0;
     if (happened_until >= first_skipped_start_)
-        started = std::min<std::int64_t>((happened_until - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_);
+        started =
+            std::min<std::int64_t>((happened_until - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_);
     std::uint32_t to_come = std::exchange(skipped_bytes_, 0) - static_cast<std::uint32_t>(started);
     bytes_left_ += to_come;
     bytes_carried_ -= to_come;

@@ -9,7 +9,8 @@ namespace placedpar {
 
 Multiplexer::Multiplexer(Kernel& kernel, const std::string& name, Link& link, Processor* a, Processor* b)
     : a_to_b_(name + " packets from a to b"), b_to_a_(name + " packets from b to a"),
-      a_(kernel, name + " multiplexer a", a, a_to_b_, b_to_a_), b_(kernel, name + " multiplexer b", b, b_to_a_, a_to_b_) {
+      a_(kernel, name + " multiplexer a", a, a_to_b_, b_to_a_),
+      b_(kernel, name + " multiplexer b", b, b_to_a_, a_to_b_) {
     a_to_b_.put_on(link.from_a_to_b());
     b_to_a_.put_on(link.from_b_to_a());
 }
@@ -20,8 +21,10 @@ Carrier& Multiplexer::add_channel(bool from_a_to_b) {
 
 Multiplexer::End::End(Kernel& kernel, const std::string& name, Processor* processor, Channel<Packet>& out,
                       Channel<Packet>& in)
-    : out_(out), in_(in), sender_(kernel, name + " sender", [this] { send_packets(); }, processor, Priority::high),
-      receiver_(kernel, name + " receiver", [this] { receive_packets(); }, processor, Priority::high) {
+    : out_(out), in_(in), sender_(
+                              kernel, name + " sender", [this] { send_packets(); }, processor, Priority::high),
+      receiver_(
+          kernel, name + " receiver", [this] { receive_packets(); }, processor, Priority::high) {
     for (Process* process : {&sender_, &receiver_}) {
         process->serve_machine();
         kernel.make_ready(*process);

@@ -41,8 +41,7 @@ void par_for(std::size_t n, Body body, const SourceLocation& where = SourceLocat
 /// occam's PRI PAR of two: the first at high priority, the second at low priority.
 template <class High, class Low>
 void pri_par(High&& high, Low&& low, const SourceLocation& where = SourceLocation::current()) {
-    run_in_parallel({{std::forward<High>(high), Priority::high}, {std::forward<Low>(low), Priority::low}},
-                    where);
+    run_in_parallel({{std::forward<High>(high), Priority::high}, {std::forward<Low>(low), Priority::low}}, where);
 }
 
 } // namespace placedpar

@@ -10,8 +10,7 @@
 namespace placedpar {
 
 Process::Process(Kernel& kernel, std::string name, Body body, Processor* processor, Priority priority)
-    : kernel_(kernel), name_(std::move(name)), body_(std::move(body)), processor_(processor),
-      priority_(priority) {
+    : kernel_(kernel), name_(std::move(name)), body_(std::move(body)), processor_(processor), priority_(priority) {
     kernel_.add(*this);
 }
 
@@ -33,8 +32,7 @@ void Process::wait_for(Activity activity, const AnyChannel* channel, const Sourc
     wait(activity);
 }
 
-void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels,
-                       const SourceLocation& where) {
+void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where) {
     awaited_.assign(channels.begin(), channels.end());
     where_ = where;
     wait(activity);

@@ -98,7 +98,7 @@ private:
     Process* next_ = nullptr;  ///< the next in the queue in which it stands
     std::size_t slot_ = 0;     ///< where the kernel lists it
 
-    Time work_left_{}; ///< processor time that it still needs before its body goes on
+    Time work_left_{};     ///< processor time that it still needs before its body goes on
     Join* join_ = nullptr; ///< the PAR of which it is a component
     const Process* outermost_ = this;
 };

@@ -16,8 +16,8 @@ public:
     static constexpr std::size_t most_parts = 4;
 
     template <std::convertible_to<std::uint32_t>... Bytes>
-        requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts)
-    constexpr WireForm(Bytes... bytes) : bytes_{static_cast<std::uint32_t>(bytes)...}, parts_(sizeof...(Bytes)) {}
+    requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
+        : bytes_{static_cast<std::uint32_t>(bytes)...}, parts_(sizeof...(Bytes)) {}
 
     constexpr std::size_t parts() const { return parts_; }
     constexpr std::uint32_t operator[](std::size_t part) const { return bytes_[part]; }
@@ -49,8 +49,7 @@ WireForm wire_form(const T& message) {
 
 /// occam's counted array `INT::[]T`.
 template <class T>
-    requires std::is_trivially_copyable_v<T>
-WireForm wire_form(const std::vector<T>& message) {
+requires std::is_trivially_copyable_v<T> WireForm wire_form(const std::vector<T>& message) {
     return WireForm(4u, message.size() * sizeof(T));
 }
 

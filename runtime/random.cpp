@@ -15,8 +15,7 @@ std::uint64_t path_hash(std::string_view path) {
 } // namespace
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view path)
-    : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}}, block_{},
-      drawn_from_block_(4) {
+    : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}}, block_{}, drawn_from_block_(4) {
     // The upper half of the counter names the stream, the lower half counts its blocks.
     std::uint64_t stream = path_hash(path);
     counter_ = {{0, 0, static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)}};

@@ -17,7 +17,7 @@ namespace placedpar {
 /// How a run ended, and when.
 struct RunResult {
     Ending ending;
-    Time time;                         ///< virtual time at the end
+    Time time; ///< virtual time at the end
     std::uint64_t fingerprint;
     std::optional<Deadlock> deadlock; ///< when processes are left that nothing will wake
 };

@@ -29,9 +29,7 @@ public:
     void end_for(const SwitchedStack& to) { __sanitizer_start_switch_fiber(nullptr, to.bottom_, to.bytes_); }
     void arrive() { __sanitizer_finish_switch_fiber(fake_stack_, nullptr, nullptr); }
     /// The first arrival, which also tells where the stack that was left lies.
-    void arrive_from(SwitchedStack& from) {
-        __sanitizer_finish_switch_fiber(nullptr, &from.bottom_, &from.bytes_);
-    }
+    void arrive_from(SwitchedStack& from) { __sanitizer_finish_switch_fiber(nullptr, &from.bottom_, &from.bytes_); }
     void lies_at(const void* bottom, std::size_t bytes) { bottom_ = bottom, bytes_ = bytes; }
 
 private:

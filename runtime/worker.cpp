@@ -34,7 +34,8 @@ struct Noting {
 template <class Allocator>
 void launch(SwitchedStack& stack, std::function<void()> work) {
     using boost::fibers::fiber;
-    fiber(boost::fibers::launch::post, std::allocator_arg, Noting<Allocator>{.stack = &stack}, std::move(work)).detach();
+    fiber(boost::fibers::launch::post, std::allocator_arg, Noting<Allocator>{.stack = &stack}, std::move(work))
+        .detach();
 }
 
 } // namespace

@@ -48,11 +48,15 @@ TEST_CASE("algorithm A's generations are the traditional ones, for 0 to 29 slave
 
 TEST_CASE("... and for every timing of the machine") {
     std::string traditional = populations_of_traditional(30, 1);
-    Cluster slow_neighbours{.slaves = 5, .split = "demand", .even_processor = "clock = 20M", .odd_processor = "clock = 5M"};
+    Cluster slow_neighbours{
+        .slaves = 5, .split = "demand", .even_processor = "clock = 20M", .odd_processor = "clock = 5M"};
     Cluster slow_master{.slaves = 4, .even_processor = "clock = 3M, channelcall = 500"};
-    Cluster slow_links{.slaves = 4, .even_processor = "linkspeed = 5M", .odd_processor = "linkspeed = 5M",
+    Cluster slow_links{.slaves = 4,
+                       .even_processor = "linkspeed = 5M",
+                       .odd_processor = "linkspeed = 5M",
                        .workstation = "linkspeed = 5M"};
-    Cluster no_work{.slaves = 3, .master_parameters = "rehearsals = 1, cycles_per_error = 0, cycles_per_individual = 0"};
+    Cluster no_work{.slaves = 3,
+                    .master_parameters = "rehearsals = 1, cycles_per_error = 0, cycles_per_individual = 0"};
     Cluster every_generation{.slaves = 3, .measurements = "generation"};
     for (const Cluster& cluster : {slow_neighbours, slow_master, slow_links, no_work, every_generation})
         CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);

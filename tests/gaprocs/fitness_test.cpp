@@ -14,9 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-std::uint64_t bits_of(double value) {
-    return std::bit_cast<std::uint64_t>(value);
-}
+std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 void shuffle(std::vector<double>& terms, RandomStream& random) {
     for (std::size_t i = terms.size(); i > 1; --i)
@@ -40,16 +38,11 @@ double partitioned_sum(const std::vector<double>& terms, RandomStream& random) {
 
 double any_error(RandomStream& random) {
     switch (random.below(8)) {
-    case 0:
-        return 1e300; // clamped
-    case 1:
-        return std::numeric_limits<double>::quiet_NaN();
-    case 2:
-        return 2896 * random.uniform(); // up to the clamp
-    case 3:
-        return 1e-6 * random.uniform();
-    default:
-        return 40 * random.uniform();
+    case 0: return 1e300; // clamped
+    case 1: return std::numeric_limits<double>::quiet_NaN();
+    case 2: return 2896 * random.uniform(); // up to the clamp
+    case 3: return 1e-6 * random.uniform();
+    default: return 40 * random.uniform();
     }
 }
 

@@ -62,8 +62,7 @@ TEST_CASE("fields of up to 64 bits across word boundaries") {
         std::string text = random_text(length, random);
         Genome genome = Genome::from_string(text);
         std::size_t first = random.below(static_cast<std::uint32_t>(length));
-        std::size_t count =
-            1 + random.below(static_cast<std::uint32_t>(std::min<std::size_t>(64, length - first)));
+        std::size_t count = 1 + random.below(static_cast<std::uint32_t>(std::min<std::size_t>(64, length - first)));
         std::uint64_t value = std::stoull(text.substr(first, count), nullptr, 2);
         REQUIRE(genome.field(first, count) == value);
         Genome rebuilt = Genome::from_string(text.replace(first, count, std::string(count, '0')));
@@ -115,7 +114,6 @@ TEST_CASE("equality needs the same length") {
 }
 
 TEST_CASE("a string of other characters is refused") {
-    CHECK_THROWS_WITH_AS(Genome::from_string("01x"),
-                         "a binary string holds 0 and 1 only: '01x' has 'x' at position 2",
+    CHECK_THROWS_WITH_AS(Genome::from_string("01x"), "a binary string holds 0 and 1 only: '01x' has 'x' at position 2",
                          std::invalid_argument);
 }

@@ -25,8 +25,7 @@ TEST_CASE("a problem is found by its name, with its record") {
 TEST_CASE("what cannot be registered is refused with a reason") {
     ProblemRegistry registry;
     auto problem = make_search_problem(LineProblem{});
-    CHECK_THROWS_WITH_AS(registry.add("", problem, {}), "a search problem needs a name",
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(registry.add("", problem, {}), "a search problem needs a name", std::invalid_argument);
     CHECK_THROWS_WITH_AS(registry.add("line", nullptr, {}), "search problem 'line': there is none",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(registry.add("line", problem, {{1, 2}, {1}}),

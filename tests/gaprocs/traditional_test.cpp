@@ -16,8 +16,8 @@ const auto line = make_search_problem(LineProblem{});
 
 /// The fitness of everybody, the window's samples dealt at random to several evaluators and their parts added
 /// in any order: what slaves do.
-std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::span<const Sample> window,
-                                      double bias, RandomStream& deal) {
+std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::span<const Sample> window, double bias,
+                                      RandomStream& deal) {
     std::vector<double> fitness(population.size(), 0);
     for (std::size_t i = 0; i < population.size(); ++i) {
         double part[3] = {};
@@ -68,9 +68,7 @@ TEST_CASE("whoever evaluates which part of the window, the generations are the s
 
 TEST_CASE("same stream, same run; another stream, another run") {
     auto record = line_record(12);
-    auto run = [&](std::uint64_t seed) {
-        return run_traditional(*line, record, {}, RandomStream(seed, "same"));
-    };
+    auto run = [&](std::uint64_t seed) { return run_traditional(*line, record, {}, RandomStream(seed, "same")); };
     CHECK(run(1).population == run(1).population);
     CHECK(run(1).population != run(2).population);
 }
@@ -80,8 +78,7 @@ TEST_CASE("odd and smallest populations run") {
     for (std::size_t population : {2u, 3u, 5u}) {
         SearchSettings settings;
         settings.population = population;
-        CHECK(run_traditional(*line, record, settings, RandomStream(1, "small")).population.size() ==
-              population);
+        CHECK(run_traditional(*line, record, settings, RandomStream(1, "small")).population.size() == population);
     }
 }
 

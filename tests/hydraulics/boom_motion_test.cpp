@@ -39,9 +39,8 @@ TEST_CASE("scenario A: the load is held until the spool moves") {
 
 TEST_CASE("scenario A: peak, steady state and steepest rise") {
     std::vector<BoomState> motion = simulate_boom(long_scenario());
-    auto peak = std::max_element(motion.begin(), motion.end(), [](const BoomState& a, const BoomState& b) {
-        return a.inlet_psi < b.inlet_psi;
-    });
+    auto peak = std::max_element(motion.begin(), motion.end(),
+                                 [](const BoomState& a, const BoomState& b) { return a.inlet_psi < b.inlet_psi; });
     CHECK(std::abs(peak->inlet_psi - 2068) < 10);
     CHECK(std::abs(peak->time_s - 0.48) < 0.02);
     CHECK(std::abs(motion.back().inlet_psi - 1850) < 8);
@@ -69,6 +68,6 @@ TEST_CASE("halving the integration step changes the pressure by less than 0.01 p
 TEST_CASE("a scenario that cannot be simulated says why") {
     BoomScenario scenario;
     scenario.machine.inlet_compliance_in3_per_psi = 0;
-    CHECK_THROWS_WITH_AS(simulate_boom(scenario),
-                         "boom scenario: the inlet compliance is 0, expected above 0", std::invalid_argument);
+    CHECK_THROWS_WITH_AS(simulate_boom(scenario), "boom scenario: the inlet compliance is 0, expected above 0",
+                         std::invalid_argument);
 }

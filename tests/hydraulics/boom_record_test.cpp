@@ -60,8 +60,7 @@ TEST_CASE("a record that ends early gives fewer samples, one at rest none") {
 
 TEST_CASE("measurements at another period than stated are refused") {
     auto measured = exact_measurements();
-    CHECK_THROWS_AS(usable_samples(measured, scenario.flow, scenario.machine, {}, 0.01),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(usable_samples(measured, scenario.flow, scenario.machine, {}, 0.01), std::invalid_argument);
 }
 
 TEST_CASE("the record of scenario A at low noise: frozen, to the bit") {

@@ -49,8 +49,7 @@ Study study(const MeasurementNoise& noise) {
         result.error_percent.push_back(100 * std::abs(last.parameters.at(0) / true_compliance - 1));
         auto optimum = exhaustive_optimum(*problem, std::span(record).last(10));
         auto found = last.best.genome.field(0, 10);
-        result.codes_from_optimum.push_back(
-            std::abs(static_cast<double>(found) - static_cast<double>(optimum)));
+        result.codes_from_optimum.push_back(std::abs(static_cast<double>(found) - static_cast<double>(optimum)));
     }
     return result;
 }
@@ -85,9 +84,7 @@ TEST_CASE("identification at low noise: every seed within 10 %") {
     CHECK(quantile(low.error_percent, 1) <= 10);
 }
 
-TEST_CASE("identification at mid noise") {
-    check_study(study(mid_noise), 6, 13);
-}
+TEST_CASE("identification at mid noise") { check_study(study(mid_noise), 6, 13); }
 
 TEST_CASE("high noise is too much: the 90th percentile is beyond 10 %") {
     CHECK(quantile(study(high_noise).error_percent, 0.9) > 10);

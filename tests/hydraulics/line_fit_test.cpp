@@ -40,6 +40,4 @@ TEST_CASE("only samples with two neighbours on either side have a slope") {
     CHECK_FALSE(CentredLineFit::has_slope(0, 2));
 }
 
-TEST_CASE("a period of zero is refused") {
-    CHECK_THROWS_AS(CentredLineFit{0}, std::invalid_argument);
-}
+TEST_CASE("a period of zero is refused") { CHECK_THROWS_AS(CentredLineFit{0}, std::invalid_argument); }

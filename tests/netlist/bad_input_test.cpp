@@ -37,11 +37,10 @@ TEST_CASE("what is no text file") {
     CHECK(first_message(read_netlist(folder / "nothing.cfs", small_catalogue())) == "there is no such file");
     CHECK(first_message(read_netlist(folder, small_catalogue())) == "this is a directory, not a netlist");
     CHECK(first_message(read_netlist("/dev/null", small_catalogue())) == "this is no regular file");
-    CHECK(first_message(read_netlist(std::string(5000, 'x'), small_catalogue()))
-              .starts_with("the file cannot be read"));
+    CHECK(
+        first_message(read_netlist(std::string(5000, 'x'), small_catalogue())).starts_with("the file cannot be read"));
     std::ofstream(folder / "large.cfs") << std::string(largest_source_bytes + 10, ' ');
-    CHECK(first_message(read_netlist(folder / "large.cfs", small_catalogue()))
-              .starts_with("the file is too large"));
+    CHECK(first_message(read_netlist(folder / "large.cfs", small_catalogue())).starts_with("the file is too large"));
     std::filesystem::remove_all(folder);
 }
 
@@ -87,22 +86,20 @@ TEST_CASE("replication and arrays without measure") {
     CHECK(refused("T800 t[1000][1000];").find("the array is too large") != std::string::npos);
     CHECK(refused("T800 t[4611686018427387904][4];").find("the array is too large") != std::string::npos);
     CHECK(refused("rep i = 0 for 1000000 T800 t;").starts_with("the network is too large"));
-    CHECK(
-        refused("process (interface (input in[200000])) p[200000];").starts_with("the network is too large"));
-    auto many = read_netlist_text("T800 t; process p[100000]; rep i = 0 for 100000 place p[i] on t;",
-                                  small_catalogue());
+    CHECK(refused("process (interface (input in[200000])) p[200000];").starts_with("the network is too large"));
+    auto many =
+        read_netlist_text("T800 t; process p[100000]; rep i = 0 for 100000 place p[i] on t;", small_catalogue());
     CHECK(many.network.has_value());
     std::string doubling = "val a0 {1, 1};";
     for (int i = 1; i < 60; ++i)
-        doubling += "val a" + std::to_string(i) + " {a" + std::to_string(i - 1) + ", a" +
-                    std::to_string(i - 1) + "};\n";
+        doubling +=
+            "val a" + std::to_string(i) + " {a" + std::to_string(i - 1) + ", a" + std::to_string(i - 1) + "};\n";
     CHECK(refused(doubling).starts_with("the array has too many dimensions"));
     std::string wide = "process (interface (int n";
     for (int i = 0; i < 2000; ++i)
         wide += ",\nint n" + std::to_string(i);
     CHECK(refused(wide + ")) p;").starts_with("the interface is too large"));
-    CHECK(refused("rep i = 0 for 1000000 { val n undefined_name; }") ==
-          "the name \"undefined_name\" is undefined");
+    CHECK(refused("rep i = 0 for 1000000 { val n undefined_name; }") == "the name \"undefined_name\" is undefined");
     CHECK(read_netlist_text("val n 1" + repeated("\n+ 1", 900) + "; if n == 901 T800 t;", small_catalogue())
               .network.value()
               .nodes.size() == 1);
@@ -120,16 +117,13 @@ TEST_CASE("overrides that make no sense") {
     CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token behind an expression"));
     CHECK(refused("val n 1;", {{"n", "\"a\""}}).starts_with("wrong type for the val"));
     CHECK(refused("val n 1;", {{"", "5"}}) != "");
-    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}})
-              .starts_with("this is no netlist but a binary file"));
+    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no netlist but a binary file"));
 }
 
 TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") {
-    auto shown = [](const std::string& text) {
-        return render(read_netlist_text(text, small_catalogue()).diagnostics);
-    };
-    CHECK(shown("val s \"\xc3\xa4\xc3\xb6\" @;")
-              .find("\n    val s \"\xc3\xa4\xc3\xb6\" @;\n               ^\n") != std::string::npos);
+    auto shown = [](const std::string& text) { return render(read_netlist_text(text, small_catalogue()).diagnostics); };
+    CHECK(shown("val s \"\xc3\xa4\xc3\xb6\" @;").find("\n    val s \"\xc3\xa4\xc3\xb6\" @;\n               ^\n") !=
+          std::string::npos);
     auto lines = shown("val x " + repeated("1 +", 200) + " @ " + repeated(" + 1", 200) + ";");
     auto excerpt = lines.find("    ...");
     REQUIRE(excerpt != std::string::npos);

@@ -96,18 +96,10 @@ std::string mutate(const std::string& text, const std::vector<std::string>& othe
         auto at = numbers.below(pieces.size());
         auto place = pieces.begin() + static_cast<std::ptrdiff_t>(at);
         switch (numbers.below(5)) {
-        case 0:
-            pieces.erase(place);
-            break;
-        case 1:
-            pieces.insert(place, pieces[numbers.below(pieces.size())]);
-            break;
-        case 2:
-            *place = spice[numbers.below(spice.size())];
-            break;
-        case 3:
-            std::swap(*place, pieces[numbers.below(pieces.size())]);
-            break;
+        case 0: pieces.erase(place); break;
+        case 1: pieces.insert(place, pieces[numbers.below(pieces.size())]); break;
+        case 2: *place = spice[numbers.below(spice.size())]; break;
+        case 3: std::swap(*place, pieces[numbers.below(pieces.size())]); break;
         default: {
             auto foreign = words(others[numbers.below(others.size())]);
             if (!foreign.empty())

@@ -58,13 +58,10 @@ TEST_CASE("and so it does for every number of slaves") {
 }
 
 TEST_CASE("the hash is that of the network, not of the file") {
-    auto hash = [](const std::string& text) {
-        return read_netlist_text(text, small_catalogue()).network.value().hash;
-    };
+    auto hash = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.value().hash; };
     CHECK(hash("T800 a, b; connect a.link[0] to b.link[0];") ==
           hash("val n 0; /* the same */ T800 (memory = 4k) a, b;\nconnect a.link[n], b.link[n];"));
-    CHECK(hash("T800 a, b; connect a.link[0] to b.link[0];") !=
-          hash("T800 a, b; connect a.link[0] to b.link[1];"));
+    CHECK(hash("T800 a, b; connect a.link[0] to b.link[0];") != hash("T800 a, b; connect a.link[0] to b.link[1];"));
 }
 
 TEST_CASE("the JSON document") {
@@ -74,8 +71,7 @@ TEST_CASE("the JSON document") {
     std::vector<std::string> keys;
     for (const auto& pair : document)
         keys.emplace_back(pair.key());
-    CHECK(keys ==
-          std::vector<std::string>{"source", "hash", "nodes", "connections", "processes", "channels"});
+    CHECK(keys == std::vector<std::string>{"source", "hash", "nodes", "connections", "processes", "channels"});
     const auto& channel = document.at("channels").as_array().at(4).as_object();
     CHECK(channel.at("from").as_object().at("process") == "pumps[4]");
     CHECK(channel.at("carrier").as_object().at("from").as_object().at("link") == 1);
@@ -84,11 +80,10 @@ TEST_CASE("the JSON document") {
 
 TEST_CASE("the JSON document is UTF-8 whatever the file is") {
     auto text = [](const std::string& value) {
-        auto result =
-            read_netlist_text("T800 t; process (interface (char s[9])) p; use \"p.lku\" for p; place p on t;"
-                              "p (s = \"" +
-                                  value + "\");",
-                              small_catalogue());
+        auto result = read_netlist_text("T800 t; process (interface (char s[9])) p; use \"p.lku\" for p; place p on t;"
+                                        "p (s = \"" +
+                                            value + "\");",
+                                        small_catalogue());
         auto document = boost::json::parse(print_json(result.network.value()));
         return std::string(document.at("processes").at(0).at("parameters").at("s").as_string());
     };

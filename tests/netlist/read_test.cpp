@@ -111,8 +111,8 @@ TEST_CASE("switches are followed to the processors at the ends") {
 TEST_CASE("channels share out the links between neighbours") {
     auto network = good("shared.cfs");
     auto link = [&](int i) {
-        return sending_link(network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" +
-                                                          std::to_string(i) + "].in"));
+        return sending_link(
+            network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" + std::to_string(i) + "].in"));
     };
     // the last one is placed on link 1; the others take the lighter link, of equals the lower
     CHECK(link(4) == 1);
@@ -142,26 +142,25 @@ TEST_CASE("channels at the edge") {
 }
 
 TEST_CASE("a channel placed on a link to an edge needs no edge channel") {
-    auto network = good_text(
-        "T800 t; connect t.link[1] to host; process (interface (output out)) p; use \"p.lku\" for p;"
-        "place p on t; place p.out on t.link[1];");
+    auto network =
+        good_text("T800 t; connect t.link[1] to host; process (interface (output out)) p; use \"p.lku\" for p;"
+                  "place p on t; place p.out on t.link[1];");
     REQUIRE(network.channels.size() == 1);
     CHECK(network.channels[0].name == "p.out -> host");
     CHECK(network.channels[0].placement.kind == ChannelPlacement::Kind::edge);
 }
 
 TEST_CASE("names live to the end of their block") {
-    auto network = good_text(
-        "T800 t; rep i = 0 for 3 { val t_of_i i * 10; process (interface (int n)) p; p (n = t_of_i);"
-        "place p on t; use \"p.lku\" for p; } process p; use \"p.lku\" for p; place p on t;");
+    auto network =
+        good_text("T800 t; rep i = 0 for 3 { val t_of_i i * 10; process (interface (int n)) p; p (n = t_of_i);"
+                  "place p on t; use \"p.lku\" for p; } process p; use \"p.lku\" for p; place p on t;");
     REQUIRE(network.processes.size() == 4);
     CHECK(network.processes[0].name == "p");
     CHECK(network.processes[2].name == "p_3");
     CHECK(network.processes[2].parameters.at("n") == Value(std::int64_t{20}));
     CHECK(network.processes[3].name == "p_4");
     // a bare statement of an if belongs to the block around it
-    CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type ==
-          "T800");
+    CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type == "T800");
 }
 
 TEST_CASE("expressions") {

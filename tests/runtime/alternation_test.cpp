@@ -18,7 +18,8 @@ using std::chrono::microseconds;
 namespace {
 
 /// Runs `body` beside one process for each channel that outputs its number at the moment given.
-std::string run_with_outputs(std::vector<Time> moments, const std::function<void(std::vector<Channel<int>*>, std::string&)>& body) {
+std::string run_with_outputs(std::vector<Time> moments,
+                             const std::function<void(std::vector<Channel<int>*>, std::string&)>& body) {
     Simulation simulation;
     std::list<Channel<int>> channels;
     std::vector<Channel<int>*> pointers;
@@ -74,7 +75,8 @@ TEST_CASE("both outputters come before the process gets its turn: it is woken on
 
 TEST_CASE("a guard whose condition is false is passed over") {
     auto chosen = run_with_outputs({microseconds{1}, microseconds{2}}, [](auto c, std::string& log) {
-        alt(when(false, on(c[0]->in(), [&](int) { log += "wrong"; })), on(c[1]->in(), [&](int x) { log += fmt::format("{}", x); }));
+        alt(when(false, on(c[0]->in(), [&](int) { log += "wrong"; })),
+            on(c[1]->in(), [&](int x) { log += fmt::format("{}", x); }));
         log += fmt::format("{}", c[0]->in().input());
     });
     CHECK(chosen == "10");

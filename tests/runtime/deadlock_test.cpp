@@ -22,7 +22,9 @@ Deadlock three_philosophers() {
         left.push_back(take_left.emplace_back("left[" + std::to_string(i) + "]").in());
         right.push_back(take_right.emplace_back("right[" + std::to_string(i) + "]").in());
     }
-    auto of = [](std::list<Channel<int>>& channels, std::size_t i) { return std::next(channels.begin(), static_cast<long>(i)); };
+    auto of = [](std::list<Channel<int>>& channels, std::size_t i) {
+        return std::next(channels.begin(), static_cast<long>(i));
+    };
     for (std::size_t i = 0; i < 3; ++i) {
 // clang-format off
 #line 1 "philosophers.cpp"
@@ -49,8 +51,9 @@ Deadlock three_philosophers() {
 } // namespace
 
 TEST_CASE("three philosophers with a fork each: the report, word for word") {
-    CHECK(three_philosophers().text() ==
-          R"(wait cycle: philosopher[0] -> fork[1] -> philosopher[1] -> fork[2] -> philosopher[2] -> fork[0] -> philosopher[0]
+    CHECK(
+        three_philosophers().text() ==
+        R"(wait cycle: philosopher[0] -> fork[1] -> philosopher[1] -> fork[2] -> philosopher[2] -> fork[0] -> philosopher[0]
 
 process                      operation                  channel                                      program
 philosopher[0]               outputs                    right[0]                                     philosophers.cpp:4
@@ -70,7 +73,9 @@ right[2]                                     philosopher[2]               fork[0
 )");
 }
 
-TEST_CASE("two reports of the same deadlock are equal") { CHECK(three_philosophers().text() == three_philosophers().text()); }
+TEST_CASE("two reports of the same deadlock are equal") {
+    CHECK(three_philosophers().text() == three_philosophers().text());
+}
 
 TEST_CASE("a partial deadlock lists those who are left and not those who ended") {
     Simulation simulation;

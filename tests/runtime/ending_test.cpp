@@ -36,7 +36,17 @@ public:
         add([this] { hard.out().output(1); });
         add([this] { alt(on(third.in(), [](int) {}), on(fourth.in(), [](int) {})); });
         add([this] { virtual_one.out().output(1); }, &t800);
-        add([this] { par([this] { Counted inner(alive); fifth.in().input(); }, [this] { Counted inner(alive); sixth.out().output(1); }); });
+        add([this] {
+            par(
+                [this] {
+                    Counted inner(alive);
+                    fifth.in().input();
+                },
+                [this] {
+                    Counted inner(alive);
+                    sixth.out().output(1);
+                });
+        });
         add([] { wait_for(microseconds{3}); });
         add([last = std::move(last)] { wait_for(microseconds{5}), last(); });
     }
@@ -47,14 +57,17 @@ public:
 
 private:
     void add(std::function<void()> body, Processor* on = nullptr) {
-        simulation.process("waiter", [this, body = std::move(body)] {
-            ++started;
-            Counted counted(alive);
-            body();
-        }, on);
+        simulation.process(
+            "waiter",
+            [this, body = std::move(body)] {
+                ++started;
+                Counted counted(alive);
+                body();
+            },
+            on);
     }
-    Channel<int> soft{"soft"}, other{"other"}, hard{"hard"}, third{"third"}, fourth{"fourth"}, fifth{"fifth"}, sixth{"sixth"},
-        virtual_one{"virtual"};
+    Channel<int> soft{"soft"}, other{"other"}, hard{"hard"}, third{"third"}, fourth{"fourth"}, fifth{"fifth"},
+        sixth{"sixth"}, virtual_one{"virtual"};
 };
 
 } // namespace
@@ -98,7 +111,13 @@ TEST_CASE("unwound when the report at the end throws") {
     Kernel kernel;
     int alive = 0;
     Channel<int> c("c");
-    Process waiter(kernel, "waiter", [&] { Counted counted(alive); c.in().input(); }, nullptr, Priority::low);
+    Process waiter(
+        kernel, "waiter",
+        [&] {
+            Counted counted(alive);
+            c.in().input();
+        },
+        nullptr, Priority::low);
     kernel.make_ready(waiter);
     CHECK_THROWS_AS(kernel.run(Time::max(), [](Ending) { throw std::runtime_error("report"); }), std::runtime_error);
     CHECK(alive == 0);
@@ -109,10 +128,13 @@ TEST_CASE("a run of a process that only computes can be interrupted from another
     Simulation simulation;
     Processor& t800 = simulation.processor("t800");
     std::atomic<bool> computing = false;
-    simulation.process("computes forever", [&] {
-        for (;; computing = true)
-            compute(Cycles{1});
-    }, &t800);
+    simulation.process(
+        "computes forever",
+        [&] {
+            for (;; computing = true)
+                compute(Cycles{1});
+        },
+        &t800);
     std::thread other([&] {
         while (!computing)
             std::this_thread::yield();
@@ -127,15 +149,18 @@ TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
     Processor& t800 = simulation.processor("t800");
     Channel<int> c("c");
     int swallowed = 0;
-    simulation.process("stubborn", [&] {
-        for (int i = 0; i < 3; ++i)
-            try {
-                compute(Cycles{1});
-                par([&] { c.in().input(); });
-            } catch (...) {
-                ++swallowed;
-            }
-    }, &t800);
+    simulation.process(
+        "stubborn",
+        [&] {
+            for (int i = 0; i < 3; ++i)
+                try {
+                    compute(Cycles{1});
+                    par([&] { c.in().input(); });
+                } catch (...) {
+                    ++swallowed;
+                }
+        },
+        &t800);
     CHECK(simulation.run().ending == Ending::stuck);
     CHECK(swallowed == 3);
 }

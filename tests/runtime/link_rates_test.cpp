@@ -53,16 +53,22 @@ double half_round_trip(std::uint32_t words) {
     ping.put_on(link.from_a_to_b());
     pong.put_on(link.from_b_to_a());
     Time took{};
-    simulation.process("near", [&] {
-        Time start = now();
-        for (int i = 0; i < rounds; ++i)
-            ping.out().output(Block{4 * words}), pong.in().input();
-        took = now() - start;
-    }, &near, Priority::high);
-    simulation.process("far", [&] {
-        for (int i = 0; i < rounds; ++i)
-            ping.in().input(), pong.out().output(Block{4 * words});
-    }, &far, Priority::high);
+    simulation.process(
+        "near",
+        [&] {
+            Time start = now();
+            for (int i = 0; i < rounds; ++i)
+                ping.out().output(Block{4 * words}), pong.in().input();
+            took = now() - start;
+        },
+        &near, Priority::high);
+    simulation.process(
+        "far",
+        [&] {
+            for (int i = 0; i < rounds; ++i)
+                ping.in().input(), pong.out().output(Block{4 * words});
+        },
+        &far, Priority::high);
     CHECK(simulation.run().ending == Ending::completed);
     return in_milliseconds(took) * 1000 / (2 * rounds);
 }

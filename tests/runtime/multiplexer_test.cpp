@@ -31,14 +31,20 @@ TEST_CASE("two channels each way over one link: every message arrives, in the or
         bool forth = i < 2;
         Channel<int>& c = channels.emplace_back("c");
         c.put_on(nodes.multiplexer.add_channel(forth));
-        nodes.simulation.process("outputter", [&c, i] {
-            for (int k = 0; k < 20; ++k)
-                c.out().output(static_cast<int>(100 * i) + k);
-        }, forth ? &nodes.a : &nodes.b);
-        nodes.simulation.process("inputter", [&c, &received, i] {
-            for (int k = 0; k < 20; ++k)
-                received[i].push_back(c.in().input());
-        }, forth ? &nodes.b : &nodes.a);
+        nodes.simulation.process(
+            "outputter",
+            [&c, i] {
+                for (int k = 0; k < 20; ++k)
+                    c.out().output(static_cast<int>(100 * i) + k);
+            },
+            forth ? &nodes.a : &nodes.b);
+        nodes.simulation.process(
+            "inputter",
+            [&c, &received, i] {
+                for (int k = 0; k < 20; ++k)
+                    received[i].push_back(c.in().input());
+            },
+            forth ? &nodes.b : &nodes.a);
     }
     CHECK(nodes.simulation.run().ending == Ending::completed);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -48,16 +54,21 @@ TEST_CASE("two channels each way over one link: every message arrives, in the or
     }
 }
 
-TEST_CASE("an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
+TEST_CASE(
+    "an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
     TwoNodes nodes;
     Channel<int> late("late"), prompt("prompt");
     late.put_on(nodes.multiplexer.add_channel(true));
     prompt.put_on(nodes.multiplexer.add_channel(true));
     Time late_output{}, late_input{}, prompt_output{};
-    nodes.simulation.process("outputs late", [&] { late.out().output(1), late_output = now(); }, &nodes.a);
-    nodes.simulation.process("outputs prompt", [&] { prompt.out().output(1), prompt_output = now(); }, &nodes.a);
-    nodes.simulation.process("inputs late", [&] { wait_until(microseconds{1000}), late.in().input(), late_input = now(); }, &nodes.b);
-    nodes.simulation.process("inputs prompt", [&] { prompt.in().input(); }, &nodes.b);
+    nodes.simulation.process(
+        "outputs late", [&] { late.out().output(1), late_output = now(); }, &nodes.a);
+    nodes.simulation.process(
+        "outputs prompt", [&] { prompt.out().output(1), prompt_output = now(); }, &nodes.a);
+    nodes.simulation.process(
+        "inputs late", [&] { wait_until(microseconds{1000}), late.in().input(), late_input = now(); }, &nodes.b);
+    nodes.simulation.process(
+        "inputs prompt", [&] { prompt.in().input(); }, &nodes.b);
     CHECK(nodes.simulation.run().ending == Ending::completed);
     CHECK(late_input >= microseconds{1000});
     CHECK(late_output > late_input);
@@ -69,8 +80,10 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     Channel<std::array<char, 100>> c("c");
     c.put_on(nodes.multiplexer.add_channel(true));
     Time output{}, input{};
-    nodes.simulation.process("outputs", [&] { c.out().output({}), output = now(); }, &nodes.a);
-    nodes.simulation.process("inputs", [&] { c.in().input(), input = now(); }, &nodes.b);
+    nodes.simulation.process(
+        "outputs", [&] { c.out().output({}), output = now(); }, &nodes.a);
+    nodes.simulation.process(
+        "inputs", [&] { c.in().input(), input = now(); }, &nodes.b);
     CHECK(nodes.simulation.run().ending == Ending::completed);
     constexpr nanoseconds cycle{50};
     CHECK(nodes.link.from_a_to_b().bytes_carried() == Multiplexer::header_bytes + 100);
@@ -96,6 +109,7 @@ TEST_CASE("an end of a multiplexer that has nothing to do does not keep a run fr
     TwoNodes nodes;
     Channel<int> c("c");
     c.put_on(nodes.multiplexer.add_channel(true));
-    nodes.simulation.process("computes", [] { compute(Cycles{10}); }, &nodes.a);
+    nodes.simulation.process(
+        "computes", [] { compute(Cycles{10}); }, &nodes.a);
     CHECK(nodes.simulation.run().ending == Ending::completed);
 }

@@ -31,7 +31,8 @@ TEST_CASE("components of a nested PAR are named by the way to them") {
     Simulation simulation;
     std::string path;
     simulation.process("cluster[1].master", [&] {
-        par([] {}, [&] { par_for(3, [&](std::size_t i) { path = i == 2 ? Kernel::current()->running().path() : path; }); });
+        par([] {},
+            [&] { par_for(3, [&](std::size_t i) { path = i == 2 ? Kernel::current()->running().path() : path; }); });
     });
     simulation.run();
     CHECK(path == "cluster[1].master/1/2");
@@ -49,16 +50,19 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
     Simulation simulation;
     Processor& t800 = simulation.processor("t800");
     Time high_done{}, low_done{}, high_again{};
-    simulation.process("parent", [&] {
-        Time start = now();
-        pri_par(
-            [&] {
-                compute(Cycles{2000}), high_done = now() - start; // 100 us
-                wait_for(microseconds{50});
-                compute(Cycles{200}), high_again = now() - start;
-            },
-            [&] { compute(Cycles{2000}), low_done = now() - start; });
-    }, &t800);
+    simulation.process(
+        "parent",
+        [&] {
+            Time start = now();
+            pri_par(
+                [&] {
+                    compute(Cycles{2000}), high_done = now() - start; // 100 us
+                    wait_for(microseconds{50});
+                    compute(Cycles{200}), high_again = now() - start;
+                },
+                [&] { compute(Cycles{2000}), low_done = now() - start; });
+        },
+        &t800);
     simulation.run();
     constexpr auto cycle = std::chrono::nanoseconds{50};
     Time start_up = 2 * (12 + 13) * cycle; // startp and endp of two components
@@ -71,10 +75,16 @@ TEST_CASE("the last component of a PAR goes on as its parent, before others that
     Simulation simulation;
     Processor& t800 = simulation.processor("t800");
     std::string order;
-    simulation.process("parent", [&] {
-        par([&] { simulation.process("other", [&] { order += "o"; }, &t800); });
-        order += "p";
-    }, &t800);
+    simulation.process(
+        "parent",
+        [&] {
+            par([&] {
+                simulation.process(
+                    "other", [&] { order += "o"; }, &t800);
+            });
+            order += "p";
+        },
+        &t800);
     simulation.run();
     CHECK(order == "po");
 }
@@ -82,9 +92,8 @@ TEST_CASE("the last component of a PAR goes on as its parent, before others that
 TEST_CASE("ten thousand processes live at once") {
     Simulation simulation;
     std::size_t ran = 0;
-    simulation.process("parent", [&] {
-        par_for(10'000, [&](std::size_t i) { wait_for(std::chrono::nanoseconds{i}), ++ran; });
-    });
+    simulation.process("parent",
+                       [&] { par_for(10'000, [&](std::size_t i) { wait_for(std::chrono::nanoseconds{i}), ++ran; }); });
     CHECK(simulation.run().ending == Ending::completed);
     CHECK(ran == 10'000);
 }

@@ -48,13 +48,16 @@ TEST_CASE("random loads take the cycles that a clocked processor takes, each and
         Processor& t800 = simulation.processor("t800");
         std::vector<std::vector<std::int64_t>> ended(loads.size());
         for (std::size_t p = 0; p < loads.size(); ++p)
-            simulation.process(fmt::format("process {}", p), [&, p] {
-                for (const auto& step : loads[p].steps) {
-                    wait_for(step.rest * cycle);
-                    compute(Cycles{step.compute});
-                    ended[p].push_back(now() / cycle);
-                }
-            }, &t800, loads[p].high ? Priority::high : Priority::low);
+            simulation.process(
+                fmt::format("process {}", p),
+                [&, p] {
+                    for (const auto& step : loads[p].steps) {
+                        wait_for(step.rest * cycle);
+                        compute(Cycles{step.compute});
+                        ended[p].push_back(now() / cycle);
+                    }
+                },
+                &t800, loads[p].high ? Priority::high : Priority::low);
         REQUIRE(simulation.run().ending == Ending::completed);
         ProcessorModel model(loads);
         REQUIRE(ended == model.run());

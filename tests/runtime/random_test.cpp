@@ -7,7 +7,8 @@
 using namespace placedpar;
 
 TEST_CASE("a stream depends on seed and path alone") {
-    RandomStream a(1, "cluster[0].master"), b(1, "cluster[0].master"), c(1, "cluster[1].master"), d(2, "cluster[0].master");
+    RandomStream a(1, "cluster[0].master"), b(1, "cluster[0].master"), c(1, "cluster[1].master"),
+        d(2, "cluster[0].master");
     auto first = a();
     CHECK(b() == first);
     CHECK(c() != first);

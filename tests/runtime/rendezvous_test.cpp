@@ -99,8 +99,10 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
         Processor* p = placed ? &simulation.processor("p") : nullptr;
         Processor* q = placed ? &simulation.processor("q") : nullptr;
         Channel<int> c("busy");
-        simulation.process("first", [&] { c.out().output(1); }, p);
-        simulation.process("second", [&] { c.out().output(2); }, q);
+        simulation.process(
+            "first", [&] { c.out().output(1); }, p);
+        simulation.process(
+            "second", [&] { c.out().output(2); }, q);
         std::string message;
         try {
             simulation.run();
@@ -117,8 +119,10 @@ TEST_CASE("on a processor the second to arrive pays 2 cycles a word for the copy
     Processor& t800 = simulation.processor("t800");
     Channel<std::array<char, 10>> c("c"); // three words
     Time first_done{}, second_done{};
-    simulation.process("outputter", [&] { c.out().output({}), first_done = now(); }, &t800);
-    simulation.process("inputter", [&] { c.in().input(), second_done = now(); }, &t800);
+    simulation.process(
+        "outputter", [&] { c.out().output({}), first_done = now(); }, &t800);
+    simulation.process(
+        "inputter", [&] { c.in().input(), second_done = now(); }, &t800);
     simulation.run();
     constexpr auto cycle = std::chrono::nanoseconds{50};
     CHECK(second_done == (19 + 19 + 2 * 3) * cycle);

@@ -12,8 +12,9 @@ std::string SmallWorld::text() const {
         out += "|";
         for (const Action& action : actions)
             out += action.kind == Action::alternate ? " A"
-                   : action.kind == Action::poll    ? " P"
-                                                    : fmt::format(" {}{}", action.kind == Action::output ? '!' : '?', action.channel);
+                   : action.kind == Action::poll
+                       ? " P"
+                       : fmt::format(" {}{}", action.kind == Action::output ? '!' : '?', action.channel);
         out += " ";
     }
     return out;

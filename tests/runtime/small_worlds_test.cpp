@@ -33,7 +33,8 @@ public:
         if (seed)
             kernel_.shuffle(*seed);
         for (std::size_t p = 0; p < 3; ++p) {
-            processes_.emplace_back(kernel_, "p", [this, p] { act(p); }, nullptr, Priority::low);
+            processes_.emplace_back(
+                kernel_, "p", [this, p] { act(p); }, nullptr, Priority::low);
             kernel_.make_ready(processes_.back());
         }
         Ending ending = kernel_.run(Time::max(), [](Ending) {});
@@ -58,7 +59,8 @@ private:
     void alternate(std::size_t process, bool with_skip) {
         std::vector<Guard> guards;
         for (std::size_t i = 0; i < channels_.size(); ++i)
-            guards.push_back({world_.channels[i].inputter == process ? Guard::input : Guard::never, channels_[i].get()});
+            guards.push_back(
+                {world_.channels[i].inputter == process ? Guard::input : Guard::never, channels_[i].get()});
         if (with_skip)
             guards.push_back({Guard::skip});
         std::size_t chosen = select(guards);

@@ -14,13 +14,16 @@ TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one eve
         Simulation simulation;
         Processor& t800 = simulation.processor("t800");
         std::int64_t early = 0, late = 0;
-        simulation.process("reader", [&] {
-            Timer timer;
-            wait_until(microseconds{640} - nanoseconds{101}); // reading takes two cycles, 100 ns
-            early = timer.read();
-            wait_until(microseconds{640});
-            late = timer.read();
-        }, &t800, priority);
+        simulation.process(
+            "reader",
+            [&] {
+                Timer timer;
+                wait_until(microseconds{640} - nanoseconds{101}); // reading takes two cycles, 100 ns
+                early = timer.read();
+                wait_until(microseconds{640});
+                late = timer.read();
+            },
+            &t800, priority);
         simulation.run();
         CHECK(early == (priority == Priority::high ? 639 : 9));
         CHECK(late == (priority == Priority::high ? 640 : 10));
@@ -32,13 +35,17 @@ TEST_CASE("AFTER waits until the clock reads more than the time given") {
     Processor& t800 = simulation.processor("t800");
     Time high{}, low{}, past{};
     std::int64_t reading = 0;
-    simulation.process("high", [&] { Timer().wait_after(5), high = now(); }, &t800, Priority::high);
-    simulation.process("low", [&] {
-        Timer timer;
-        timer.wait_after(3), low = now();
-        reading = timer.read();
-        timer.wait_after(0), past = now();
-    }, &t800);
+    simulation.process(
+        "high", [&] { Timer().wait_after(5), high = now(); }, &t800, Priority::high);
+    simulation.process(
+        "low",
+        [&] {
+            Timer timer;
+            timer.wait_after(3), low = now();
+            reading = timer.read();
+            timer.wait_after(0), past = now();
+        },
+        &t800);
     simulation.run();
     CHECK(high == microseconds{6});
     CHECK(low == microseconds{256});
