@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
+#include <unordered_map>
 
 namespace placedpar {
 
@@ -59,25 +59,45 @@ public:
     }
 
 private:
-    bool visit(const Process* process) {
-        if (process->ended() || done_.contains(process))
-            return false;
-        if (auto on_way = std::ranges::find(way_, process); on_way != way_.end()) {
-            cycle_.assign(on_way, way_.end());
-            return true;
-        }
-        way_.push_back(process);
-        for (const Process* partner : awaited_by(*process, living_))
-            if (visit(partner))
+    /// Not recursive, for a way can be as long as there are processes, and the stack of a fiber is short.
+    bool visit(const Process* start) {
+        step_to(start);
+        while (!way_.empty()) {
+            Step& step = way_.back();
+            if (step.next_partner == step.partners.size()) {
+                place_on_way_[step.process] = been_there;
+                way_.pop_back();
+            } else if (step_to(step.partners[step.next_partner++])) {
                 return true;
-        way_.pop_back();
-        done_.insert(process);
+            }
+        }
         return false;
     }
 
+    /// Whether this closes a cycle.
+    bool step_to(const Process* process) {
+        if (process->ended())
+            return false;
+        auto [place, is_new] = place_on_way_.try_emplace(process, way_.size());
+        if (is_new)
+            way_.push_back({process, awaited_by(*process, living_), 0});
+        else if (place->second != been_there)
+            for (std::size_t i = place->second; i < way_.size(); ++i)
+                cycle_.push_back(way_[i].process);
+        return !cycle_.empty();
+    }
+
+    struct Step {
+        const Process* process;
+        Processes partners;
+        std::size_t next_partner;
+    };
+    static constexpr std::size_t been_there = static_cast<std::size_t>(-1);
+
     const Processes& living_;
-    Processes way_, cycle_;
-    std::set<const Process*> done_;
+    std::vector<Step> way_;
+    std::unordered_map<const Process*, std::size_t> place_on_way_; ///< never iterated over
+    Processes cycle_;
 };
 
 StuckProcess describe(const Process& process) {

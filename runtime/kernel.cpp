@@ -28,9 +28,11 @@ void Kernel::add(Process& p) {
     p.ordinal_ = next_ordinal_++;
     p.slot_ = processes_.size();
     processes_.push_back(&p);
+    ++program_processes_;
 }
 
 void Kernel::remove(Process& p) {
+    program_processes_ -= !p.ended() && !p.serves_machine();
     processes_[p.slot_] = processes_.back();
     processes_[p.slot_]->slot_ = p.slot_;
     processes_.pop_back();
@@ -43,7 +45,9 @@ void Kernel::make_ready(Process& p) {
         enqueue(p);
 }
 
-bool Kernel::over() const { return failure_ || limit_reached_ || interrupted_.load(std::memory_order_relaxed); }
+bool Kernel::over() const {
+    return program_processes_ == 0 || failure_ || limit_reached_ || interrupted_.load(std::memory_order_relaxed);
+}
 
 Process* Kernel::choose_ready() {
     if (shuffle_)
@@ -135,6 +139,7 @@ void Kernel::give_way() {
 /// The process that ran on the worker has ended: whoever waits in a PAR for it may go on.
 void Kernel::finish(Process& p) noexcept {
     p.activity_ = Activity::ended;
+    program_processes_ -= !p.serves_machine();
     fingerprint_.mix(static_cast<std::uint64_t>(now_.count()));
     fingerprint_.mix(p.ordinal_);
     idle_.push_back(p.worker_);

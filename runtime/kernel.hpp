@@ -30,7 +30,8 @@ class Unwinding {};
 ///
 /// The rule: processes that are ready run in the order in which they became ready, each until it waits.
 /// When nobody is ready, the earliest event of the future happens (time, then priority, then insertion) and
-/// virtual time becomes that event's time. When nobody is ready and nothing is due, the run is over.
+/// virtual time becomes that event's time. When nobody is ready and nothing is due, the run is over; it is
+/// also over when every process of the program has ended, whatever the machine would still do.
 /// Nothing else decides, so a simulation is deterministic; it is also one thread, and does not watch the
 /// wall clock.
 ///
@@ -119,6 +120,7 @@ private:
     TraceSink* trace_ = nullptr;
     Process* running_ = nullptr;
     std::vector<Process*> processes_;
+    std::size_t program_processes_ = 0; ///< those that have not ended
     std::uint32_t next_ordinal_ = 0;
     std::uint64_t wires_ = 0;
 

@@ -82,8 +82,10 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocati
 bool LinkDirection::receive(const SourceLocation& where) {
     receiver_ = &kernel_.running();
     bool first_byte_here = std::exchange(first_byte_waits_, false);
-    if (std::exchange(acknowledge_owed_, false))
-        ask_for_acknowledge(kernel_.now());
+    if (std::exchange(acknowledge_owed_, false)) {
+        opposite_.simulate_bytes_again();
+        back_.ask_for_acknowledge(*this);
+    }
     if (first_byte_here && bytes_left_ == 0) {
         take_part();
         receiver_ = nullptr;
@@ -106,7 +108,7 @@ void LinkDirection::take_part() {
 
 void LinkDirection::start_byte() {
     skipped_bytes_ = 0;
-    opposite_.simulate_bytes_again(kernel_.now());
+    opposite_.simulate_bytes_again();
     out_.ask_for_byte(*this);
 }
 
@@ -124,14 +126,9 @@ void LinkDirection::byte_started() {
 
 void LinkDirection::byte_noticed() {
     if (receiver_ || taken_)
-        ask_for_acknowledge(kernel_.now() - Time{1}); // what starts at this moment has not started yet
+        back_.ask_for_acknowledge(*this);
     else
         acknowledge_owed_ = true;
-}
-
-void LinkDirection::ask_for_acknowledge(Time happened_until) {
-    opposite_.simulate_bytes_again(happened_until);
-    back_.ask_for_acknowledge(*this);
 }
 
 void LinkDirection::first_byte_arrived() {

@@ -47,13 +47,13 @@ private:
     void acknowledge_started() override;
     void sending_ended();
     void take_part();
-    void ask_for_acknowledge(Time happened_until);
 
     // The closed form (link_closed_form.cpp).
+    /// It asks for neither wire before a process does something.
     bool quiet() const { return !sender_ || acknowledge_owed_; }
     bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
     void skip_middle_bytes();
-    void simulate_bytes_again(Time happened_until);
+    void simulate_bytes_again();
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
     struct StepEvent final : Event {

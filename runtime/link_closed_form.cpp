@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// The acknowledge of the first byte, or of a later one, has started.
+/// The acknowledge of a byte has started, and the other direction will not want the wires for now.
 void LinkDirection::skip_middle_bytes() {
     skipped_bytes_ = std::exchange(bytes_left_, 1) - 1;
     bytes_carried_ += skipped_bytes_;
@@ -19,16 +19,17 @@ void LinkDirection::skip_middle_bytes() {
     start_byte_.schedule(first_skipped_start_ + skipped_bytes_ * timing_.byte_period());
 }
 
-/// Everything that bytes and acknowledges do up to and including the moment given has happened; what comes
-/// after it becomes events.
-void LinkDirection::simulate_bytes_again(Time happened_until) {
+/// Everything that bytes and acknowledges do up to and including this moment has happened (EventQueue sees to
+/// that: whoever asks for a wire comes after acknowledges, and starts of bytes on different wires do not
+/// concern each other); what comes later becomes events.
+void LinkDirection::simulate_bytes_again() {
     if (skipped_bytes_ == 0)
         return;
+    Time now = kernel_.now();
     cancel(start_byte_);
     std::int64_t started = 0;
-    if (happened_until >= first_skipped_start_)
-        started =
-            std::min<std::int64_t>((happened_until - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_);
+    if (now >= first_skipped_start_)
+        started = std::min<std::int64_t>((now - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_);
     std::uint32_t to_come = std::exchange(skipped_bytes_, 0) - static_cast<std::uint32_t>(started);
     bytes_left_ += to_come;
     bytes_carried_ -= to_come;
@@ -36,14 +37,14 @@ void LinkDirection::simulate_bytes_again(Time happened_until) {
         Time start = first_skipped_start_ + (started - 1) * timing_.byte_period();
         out_.occupied_until(start + timing_.data());
         Time noticed = start + timing_.wire_delay + timing_.acknowledge_latency();
-        if (noticed > happened_until) {
+        if (noticed > now) {
             byte_noticed_.schedule(noticed);
             return;
         }
         back_.occupied_until(noticed + timing_.acknowledge());
         may_start_ = noticed + timing_.wire_delay + timing_.restart_latency();
     }
-    start_byte_.schedule(std::max(may_start_, kernel_.now()));
+    start_byte_.schedule(std::max(may_start_, now));
 }
 
 } // namespace placedpar

@@ -22,6 +22,10 @@ Process::Process(Process& parent, std::size_t index, Body body, Priority priorit
 
 Process::~Process() { kernel_.remove(*this); }
 
+void Process::serve_machine() {
+    kernel_.program_processes_ -= !std::exchange(machine_, true);
+}
+
 std::string Process::path() const { return join_ ? fmt::format("{}/{}", join_->parent.path(), index_) : name_; }
 
 void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {

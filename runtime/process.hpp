@@ -57,8 +57,8 @@ public:
     Priority priority() const { return priority_; }
     Kernel& kernel() const { return kernel_; }
     bool ended() const { return activity_ == Activity::ended; }
-    /// A part of the machine and not of the program: a run can end while it still waits.
-    void serve_machine() { machine_ = true; }
+    /// A part of the machine and not of the program: a run can end while it still lives.
+    void serve_machine();
     bool serves_machine() const { return machine_; }
 
     /// What it does or waits for, and where in its program, for reports.

@@ -46,6 +46,8 @@ public:
         return process;
     }
 
+    /// Another of the program's possible courses: see Kernel::shuffle.
+    void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
     /// Runs until every process has ended, nobody can go on, or the limit is reached. Rethrows what a
     /// process threw. REQUIRES: called once; no other simulation is running on this thread.
     RunResult run(Time limit = Time::max()) {

@@ -128,6 +128,21 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
     CHECK(result.deadlock->channels[1].outputter == "nobody yet");
 }
 
+TEST_CASE("a partner that is a component and lives is named itself, also in the cycle") {
+    Simulation simulation;
+    Channel<int> request("request"), reply("reply");
+    simulation.process("server", [&] {
+        par([] {}, [&] { request.in().input(), reply.out().output(1), reply.out().output(2); });
+    });
+    simulation.process("client", [&] { request.out().output(1), reply.in().input(), request.out().output(2); });
+    RunResult result = simulation.run();
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle == std::vector<std::string>{"server/1", "client"});
+    CHECK(result.deadlock->channels[0].name == "reply");
+    CHECK(result.deadlock->channels[0].outputter == "server/1");
+    CHECK(result.deadlock->channels[1].inputter == "server/1");
+}
+
 TEST_CASE("a ring of ten thousand that all output first is reported, in order") {
     constexpr std::size_t n = 10'000;
     Simulation simulation;

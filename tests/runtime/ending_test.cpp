@@ -165,6 +165,21 @@ TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
     CHECK(swallowed == 3);
 }
 
+TEST_CASE("a device that never stops does not keep a run from completing") {
+    Simulation simulation;
+    int polls = 0, alive = 0;
+    simulation.process("device", [&] {
+        for (Counted counted(alive);; ++polls)
+            wait_for(microseconds{1});
+    }).serve_machine();
+    simulation.process("program", [] { wait_for(microseconds{100}); });
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::completed);
+    CHECK(result.time == microseconds{100});
+    CHECK(polls >= 99);
+    CHECK(alive == 0);
+}
+
 TEST_CASE("processes that never had a turn are not started to be unwound") {
     Simulation simulation;
     bool started = false;
