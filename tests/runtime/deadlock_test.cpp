@@ -131,9 +131,8 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
 TEST_CASE("a partner that is a component and lives is named itself, also in the cycle") {
     Simulation simulation;
     Channel<int> request("request"), reply("reply");
-    simulation.process("server", [&] {
-        par([] {}, [&] { request.in().input(), reply.out().output(1), reply.out().output(2); });
-    });
+    simulation.process(
+        "server", [&] { par([] {}, [&] { request.in().input(), reply.out().output(1), reply.out().output(2); }); });
     simulation.process("client", [&] { request.out().output(1), reply.in().input(), request.out().output(2); });
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);

@@ -168,10 +168,13 @@ TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
 TEST_CASE("a device that never stops does not keep a run from completing") {
     Simulation simulation;
     int polls = 0, alive = 0;
-    simulation.process("device", [&] {
-        for (Counted counted(alive);; ++polls)
-            wait_for(microseconds{1});
-    }).serve_machine();
+    simulation
+        .process("device",
+                 [&] {
+                     for (Counted counted(alive);; ++polls)
+                         wait_for(microseconds{1});
+                 })
+        .serve_machine();
     simulation.process("program", [] { wait_for(microseconds{100}); });
     RunResult result = simulation.run();
     CHECK(result.ending == Ending::completed);

@@ -119,9 +119,12 @@ TEST_CASE("the first to arrive goes to the back of the queue when the copy is do
     Processor& t800 = simulation.processor("t800");
     Channel<std::array<char, 4000>> c("c"); // 2000 cycles, 100 us
     std::string order;
-    simulation.process("inputter", [&] { c.in().input(), order += "i"; }, &t800);
-    simulation.process("outputter", [&] { c.out().output({}), order += "o"; }, &t800);
-    simulation.process("ready meanwhile", [&] { wait_until(std::chrono::microseconds{50}), order += "m"; }, &t800);
+    simulation.process(
+        "inputter", [&] { c.in().input(), order += "i"; }, &t800);
+    simulation.process(
+        "outputter", [&] { c.out().output({}), order += "o"; }, &t800);
+    simulation.process(
+        "ready meanwhile", [&] { wait_until(std::chrono::microseconds{50}), order += "m"; }, &t800);
     simulation.run();
     CHECK(order == "omi");
 }
