@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -95,6 +96,17 @@ double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, co
                      ? std::numeric_limits<double>::infinity()
                      : below + square(passing[j] / (flow.orifice_in3_per_s_in2_sqrt_psi * links[j].bypass_in2));
         least = std::min(least, psi[j] - links[j].inlet_psi);
+    }
+    return least;
+}
+
+double least_excitation_psi_per_s(std::span<const CircuitSample> samples) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < samples.front().links.size(); ++j) {
+        double squares = 0;
+        for (const CircuitSample& sample : samples)
+            squares += square(sample.links[j].inlet_slope_psi_per_s);
+        least = std::min(least, std::sqrt(squares / static_cast<double>(samples.size())));
     }
     return least;
 }

@@ -23,7 +23,7 @@ Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint6
 }
 
 std::optional<SpoolOffset> calibrate(const Record& record, FlowConstants flow = fitted_flow_constants) {
-    return calibrate_spool_offset(record, boom_readings({}), flow);
+    return calibrate_spool_offset(record, boom_readings(BoomMachine()), flow);
 }
 
 } // namespace
