@@ -22,12 +22,12 @@ struct LinkChannels {
     bool areas_were_read() const { return !inlet_in2.empty() && !bypass_in2.empty(); }
 };
 
-void require(const Record& record, Link link, Sensor sensor) {
+void require(const Record& record, MachineLink link, Sensor sensor) {
     if (!record.has(link, sensor))
         throw std::invalid_argument(fmt::format("the record has no channel {}.{}", name_of(link), name_of(sensor)));
 }
 
-LinkChannels channels_of(const Record& record, Link link, const LinkReading& reading) {
+LinkChannels channels_of(const Record& record, MachineLink link, const LinkReading& reading) {
     LinkChannels channels{record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
                           record.of(link, Sensor::spool),          record.of(link, Sensor::inlet_area),
                           record.of(link, Sensor::bypass_area),    reading};

@@ -39,8 +39,7 @@ SearchRun search_once(const SearchProblem& problem, std::span<const CircuitSampl
         if (frozen && run.estimates.empty())
             continue; // nothing to keep yet
         for (std::size_t trial = 0; !frozen && trial < way.search.window.trials; ++trial)
-            search.next_generation(
-                evaluate(problem, search.population(), window.samples(), way.search.window.bias));
+            search.next_generation(evaluate(problem, search.population(), window.samples(), way.search.window.bias));
         double mean_square =
             way.search.window.bias - search.best().fitness / static_cast<double>(window.samples().size());
         run.estimates.push_back({samples[i].index, samples[i].time_s, frozen,
@@ -86,7 +85,7 @@ std::vector<double> last_answers(std::span<const SearchRun> runs, std::size_t ju
 }
 
 /// Everything about one junction's compliance but its flags.
-LinkIdentified summary(Link link, const std::vector<double>& answers) {
+LinkIdentified summary(MachineLink link, const std::vector<double>& answers) {
     LinkIdentified identified{};
     identified.link = link;
     identified.compliance_in3_per_psi = quantile(answers, 0.5);

@@ -33,14 +33,14 @@ IdentificationWay service_way();
 struct TransientEstimate {
     std::size_t index; // of the sample in the record
     double time_s;
-    bool frozen;       // by the gate: the estimate is the one before
+    bool frozen;            // by the gate: the estimate is the one before
     double error_in3_per_s; // rms over the window, of the best individual
     std::vector<double> compliance_in3_per_psi;
 };
 
 /// One compliance, identified.
 struct LinkIdentified {
-    Link link;
+    MachineLink link;
     double compliance_in3_per_psi; // the median of the searches
     double lowest, highest;        // 5 and 95 % of the searches
     double standard_error;         // of least squares on the last window: what the record's own noise leaves open

@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(Link::boom, sensor); }
+std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(MachineLink::boom, sensor); }
 
 } // namespace
 
