@@ -29,6 +29,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
     double bias = 400;
+    bool rising = false;
 };
 
 LinkSet links_of(const std::string& text) {
@@ -51,6 +52,7 @@ IdentificationWay way_of(const Options& options) {
     way.search.window.length = options.window;
     way.search.window.bias = options.bias;
     way.usable.count = options.samples;
+    way.usable.rising = options.rising;
     way.search.validate();
     return way;
 }
@@ -151,6 +153,7 @@ void declare_options(CLI::App& command, Options& options) {
     command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")->capture_default_str();
     command.add_option("--samples", options.samples, "usable samples from the valve's opening on: 20 are 0.4 s")
         ->capture_default_str();
+    command.add_flag("--rising", options.rising, "nothing from the first falling pressure on");
     command.add_option("--seed", options.seed, "of every random stream")->type_name("N")->capture_default_str();
     command.add_option("--on", options.netlist, "then runs it as the processes of this netlist, too")
         ->type_name("NETLIST");

@@ -100,15 +100,11 @@ double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, co
     return least;
 }
 
-double least_excitation_psi_per_s(std::span<const CircuitSample> samples) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < samples.front().links.size(); ++j) {
-        double squares = 0;
-        for (const CircuitSample& sample : samples)
-            squares += square(sample.links[j].inlet_slope_psi_per_s);
-        least = std::min(least, std::sqrt(squares / static_cast<double>(samples.size())));
-    }
-    return least;
+double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction) {
+    double squares = 0;
+    for (const CircuitSample& sample : samples)
+        squares += square(sample.links[junction].inlet_slope_psi_per_s);
+    return std::sqrt(squares / static_cast<double>(samples.size()));
 }
 
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
@@ -122,16 +118,18 @@ std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples
                    return link.inlet_slope_psi_per_s > rule.first_slope_psi_per_s;
                });
     };
+    auto falls = [&](const CircuitSample& sample) {
+        return rule.rising &&
+               std::ranges::any_of(sample.links, [](const LinkSample& link) { return link.inlet_slope_psi_per_s < 0; });
+    };
     std::vector<CircuitSample> usable;
     std::size_t skipped = 0;
-    for (auto sample = std::ranges::find_if(samples, starts); sample != samples.end() && usable.size() < rule.count;
-         ++sample)
-        if (!open(*sample, 0))
-            continue;
-        else if (skipped < rule.skipped)
-            ++skipped;
-        else
+    for (auto sample = std::ranges::find_if(samples, starts); sample != samples.end(); ++sample) {
+        if (usable.size() == rule.count || falls(*sample))
+            break;
+        if (open(*sample, 0) && skipped++ >= rule.skipped)
             usable.push_back(*sample);
+    }
     return usable;
 }
 

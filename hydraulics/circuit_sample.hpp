@@ -39,9 +39,8 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
 /// flow: infinite where every way past is shut, negative where a load check stays closed.
 double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow);
 
-/// How fast the pressures of the samples move: the rms slope of the link whose pressure moves least.
-/// REQUIRES: not empty.
-double least_excitation_psi_per_s(std::span<const CircuitSample> samples);
+/// How fast the pressure of one link moves: the rms slope. REQUIRES: not empty.
+double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction);
 
 /// Which samples identification may use (ours; the thesis says "during the transient period").
 struct UsableSamples {
@@ -49,6 +48,7 @@ struct UsableSamples {
     double first_slope_psi_per_s = 150; // ... and every pressure rises faster than this
     std::size_t skipped = 0;            // samples left out after that
     std::size_t count = 20;             // 0.4 s of transient, thesis 4.4
+    bool rising = false;                // nothing from the first falling pressure on, thesis 3.1.3
 };
 
 /// Starts at the first sample that the rule accepts and leaves out later ones where an inlet is shut or the
