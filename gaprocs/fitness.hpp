@@ -19,12 +19,10 @@ inline constexpr std::size_t exact_fitness_terms = 1024;
 /// An error that is not a number, or infinite, gives the lower limit.
 inline double fitness_term(double bias, double error) {
     double term = bias - error * error;
-    if (!(term > -fitness_term_limit)) // written so that NaN is caught too
-        return -fitness_term_limit;
-    if (term > fitness_term_limit)
-        return fitness_term_limit;
+    term = term > -fitness_term_limit ? term : -fitness_term_limit; // in this order NaN is caught too
+    term = term < fitness_term_limit ? term : fitness_term_limit;
     // Between 2^32 and 2^33 neighbouring doubles are 2^-20 apart: adding and taking away 1.5 * 2^32 rounds to
-    // nearest, ties to even. Needs IEEE arithmetic, so never -ffast-math.
+    // nearest, ties to even; the limits stay what they are. Needs IEEE arithmetic, so never -ffast-math.
     constexpr double shift = 0x1.8p32;
     return (term + shift) - shift;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace placedpar {
 
@@ -24,6 +25,20 @@ std::size_t RouletteWheel::sector(double turn) const {
     return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), ball) - ends_.begin());
 }
 
+std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) const {
+    // Rounding may put the last ball on the end of the wheel: it lies in the last sector that is not empty.
+    auto last = static_cast<std::size_t>(std::lower_bound(ends_.begin(), ends_.end(), ends_.back()) - ends_.begin());
+    std::vector<std::size_t> found(balls);
+    std::size_t sector = 0;
+    for (std::size_t i = 0; i < balls; ++i) {
+        double ball = (static_cast<double>(i) + turn) / static_cast<double>(balls) * ends_.back();
+        while (sector < last && ends_[sector] <= ball)
+            ++sector;
+        found[i] = sector;
+    }
+    return found;
+}
+
 std::optional<std::vector<std::size_t>>
 RouletteReproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
     RouletteWheel wheel(fitness);
@@ -32,6 +47,17 @@ RouletteReproduction::operator()(std::span<const double> fitness, std::size_t co
     std::vector<std::size_t> parents(count);
     for (std::size_t& parent : parents)
         parent = wheel.sector(random.uniform());
+    return parents;
+}
+
+std::optional<std::vector<std::size_t>>
+UniversalReproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
+    RouletteWheel wheel(fitness);
+    if (wheel.empty())
+        return std::nullopt;
+    std::vector<std::size_t> parents = wheel.sectors(count, random.uniform());
+    for (std::size_t left = parents.size(); left > 1; --left) // Fisher and Yates
+        std::swap(parents[left - 1], parents[random.below(static_cast<std::uint32_t>(left))]);
     return parents;
 }
 
