@@ -66,8 +66,9 @@ Parameters search_parameters() {
                 "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
         text("reproduction", "roulette", {"roulette", "universal"},
              "how parents are drawn: by roulette with replacement (thesis), or by stochastic universal sampling"),
-        text("coding", "natural", {"natural", "gray"},
-             "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are told"),
+        text(
+            "coding", "natural", {"natural", "gray"},
+            "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are told"),
         text("stream", "", {}, "name of the random stream; the process's own name if empty"),
         integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
         integer("cycles_per_individual", "cycles", 1750, 0, 1e9, "workload: the genetic operators, for one individual"),

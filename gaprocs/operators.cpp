@@ -1,6 +1,7 @@
 #include "gaprocs/operators.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,7 +23,14 @@ std::size_t RouletteWheel::sector(double turn) const {
     // The first sector that ends beyond the ball is not an empty one. There is one: with turn <= 1 - 2^-32
     // the product is below the last end even when rounded.
     double ball = turn * ends_.back();
-    return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), ball) - ends_.begin());
+    // std::upper_bound, but without a jump at each halving: it would go either way as often.
+    const double* first = ends_.data();
+    for (std::size_t length = ends_.size(); length > 1;) {
+        std::size_t half = length / 2;
+        first += half * static_cast<std::size_t>(first[half - 1] <= ball);
+        length -= half;
+    }
+    return static_cast<std::size_t>(first - ends_.data());
 }
 
 std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) const {
@@ -72,10 +80,24 @@ void OnePointCrossover::operator()(std::span<Genome> population, RandomStream& r
 }
 
 void BitMutation::operator()(std::span<Genome> population, RandomStream& random) const {
+    // number * 2^-32 < probability, in whole numbers: RandomStream::chance without its conversion to double.
+    const auto limit = static_cast<std::uint64_t>(std::ceil(probability * 0x1p32));
+    std::size_t to_draw = 0;
+    for (const Genome& genome : population)
+        to_draw += genome.size();
+    std::array<std::uint32_t, 256> numbers;
+    std::size_t drawn = 0, used = 0;
     for (Genome& genome : population)
-        for (std::size_t bit = 0; bit < genome.size(); ++bit)
-            if (random.chance(probability))
+        for (std::size_t bit = 0, bits = genome.size(); bit < bits; ++bit) {
+            if (used == drawn) {
+                drawn = std::min(numbers.size(), to_draw);
+                to_draw -= drawn;
+                used = 0;
+                random.fill(std::span(numbers).first(drawn));
+            }
+            if (numbers[used++] < limit)
                 genome.flip(bit);
+        }
 }
 
 std::vector<Genome> random_population(std::size_t count, std::size_t bits, RandomStream& random) {

@@ -17,10 +17,11 @@ using Lanes = Eigen::Array<double, 8, 1>;
 
 /// fitness_term of each lane.
 inline Lanes fitness_terms(double bias, const Lanes& errors) {
-    Lanes terms;
-    for (Eigen::Index lane = 0; lane < terms.size(); ++lane) // compilers make vector instructions of this
-        terms[lane] = fitness_term(bias, errors[lane]);
-    return terms;
+    // Array::max says nothing of NaN; this takes the number.
+    using MaximumOfNumbers = Eigen::internal::scalar_max_op<double, double, Eigen::PropagateNumbers>;
+    Lanes terms = bias - errors * errors;
+    terms = terms.binaryExpr(Lanes::Constant(-fitness_term_limit), MaximumOfNumbers()).min(fitness_term_limit);
+    return (terms + fitness_rounding_shift) - fitness_rounding_shift;
 }
 
 /// A problem whose error is stated as a function of its parameters, for doubles and for Lanes alike, so that several

@@ -20,6 +20,8 @@ std::size_t worst_index(std::span<const double> fitness) {
 }
 
 std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count) {
+    if (count == 0)
+        return {};
     std::vector<std::size_t> indices(fitness.size());
     std::iota(indices.begin(), indices.end(), std::size_t{0});
     auto better = [&](std::size_t a, std::size_t b) {
@@ -32,8 +34,8 @@ std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size
 }
 
 Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
-    : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction), crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability},
-      random_(std::move(random)) {
+    : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction),
+      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)) {
     settings.validate();
     if (bits == 0)
         throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
@@ -41,7 +43,8 @@ Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream ra
 }
 
 Search::Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random)
-    : bits_(population.empty() ? 0 : population.front().size()), elite_(settings.elite), reproduction_(settings.reproduction),
+    : bits_(population.empty() ? 0 : population.front().size()), elite_(settings.elite),
+      reproduction_(settings.reproduction),
       crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)),
       population_(std::move(population)) {
     settings.validate();

@@ -20,9 +20,9 @@ namespace {
 class Slave {
 public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
-        : problem_(std::move(problem)), workload_(read_slave_workload(environment)), has_next_(environment.connected("to_next")),
-          from_master_(environment.input<Task>("from_master")), to_master_(environment.output<Fitnesses>("to_master")),
-          beyond_(environment.integer("beyond")) {
+        : problem_(std::move(problem)), workload_(read_slave_workload(environment)),
+          has_next_(environment.connected("to_next")), from_master_(environment.input<Task>("from_master")),
+          to_master_(environment.output<Fitnesses>("to_master")), beyond_(environment.integer("beyond")) {
         if (has_next_) {
             to_next_ = environment.output<Task>("to_next");
             from_next_ = environment.input<Fitnesses>("from_next");
