@@ -4,11 +4,11 @@
 
 namespace placedpar {
 
-Circuit boom_circuit() { return circuit_of(Configuration::a, {Link::boom}); }
+Circuit boom_circuit() { return circuit_of(Configuration::a, {MachineLink::boom}); }
 
 LinkReadings boom_readings(const BoomMachine& machine) {
     LinkReadings readings;
-    readings[index_of(Link::boom)].piston_flow_in3_per_deg =
+    readings[index_of(MachineLink::boom)].piston_flow_in3_per_deg =
         machine.inlet_area_in2 * machine.moment_arm_in * std::numbers::pi / 180;
     return readings;
 }

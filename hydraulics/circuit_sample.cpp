@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -21,12 +22,12 @@ struct LinkChannels {
     bool areas_were_read() const { return !inlet_in2.empty() && !bypass_in2.empty(); }
 };
 
-void require(const Record& record, Link link, Sensor sensor) {
+void require(const Record& record, MachineLink link, Sensor sensor) {
     if (!record.has(link, sensor))
         throw std::invalid_argument(fmt::format("the record has no channel {}.{}", name_of(link), name_of(sensor)));
 }
 
-LinkChannels channels_of(const Record& record, Link link, const LinkReading& reading) {
+LinkChannels channels_of(const Record& record, MachineLink link, const LinkReading& reading) {
     LinkChannels channels{record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
                           record.of(link, Sensor::spool),          record.of(link, Sensor::inlet_area),
                           record.of(link, Sensor::bypass_area),    reading};
@@ -95,6 +96,17 @@ double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, co
                      ? std::numeric_limits<double>::infinity()
                      : below + square(passing[j] / (flow.orifice_in3_per_s_in2_sqrt_psi * links[j].bypass_in2));
         least = std::min(least, psi[j] - links[j].inlet_psi);
+    }
+    return least;
+}
+
+double least_excitation_psi_per_s(std::span<const CircuitSample> samples) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < samples.front().links.size(); ++j) {
+        double squares = 0;
+        for (const CircuitSample& sample : samples)
+            squares += square(sample.links[j].inlet_slope_psi_per_s);
+        least = std::min(least, std::sqrt(squares / static_cast<double>(samples.size())));
     }
     return least;
 }

@@ -39,6 +39,10 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
 /// flow: infinite where every way past is shut, negative where a load check stays closed.
 double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow);
 
+/// How fast the pressures of the samples move: the rms slope of the link whose pressure moves least.
+/// REQUIRES: not empty.
+double least_excitation_psi_per_s(std::span<const CircuitSample> samples);
+
 /// Which samples identification may use (ours; the thesis says "during the transient period").
 struct UsableSamples {
     double open_by_psi = 25;            // the first sample: every path is predicted open by more than this ...

@@ -46,7 +46,7 @@ Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, dou
         double spool_noise = noise.spool_in * standard_normal(uniform);
         double angle_deg = state.piston_in / moment_arm_in * deg_per_rad;
         auto read = [&](Sensor sensor, double value, double resolution) {
-            record.of(Link::boom, sensor).push_back(reading(value, resolution));
+            record.of(MachineLink::boom, sensor).push_back(reading(value, resolution));
         };
         record.time_s.push_back(state.time_s);
         read(Sensor::inlet_pressure, state.inlet_psi + pressure_noise, pressure_resolution_psi);

@@ -34,7 +34,7 @@ std::optional<Sensor> sensor_named(std::string_view name) {
 
 LinkSet Record::links() const {
     LinkSet measured;
-    for (Link link : all_links)
+    for (MachineLink link : all_links)
         if (std::ranges::any_of(all_sensors, [&](Sensor sensor) { return has(link, sensor); }))
             measured.insert(link);
     return measured;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydraulics/link.hpp"
+#include "hydraulics/machine_link.hpp"
 #include "hydraulics/units.hpp"
 
 #include <array>
@@ -48,13 +48,13 @@ public:
 
     std::size_t size() const { return time_s.size(); }
     /// One value for each instant, in the unit of the sensor's quantity; empty where it was not measured.
-    const std::vector<double>& of(Link link, Sensor sensor) const {
+    const std::vector<double>& of(MachineLink link, Sensor sensor) const {
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
-    std::vector<double>& of(Link link, Sensor sensor) {
+    std::vector<double>& of(MachineLink link, Sensor sensor) {
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
-    bool has(Link link, Sensor sensor) const { return !of(link, sensor).empty(); }
+    bool has(MachineLink link, Sensor sensor) const { return !of(link, sensor).empty(); }
     /// The links of which at least one sensor was read.
     LinkSet links() const;
 

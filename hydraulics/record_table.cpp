@@ -118,7 +118,7 @@ std::string print_record(const Record& record) {
         text += '\n';
     std::vector<Printed> channels{{&record.time_s, 3}};
     text += "time [s]";
-    for (Link link : all_links)
+    for (MachineLink link : all_links)
         for (Sensor sensor : all_sensors)
             if (record.has(link, sensor)) {
                 text += fmt::format(",{}.{} [{}]", name_of(link), name_of(sensor),

