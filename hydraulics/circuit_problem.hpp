@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hydraulics/circuit_error.hpp"
+#include "hydraulics/parameter_coding.hpp"
 
 #include <array>
 #include <cstddef>
@@ -13,8 +14,8 @@
 namespace placedpar {
 
 /// Identification of the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2), as a
-/// search problem. The string is one natural binary number n of `bits` bits for each junction, in the circuit's
-/// order; C = largest * n / 2^bits (eq. 1.5). A sample is the LinkSamples of the junctions, end to end.
+/// search problem. The string is one whole number of `bits` bits for each junction, in the circuit's order, over
+/// 0 ... largest. A sample is the LinkSamples of the junctions, end to end.
 class CircuitProblem {
 public:
     /// Thesis 3.1.1: 0.1 > C > 0.0.
@@ -25,33 +26,39 @@ public:
         : CircuitProblem(circuit, flow, bits, printed_inlet_flow(circuit.size())) {}
     CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form);
 
-    std::size_t bits() const { return circuit_.size() * bits_; }
+    std::size_t bits() const { return coding_.bits(); }
     std::size_t channels() const { return circuit_.size() * LinkSample::channels; }
     const Circuit& circuit() const { return circuit_; }
     InletFlow inlet_flow() const { return form_; }
-    std::size_t bits_per_compliance() const { return bits_; }
+    std::size_t bits_per_compliance() const { return coding_.field(0).bits; }
     /// From one code to the next.
-    double resolution_in3_per_psi() const { return compliance_in3_per_psi(1); }
+    double resolution_in3_per_psi() const { return coding_.field(0).resolution(); }
 
-    double compliance_in3_per_psi(std::uint64_t code) const {
-        return largest_in3_per_psi * static_cast<double>(code) / static_cast<double>(std::uint64_t{1} << bits_);
+    double compliance_in3_per_psi(std::uint64_t code) const { return coding_.field(0).value(code); }
+    std::size_t parameters() const { return circuit_.size(); }
+    template <BinaryString G>
+    double parameter(const G& genome, std::size_t junction) const {
+        return coding_.value(genome, junction);
     }
-    template <typename Genome>
-    std::vector<double> decode(const Genome& genome) const {
-        std::vector<double> compliances;
-        for (std::size_t j = 0; j < circuit_.size(); ++j)
-            compliances.push_back(compliance_in3_per_psi(genome.field(j * bits_, bits_)));
-        return compliances;
+    template <BinaryString G>
+    std::vector<double> decode(const G& genome) const {
+        return coding_.decode(genome);
     }
-    template <typename Genome>
-    double error(const Genome& genome, std::span<const double> sample) const {
-        std::array<double, all_links.size()> compliances{};
+
+    /// The error of one set of compliances, or of each of arrays of them; one entry for each junction.
+    template <typename T>
+    T error_of(std::span<const T> compliances, std::span<const double> sample) const {
         std::array<LinkSample, all_links.size()> links{};
-        for (std::size_t j = 0; j < circuit_.size(); ++j) {
-            compliances[j] = compliance_in3_per_psi(genome.field(j * bits_, bits_));
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
             links[j] = LinkSample::from(sample.subspan(j * LinkSample::channels));
-        }
-        return circuit_error_in3_per_s<double>(circuit_, std::span<const double>(compliances), links, flow_, form_);
+        return circuit_error_in3_per_s<T>(circuit_, compliances, links, flow_, form_);
+    }
+    template <BinaryString G>
+    double error(const G& genome, std::span<const double> sample) const {
+        std::array<double, all_links.size()> compliances{};
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
+            compliances[j] = coding_.value(genome, j);
+        return error_of<double>(compliances, sample);
     }
 
     /// "C_BUi", ... in the circuit's order.
@@ -61,7 +68,7 @@ public:
 private:
     Circuit circuit_;
     FlowConstants flow_;
-    std::size_t bits_;
+    ParameterCoding coding_;
     InletFlow form_;
 };
 
