@@ -25,8 +25,8 @@ namespace {
 
 /// What the command line may say.
 struct Options {
-    std::string record, links = "boom", configuration = "a", way = "thesis", offset = "auto", coding, machine, netlist,
-                        json;
+    std::string record, links = "boom", configuration = "a", way = "thesis", offset = "auto", areas, coding, machine,
+                        netlist, json;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
     std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
@@ -61,6 +61,12 @@ IdentificationWay way_of(const Options& options) {
     way.usable.rising = options.rising;
     way.search.validate();
     return way;
+}
+
+std::optional<AreasFrom> areas_of(const Options& options) {
+    if (options.areas.empty())
+        return std::nullopt;
+    return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
 }
 
 double inches_of(const std::string& text) {
@@ -119,7 +125,7 @@ ExitCode identify_record(const Options& options, const std::string& command_line
     Record record = load_record(options.record);
     IdentificationWay way = way_of(options);
     Question question{*configuration_named(options.configuration), links_of(options.links),
-                      spool_offset(options, record, machine)};
+                      spool_offset(options, record, machine), areas_of(options)};
     RecordProblem prepared = prepare(record, machine, question, way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, way, options.seed);
     fmt::print("{}", print_identified(identified, prepared, way));
@@ -150,6 +156,10 @@ void declare_options(CLI::App& command, Options& options) {
         ->capture_default_str();
     command.add_option("--offset", options.offset, "of the boom's spool: auto, none, or a number of inches")
         ->capture_default_str();
+    command
+        .add_option("--areas-from", options.areas,
+                    "areas, spool or servo (experiments 1 and 2 of the thesis: the spool, the servo-valve's voltage)")
+        ->check(CLI::IsMember({"areas", "spool", "servo"}));
     command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
         ->type_name("FILE");
     command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 52))->capture_default_str();
