@@ -32,8 +32,9 @@ void require_gnuplot() { find_gnuplot(); }
 std::string run_gnuplot(const std::string& script) {
     boost::asio::io_context context;
     std::future<std::string> drawing, complaint;
-    process::child gnuplot(find_gnuplot(), process::args("-d"), process::std_in < boost::asio::buffer(script),
-                           process::std_out > drawing, process::std_err > complaint, context);
+    process::child gnuplot(find_gnuplot(), process::args("-d"),
+                           process::std_in<boost::asio::buffer(script), process::std_out> drawing,
+                           process::std_err > complaint, context);
     context.run();
     gnuplot.wait();
     if (gnuplot.exit_code() != 0)

@@ -115,12 +115,12 @@ void check(const Plot& plot) {
 
 std::string script_of(const Plot& plot) {
     int height = title_height + panel_height * static_cast<int>(plot.panels.size());
-    std::string out = fmt::format(
-        "set encoding utf8\n"
-        "set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
-        "set border linecolor rgb '#404040'\nset grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.7\n"
-        "set samples 2\nset tics nomirror\nset multiplot title {} font ',18'\n",
-        width, height, quoted(plot.title));
+    std::string out =
+        fmt::format("set encoding utf8\n"
+                    "set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
+                    "set border linecolor rgb '#404040'\nset grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.7\n"
+                    "set samples 2\nset tics nomirror\nset multiplot title {} font ',18'\n",
+                    width, height, quoted(plot.title));
     int legend = legend_width(plot);
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
         out += place_commands(i, legend, height) + panel_commands(plot.panels[i], i);

@@ -84,8 +84,7 @@ std::string print_error(const Cell& cell) {
 
 std::string print_cell(const Cell& cell) {
     double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
-    std::string thesis =
-        cell.thesis ? without_trailing_zeros(fmt::format("{:.{}f}", *cell.thesis, cell.decimals)) : "";
+    std::string thesis = cell.thesis ? without_trailing_zeros(fmt::format("{:.{}f}", *cell.thesis, cell.decimals)) : "";
     return fmt::format("{:7.{}f} {:>7} {:>7}{}", simulated, cell.decimals, thesis, print_error(cell), mark(cell));
 }
 

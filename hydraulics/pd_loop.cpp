@@ -30,6 +30,12 @@ Eigen::Matrix3d companion(const PdLoop& loop) {
 
 } // namespace
 
+PdLoop reference_pd_loop(const Parameters& machine) {
+    double a1 = machine["pd_loop.hydraulic_frequency"] * machine["pd_loop.hydraulic_frequency"];
+    return {a1 * machine["pd_loop.speed_gain"], a1, machine["pd_loop.hydraulic_damping"],
+            machine["pd_loop.proportional_gain"], machine["pd_loop.velocity_gain"]};
+}
+
 PdLoop pd_loop_of(const HydraulicJoint& joint, double kp, double kv_s) {
     double softness = joint.inertia_kg_m2 * joint.compliance_m3_per_pa;
     double displacement = joint.displacement_m3_per_rad;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hydraulics/parameters.hpp"
+
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -18,9 +20,8 @@ struct PdLoop {
     double kv_s;      // velocity gain
 };
 
-/// The reference loop with which the thesis's figures are drawn again, at the compliance C of Figure 2.8; ours (the
-/// thesis gives no numbers).
-inline constexpr PdLoop reference_pd_loop{100, 100, 30, 15, 2};
+/// The loop with which Figures 2.8 and 2.9 are drawn again (excavator.csv), at the compliance C of Figure 2.8.
+PdLoop reference_pd_loop(const Parameters& machine = Parameters::excavator());
 
 /// What a_0, a_1 and a_2 are made of, in SI. The coefficients follow from J th'' = D_m P_L (two chambers share the
 /// load pressure), C P_L' = 2 K_x x - K_pi P_L - 2 D_m th' and x = K_p (th_d - th) - K_v th'.
@@ -31,9 +32,6 @@ struct HydraulicJoint {
     double flow_gain_m2_per_s;            // K_x, flow per spool displacement
     double flow_pressure_m3_per_s_per_pa; // K_pi
 };
-
-/// A joint of the boom's size that has the reference loop's coefficients within 0.1 %; ours.
-inline constexpr HydraulicJoint reference_joint{2.044e-11, 0.011746, 1.35e5, 0.011746, 6.13e-10};
 
 PdLoop pd_loop_of(const HydraulicJoint& joint, double kp, double kv_s);
 

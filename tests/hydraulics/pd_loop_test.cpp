@@ -17,10 +17,13 @@ bool near(Complex a, Complex b, double tolerance) { return std::abs(a - b) < tol
 
 StepFigures step_figures(const PdLoop& loop) { return figures_of(step_response(loop, 0.001, 10001), 0.001); }
 
+// Of the boom's size, with the reference loop's coefficients.
+constexpr HydraulicJoint boom_joint{2.044e-11, 0.011746, 1.35e5, 0.011746, 6.13e-10};
+
 } // namespace
 
 TEST_CASE("P-D loop at the compliance of Figure 2.8") {
-    const PdLoop& loop = reference_pd_loop;
+    PdLoop loop = reference_pd_loop();
     auto roots = poles(loop);
     CHECK(near(roots[0], {-17.937, 0}, 1e-3));
     CHECK(near(roots[1], {-6.0315, -6.8736}, 1e-4));
@@ -35,13 +38,13 @@ TEST_CASE("P-D loop at the compliance of Figure 2.8") {
 }
 
 TEST_CASE("P-D loop at its limit of stability, and beyond") {
-    PdLoop limit = with_compliance(reference_pd_loop, 6);
+    PdLoop limit = with_compliance(reference_pd_loop(), 6);
     auto roots = poles(limit);
     CHECK(near(roots[0], {-5, 0}, 1e-9));
     CHECK(near(roots[2], {0, std::sqrt(50)}, 1e-9));
     CHECK(stability_margin(limit) == doctest::Approx(1));
 
-    PdLoop beyond = with_compliance(reference_pd_loop, 7);
+    PdLoop beyond = with_compliance(reference_pd_loop(), 7);
     CHECK(near(poles(beyond)[2], {0.234, 6.71}, 5e-3));
     CHECK(stability_margin(beyond) == doctest::Approx(6.0 / 7));
     CHECK(oscillation(beyond)->damping < 0);
@@ -73,7 +76,7 @@ TEST_CASE("poles are the roots of the denominator of 2.9") {
 }
 
 TEST_CASE("with a_1 and a_2 as printed, four times C would change little") {
-    PdLoop printed = as_printed(reference_pd_loop);
+    PdLoop printed = as_printed(reference_pd_loop());
     CHECK(std::abs(oscillation(printed)->damping - 0.280) < 1e-3);
     CHECK(std::abs(step_figures(printed).overshoot_percent - 39.9) < 0.1);
     PdLoop soft = with_compliance(printed, 4);
@@ -82,7 +85,7 @@ TEST_CASE("with a_1 and a_2 as printed, four times C would change little") {
 }
 
 TEST_CASE("a joint of the boom's size has the reference coefficients") {
-    PdLoop loop = pd_loop_of(reference_joint, 15, 2);
+    PdLoop loop = pd_loop_of(boom_joint, 15, 2);
     CHECK(loop.a0_per_s3 == doctest::Approx(100).epsilon(1e-3));
     CHECK(loop.a1_per_s2 == doctest::Approx(100).epsilon(1e-3));
     CHECK(loop.a2_per_s == doctest::Approx(30).epsilon(1e-3));
@@ -90,7 +93,7 @@ TEST_CASE("a joint of the boom's size has the reference coefficients") {
 
 TEST_CASE("2.9 with a_1 and a_2 exchanged is what the equations of the joint give") {
     // Integrated as they are, without the transfer function: theta, theta', load pressure.
-    const HydraulicJoint& joint = reference_joint;
+    const HydraulicJoint& joint = boom_joint;
     constexpr double kp = 15, kv = 2, step_s = 0.01;
     using State = std::array<double, 3>;
     auto equations = [&](const State& s, State& rate, double) {

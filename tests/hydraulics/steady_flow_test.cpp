@@ -13,7 +13,7 @@ using namespace placedpar;
 
 namespace {
 
-constexpr FlowConstants rounded = rounded_flow_constants;
+const FlowConstants rounded = rounded_flow_constants;
 
 /// In percent of the flow at the tabulated spool.
 double change_percent(const SteadyFlowPoint& point, double spool_error_in) {
