@@ -104,20 +104,20 @@ std::vector<Series> over_pressure(double from_psia, double to_psia, Value value)
     return all;
 }
 
-Plot plot() {
+Plot plot_of_air() {
     auto modulus = [](double air, double psia) { return bulk_modulus_psi({air}, psia) / 1000; };
     auto softer = [](double air, double psia) { return bulk_modulus_psi({0}, psia) / bulk_modulus_psi({air}, psia); };
-    Axis pressure{"absolute pressure [psi]", 0, 3000}, low{"absolute pressure [psi]", 20, 3000, true};
-    Panel moduli{"Bulk modulus of an air-oil mixture (isothermal; the air is free)",
-                 pressure,
-                 {"bulk modulus [1000 psi]", 0, 240},
-                 over_pressure(10, 3000, modulus)};
-    Panel compliances{"Compliance C = V / β over that of the same volume of oil alone",
-                      low,
-                      {"C with air / C without", 0.8, 100, true},
-                      over_pressure(20, 3000, softer),
-                      {{"an order of magnitude", 10}}};
-    return {"Figure 2.3: what free air does to oil", {moduli, compliances}};
+    Plot plot{"Figure 2.3: what free air does to oil", {}};
+    plot.panels.push_back({"Bulk modulus of an air-oil mixture (isothermal; the air is free)",
+                           {"absolute pressure [psi]", 0, 3000},
+                           {"bulk modulus [1000 psi]", 0, 240},
+                           over_pressure(10, 3000, modulus)});
+    plot.panels.push_back({"Compliance C = V / β over that of the same volume of oil alone",
+                           {"absolute pressure [psi]", 20, 3000, true},
+                           {"C with air / C without", 0.8, 100, true},
+                           over_pressure(20, 3000, softer),
+                           {{"an order of magnitude", 10}}});
+    return plot;
 }
 
 } // namespace
@@ -132,7 +132,7 @@ Replay replay_figure_2_3(const ReplayContext&) {
     add_volume(reading);
     replay.readings.push_back(reading);
     replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"figure-2-3", plot()}};
+    replay.plots = {{"figure-2-3", plot_of_air()}};
     return replay;
 }
 

@@ -73,10 +73,9 @@ boost::json::object replay_json(const Replay& replay, const std::string& experim
 
 std::string print_verdict(const Replay& replay) {
     bool others = std::ranges::any_of(replay.readings, &Reading::judged);
-    const char* of = others ? "" : " of the first reading";
-    return fmt::format(replay.within_tolerance() ? "every judged cell{} is within its tolerance\n"
-                                                 : "a cell{} misses its tolerance\n",
-                       of);
+    return fmt::format("{} cell{} {}\n", replay.within_tolerance() ? "every judged" : "a",
+                       others ? "" : " of the first reading",
+                       replay.within_tolerance() ? "is within its tolerance" : "misses its tolerance");
 }
 
 void require_folder_for_plots(const std::filesystem::path& folder) {
