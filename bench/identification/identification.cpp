@@ -62,23 +62,46 @@ struct Result {
     }
 };
 
-void print_head() {
-    fmt::print("{:<28}{:>14}{:>14}{:>13}{:>12}{:>11}{:>9}\n", "", "generations/s", "ms/transient", "evaluations",
-               "ns/each*", "median %", "P90 %");
+/// The compliance of greatest fitness in the last window: 65536 are tried.
+double optimum(const Transient& transient) {
+    constexpr int codes = 1 << 16;
+    auto window = transient.window_at(transient.windows() - 1);
+    double best = 0, greatest = -std::numeric_limits<double>::infinity();
+    for (int code = 0; code < codes; ++code) {
+        double compliance = Transient::largest * code / codes;
+        if (double fitness = transient.fitness(compliance, window); fitness > greatest) {
+            greatest = fitness;
+            best = compliance;
+        }
+    }
+    return best;
 }
 
-void print(const Result& result, std::span<const Transient> transients) {
-    double truth = BoomScenario{}.machine.inlet_compliance_in3_per_psi;
-    std::vector<double> errors;
-    for (double compliance : result.compliances)
-        errors.push_back(100 * std::abs(compliance / truth - 1));
+/// By how much compliances miss what they should be, in percent.
+std::vector<double> percent_missed(std::span<const double> compliances, std::span<const double> right) {
+    std::vector<double> missed;
+    for (std::size_t i = 0; i < compliances.size(); ++i)
+        missed.push_back(100 * std::abs(compliances[i] / right[i] - 1));
+    return missed;
+}
+
+void print_head() {
+    fmt::print("{:57}{:^25}{:^20}{:^18}\n", "", "error evaluations", "error, %", "from optimum, %");
+    fmt::print("{:<28}{:>14}{:>14}{:>14}{:>10}{:>11}{:>9}{:>10}{:>8}\n", "", "generations/s", "ms/transient", "in each",
+               "ns*", "median", "P90", "median", "P90");
+}
+
+void print(const Result& result, std::span<const Transient> transients, std::span<const double> optima) {
+    std::vector<double> truth(transients.size(), BoomScenario{}.machine.inlet_compliance_in3_per_psi);
+    auto errors = percent_missed(result.compliances, truth), distances = percent_missed(result.compliances, optima);
     std::size_t generations = 0;
     for (const Transient& transient : transients)
         generations += transient.windows() * Transient::trials;
     auto count = static_cast<double>(transients.size()), evaluations = static_cast<double>(result.error_evaluations);
-    fmt::print("{:<28}{:>14.0f}{:>14.3f}{:>13.0f}{:>12.1f}{:>11.2f}{:>9.2f}\n", result.contestant.name,
+    fmt::print("{:<28}{:>14.0f}{:>14.3f}{:>14.0f}{:>10.1f}{:>11.2f}{:>9.2f}{:>10.2f}{:>8.2f}\n", result.contestant.name,
                static_cast<double>(generations) / result.seconds, 1e3 * result.seconds / count, evaluations / count,
-               1e9 * result.seconds / evaluations, quantile(errors, 0.5), quantile(errors, 0.9));
+               1e9 * result.seconds / evaluations, quantile(errors, 0.5), quantile(errors, 0.9),
+               quantile(distances, 0.5), quantile(distances, 0.9));
 }
 
 /// Nanoseconds of one error evaluation by `evaluate`, which fills in the fitness of a population: the fastest of
@@ -156,10 +179,16 @@ int main(int argc, char** argv) {
     bool same_bits = time_evaluations(transients.front(), 20 * rounds);
 
     auto results = contest(transients, rounds);
+    std::vector<double> optima;
+    for (const Transient& transient : transients)
+        optima.push_back(optimum(transient));
     print_head();
     for (const Result& result : results)
-        print(result, transients);
-    fmt::print("* all of a transient's time over its error evaluations\n");
+        print(result, transients, optima);
+    fmt::print(
+        "* all of a transient's time over its error evaluations. The optimum is that of the last window; codes of 10 "
+        "bits are {:.2f} % apart.\n",
+        100 * Transient::largest / 1024 / BoomScenario{}.machine.inlet_compliance_in3_per_psi);
     for (auto [rival, missing] : {std::pair("GAlib", galib().empty()), std::pair("pagmo", pagmo().empty())})
         if (missing)
             fmt::print("{} is missing: tools/rivals.sh fetches it, then configure again\n", rival);
