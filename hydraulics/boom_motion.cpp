@@ -2,6 +2,7 @@
 
 #include "hydraulics/boom_orifices.hpp"
 #include "hydraulics/flow_split.hpp"
+#include "hydraulics/leakage.hpp"
 
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <fmt/format.h>
@@ -48,16 +49,23 @@ double piston_force_lbf(const State& state, const BoomMachine& machine) {
            machine.gravity_lbf - friction;
 }
 
-State derivative(const State& state, const BoomScenario& scenario, double desired_spool_in) {
+double leak_in3_per_s(const State& state, const BoomMachine& machine, double time_s) {
+    if (time_s < machine.leak_start_s)
+        return 0;
+    return leakage_in3_per_s(machine.leak_in3_per_s_psi, state[inlet_psi], state[outlet_psi]);
+}
+
+State derivative(const State& state, const BoomScenario& scenario, double desired_spool_in, double time_s) {
     const BoomMachine& machine = scenario.machine;
     OrificeAreas areas = boom_orifices(state[spool_in]);
     FlowSplit flows = split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], scenario.flow);
     double drain = drain_in3_per_s(areas.outlet_in2, state[outlet_psi], scenario.flow);
+    double leak = leak_in3_per_s(state, machine, time_s);
     double velocity = state[velocity_in_per_s];
     State rate{};
     rate[inlet_psi] =
-        (flows.inlet_in3_per_s - machine.inlet_area_in2 * velocity) / machine.inlet_compliance_in3_per_psi;
-    rate[outlet_psi] = (machine.outlet_area_in2 * velocity - drain) / machine.outlet_compliance_in3_per_psi;
+        (flows.inlet_in3_per_s - machine.inlet_area_in2 * velocity - leak) / machine.inlet_compliance_in3_per_psi;
+    rate[outlet_psi] = (machine.outlet_area_in2 * velocity + leak - drain) / machine.outlet_compliance_in3_per_psi;
     rate[piston_in] = velocity;
     rate[velocity_in_per_s] = piston_force_lbf(state, machine) / machine.mass_lbf_s2_per_in;
     rate[spool_in] = machine.spool_lag_per_s * (desired_spool_in - state[spool_in]);
@@ -92,7 +100,9 @@ std::vector<BoomState> simulate_boom(const BoomScenario& scenario) {
             return motion;
         bool stepped = time_s + step_s / 2 > scenario.step_time_s;
         double desired = stepped ? scenario.spool_desired_in : scenario.spool_at_rest_in;
-        auto system = [&](const State& at, State& rate, double) { rate = derivative(at, scenario, desired); };
+        auto system = [&](const State& at, State& rate, double when_s) {
+            rate = derivative(at, scenario, desired, when_s);
+        };
         stepper.do_step(system, state, time_s, step_s);
     }
 }

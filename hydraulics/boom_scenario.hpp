@@ -19,6 +19,8 @@ struct BoomMachine {
     double inlet_compliance_in3_per_psi = 0.0086;  // C_i, thesis 3.1.3, found from the servo-valve voltage
     double outlet_compliance_in3_per_psi = 0.0060; // C_o; ours
     double spool_lag_per_s = 8;                    // a_0 of A.2; ours
+    double leak_in3_per_s_psi = 0;                 // k_l across the piston (leakage.hpp) ...
+    double leak_start_s = 0;                       // ... from this time on
 };
 
 /// Scenario A: the boom is held, then the operator asks for 4 deg/s.
