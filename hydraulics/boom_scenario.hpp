@@ -30,22 +30,25 @@ struct BoomMachine {
     double spool_lag_per_s;               // a_0 of A.2
 };
 
-/// Scenario A: the boom is held, then the operator asks for 4 deg/s.
+/// Scenario A: the boom is held, then the operator asks for 4 deg/s. Scenario B (boom_scenario_b) is a slower one.
 struct BoomScenario {
     explicit BoomScenario(const Parameters& parameters = Parameters::excavator())
-        : flow(flow_constants(parameters)), machine(parameters),
-          spool_at_rest_in(parameters["scenario_a.spool_at_rest"]),
+        : flow(flow_constants(parameters)), machine(parameters), leak_in3_per_s_psi(parameters["fault.leak"]),
+          leak_start_s(parameters["fault.leak_start"]), spool_at_rest_in(parameters["scenario_a.spool_at_rest"]),
           spool_desired_in(parameters["scenario_a.spool_desired"]), step_time_s(parameters["scenario_a.step_time"]),
-          duration_s(parameters["scenario_a.duration"]), integration_step_s(parameters["scenario_a.integration_step"]) {
-    }
+          duration_s(parameters["scenario_a.duration"]), integration_step_s(parameters["scenario_a.integration_step"]),
+          ramp_s(parameters["scenario_a.spool_ramp"]) {}
 
     FlowConstants flow;
     BoomMachine machine;
+    double leak_in3_per_s_psi; // k_l across the piston, from leak_start_s on
+    double leak_start_s;
     double spool_at_rest_in;
     double spool_desired_in;
     double step_time_s;
     double duration_s;
     double integration_step_s;
+    double ramp_s; // in which the spool's command goes from rest to desired; 0: a step
 };
 
 } // namespace placedpar
