@@ -28,6 +28,12 @@ void require_positive(std::string_view name, double value) {
 void require_valid(const BoomScenario& scenario) {
     require_positive("the integration step", scenario.integration_step_s);
     require_positive("the duration", scenario.duration_s);
+    constexpr double most_steps = 2e6; // the motion is kept whole
+    if (scenario.duration_s > most_steps * scenario.integration_step_s)
+        throw std::invalid_argument(fmt::format("boom scenario: the duration is {}, expected at most {:g} steps",
+                                                scenario.duration_s, most_steps));
+    if (!(scenario.ramp_s >= 0))
+        throw std::invalid_argument(fmt::format("boom scenario: the ramp is {}, expected 0 or above", scenario.ramp_s));
     require_positive("the pump flow", scenario.flow.pump_in3_per_s);
     require_positive("the mass", scenario.machine.mass_lbf_s2_per_in);
     require_positive("the inlet area", scenario.machine.inlet_area_in2);
