@@ -6,6 +6,7 @@
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
 #include "app/perfetto_trace.hpp"
+#include "app/record_command.hpp"
 #include "app/refused_input.hpp"
 #include "app/replay_command.hpp"
 #include "app/run_report.hpp"
@@ -120,6 +121,7 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     replay_sub->footer("experiments:\n" + list_experiments());
 
     declare_identify(app, chosen, options.command);
+    declare_record(app, chosen);
     add("parameters", "Prints the constants of the excavator, as a file for --machine", parameters);
 }
 
