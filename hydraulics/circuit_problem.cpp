@@ -3,23 +3,23 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace placedpar {
 
 namespace {
 
-ParameterCoding coding_of(const Circuit& circuit, std::size_t bits) {
+Circuit checked(Circuit circuit) {
     if (circuit.empty() || circuit.size() > all_links.size())
         throw std::invalid_argument(fmt::format("a circuit of {} junctions, expected 1 to 4", circuit.size()));
-    if (bits < 1 || bits > 32)
-        throw std::invalid_argument(fmt::format("{} bits for a compliance, expected 1 to 32", bits));
-    return ParameterCoding(circuit.size(), {0, CircuitProblem::largest_in3_per_psi, bits});
+    return circuit;
 }
 
 } // namespace
 
 CircuitProblem::CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form)
-    : circuit_(std::move(circuit)), flow_(flow), coding_(coding_of(circuit_, bits)), form_(form) {}
+    : circuit_(checked(std::move(circuit))), flow_(flow), coding_(circuit_.size(), {0, largest_in3_per_psi, bits}),
+      form_(form) {}
 
 std::vector<std::string> CircuitProblem::parameter_names() const {
     std::vector<std::string> names;

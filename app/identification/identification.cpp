@@ -24,6 +24,17 @@ struct SearchRun {
     std::uint64_t generations = 0;
 };
 
+/// Is there a link whose pressure moves too slowly, if its compliance is what it was last found to be?
+bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
+                  const ExcitationGate& gate) {
+    for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j) {
+        double slope = excitation_psi_per_s(window, j);
+        if (slope < gate.slope_psi_per_s && slope * compliance_in3_per_psi[j] < gate.flow_in3_per_s)
+            return true;
+    }
+    return false;
+}
+
 /// One search over the samples, generation after generation, as run_traditional() but for the gate.
 SearchRun search_once(const SearchProblem& problem, std::span<const CircuitSample> samples,
                       const IdentificationWay& way, RandomStream random) {
@@ -35,9 +46,8 @@ SearchRun search_once(const SearchProblem& problem, std::span<const CircuitSampl
         if (!window.ready())
             continue;
         auto in_window = samples.subspan(i + 1 - window.samples().size(), window.samples().size());
-        bool frozen = way.gate_psi_per_s && least_excitation_psi_per_s(in_window) < *way.gate_psi_per_s;
-        if (frozen && run.estimates.empty())
-            continue; // nothing to keep yet
+        bool frozen = way.gate && !run.estimates.empty() &&
+                      is_unexcited(in_window, run.estimates.back().compliance_in3_per_psi, *way.gate);
         for (std::size_t trial = 0; !frozen && trial < way.search.window.trials; ++trial)
             search.next_generation(evaluate(problem, search.population(), window.samples(), way.search.window.bias));
         double mean_square =
@@ -106,15 +116,14 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
 void compare_with_optimum(Identified& result, std::span<const SearchRun> runs, const CircuitProblem& problem,
                           const FlowConstants& flow, std::span<const CircuitSample> window,
                           const IdentificationWay& way) {
-    auto optimum =
-        exhaustive_optimum(problem.circuit(), window, flow, problem.inlet_flow(), problem.bits_per_compliance(),
-                           CircuitProblem::largest_in3_per_psi, way.search.window.bias);
+    auto optimum = exhaustive_optimum(problem.circuit(), window, flow, problem.inlet_flow(), problem.field().bits,
+                                      CircuitProblem::largest_in3_per_psi, way.search.window.bias);
     for (std::size_t j = 0; j < result.links.size(); ++j) {
         LinkIdentified& link = result.links[j];
-        link.optimum = problem.compliance_in3_per_psi(optimum.codes[j]);
+        link.optimum = problem.field().value(optimum.codes[j]);
         std::vector<double> distances;
         for (double each : last_answers(runs, j))
-            distances.push_back(std::round(std::abs(each - *link.optimum) / problem.resolution_in3_per_psi()));
+            distances.push_back(std::round(std::abs(each - *link.optimum) / problem.field().resolution()));
         link.codes_from_optimum = quantile(distances, 0.5);
     }
 }
@@ -125,8 +134,10 @@ IdentificationWay thesis_way() { return {}; }
 
 IdentificationWay service_way() {
     IdentificationWay way;
+    way.coding = Coding::gray;
+    way.search.elite = 1;
     way.usable.skipped = 2;
-    way.gate_psi_per_s = 800;
+    way.gate.emplace();
     way.searches = 21;
     return way;
 }
@@ -134,7 +145,7 @@ IdentificationWay service_way() {
 Identified identify(const CircuitProblem& problem, const FlowConstants& flow, std::span<const CircuitSample> samples,
                     const IdentificationWay& way, std::uint64_t seed) {
     require_samples(samples, way);
-    auto search_problem = make_search_problem(problem);
+    auto search_problem = make_search_problem(problem, way.coding);
     std::vector<SearchRun> runs;
     for (std::size_t i = 0; i < way.searches; ++i)
         runs.push_back(search_once(*search_problem, samples, way,
@@ -142,10 +153,6 @@ Identified identify(const CircuitProblem& problem, const FlowConstants& flow, st
     Identified result{problem.circuit(), {}, runs.front().estimates, 0};
     for (const SearchRun& run : runs)
         result.generations += run.generations;
-    if (result.estimates.empty())
-        throw std::invalid_argument(
-            fmt::format("no window in which every pressure moves faster than the gate's {} psi/s (rms)",
-                        way.gate_psi_per_s.value_or(0)));
     auto window = last_window(samples, result.estimates, way.search.window.length);
     for (std::size_t j = 0; j < problem.circuit().size(); ++j)
         result.links.push_back(summary(problem.circuit()[j].link, last_answers(runs, j)));
