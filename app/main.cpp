@@ -109,8 +109,10 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     add("kinds", "Lists the process kinds that a netlist can use", kinds)
         ->add_option("NAME", options.kind, "everything about this kind");
 
-    auto* replay_sub = add("replay", "Runs an experiment of the thesis beside the thesis's figures",
-                           [](const Options& o) { return replay(o.experiment, o.seed, {o.json, o.plots}, o.command); });
+    auto* replay_sub =
+        add("replay", "Runs an experiment of the thesis beside the thesis's figures", [](const Options& o) {
+            return replay(o.experiment, o.seed, {o.json, o.plots}, o.command);
+        });
     replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
     add_seed(*replay_sub, options);
     replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");

@@ -76,7 +76,7 @@ std::string print_difference(double difference, int decimals) {
 }
 
 std::string print_error(const Cell& cell) {
-    if (cell.tolerance && cell.thesis)
+    if (cell.thesis && (cell.tolerance || cell.unit == "%"))
         return print_difference(cell.simulated - *cell.thesis, cell.decimals);
     auto error = cell.error_percent();
     return error ? fmt::format("{:+.1f}%", *error) : "";

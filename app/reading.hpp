@@ -42,8 +42,8 @@ struct Reading {
 bool within_tolerance(const Reading&);
 
 /// A table for people: each cell as simulated, thesis and error: in percent, or in the cell's unit where its tolerance
-/// is. Rows and columns come in the order of the cells. A row with a column that the rows above it do not have begins
-/// a table of its own.
+/// is or that is percent itself. Rows and columns come in the order of the cells. A row with a column that the rows
+/// above it do not have begins a table of its own.
 std::string print_reading(const Reading&);
 
 } // namespace placedpar
