@@ -130,6 +130,12 @@ std::optional<double> Cell::error_percent() const {
     return 100 * (simulated - *thesis) / std::abs(*thesis);
 }
 
+std::optional<double> Cell::tolerance_in_percent() const {
+    if (!tolerance)
+        return tolerance_percent;
+    return thesis && *thesis != 0 ? std::optional(100 * *tolerance / std::abs(*thesis)) : std::nullopt;
+}
+
 bool Cell::within_tolerance() const {
     if (tolerance)
         return thesis && std::abs(simulated - *thesis) <= *tolerance;

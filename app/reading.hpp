@@ -27,6 +27,8 @@ struct Cell {
 
     /// Of the thesis's figure; 0 where both are 0. None without a figure to compare with.
     std::optional<double> error_percent() const;
+    /// tolerance_percent, or what `tolerance` is in percent; none where that is not defined.
+    std::optional<double> tolerance_in_percent() const;
     bool within_tolerance() const;
 };
 

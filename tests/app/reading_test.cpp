@@ -50,7 +50,10 @@ TEST_CASE("tolerances: in percent, in the unit, none; without a figure no tolera
     CHECK(judged.within_tolerance());
     judged.tolerance = 2.9;
     CHECK_FALSE(judged.within_tolerance());
+    judged.thesis = -50;
+    CHECK(*judged.tolerance_in_percent() == doctest::Approx(5.8));
     judged.thesis.reset();
+    CHECK_FALSE(judged.tolerance_in_percent().has_value());
     CHECK_FALSE(judged.within_tolerance());
     Cell negative = cell("x", "a", "", -100, -103);
     CHECK(*negative.error_percent() == doctest::Approx(-3));
