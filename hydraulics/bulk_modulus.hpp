@@ -1,13 +1,15 @@
 #pragma once
 
+#include "hydraulics/parameters.hpp"
+
 namespace placedpar {
 
 /// Hydraulic oil with air in it that is free, never dissolved, as in Figure 2.3 of the thesis.
 struct AirOilMixture {
-    double air_fraction;            // x_0, of the volume at atmospheric pressure
-    double polytropic_exponent = 1; // N: 1 isothermal, 1.4 adiabatic
-    double oil_modulus_psi = 220e3; // B_0, 1517 MPa, usual for mineral oil; ours
-    double atmospheric_psia = 14.7; // P_0
+    double air_fraction;                                                  // x_0, of the volume at atmospheric pressure
+    double polytropic_exponent = 1;                                       // N: 1 isothermal, 1.4 adiabatic
+    double oil_modulus_psi = Parameters::excavator()["oil.bulk_modulus"]; // B_0
+    double atmospheric_psia = Parameters::excavator()["oil.atmospheric_pressure"]; // P_0
 };
 
 /// beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N), the shrinking of the oil neglected in V
