@@ -73,7 +73,7 @@ void Parameters::set(std::string_view name, double value) {
 }
 
 void Parameters::put(Parameter parameter) {
-    Parameter* place = find(parameter.name);
+    Parameter* place = entry(parameter.name);
     if (!place)
         throw std::invalid_argument(fmt::format("the machine has no parameter {}", parameter.name));
     *place = std::move(parameter);

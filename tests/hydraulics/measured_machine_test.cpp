@@ -150,9 +150,9 @@ TEST_CASE("below the break-away force the piston stays") {
     machine.duration_s = 3;
     machine.flow.relief_psi = held + 200; // 6400 lbf more than gravity, break-away is 7800
     const MeasuredState stuck = simulate_measured_machine(machine).back();
-    CHECK(stuck.inlet_cylinder_psi == doctest::Approx(held + 200).epsilon(1e-4));
+    CHECK(stuck.inlet_cylinder_psi == doctest::Approx(held + 200).epsilon(1e-3));
     CHECK(std::abs(stuck.velocity_in_per_s) < 1e-3);
-    CHECK(std::abs(stuck.piston_in) < 0.004);
+    CHECK(std::abs(stuck.piston_in) < 0.01); // the bristles' give, and their creep under the hose's ringing
     machine.flow.relief_psi = held + 300; // 9600 lbf
     CHECK(simulate_measured_machine(machine).back().piston_in > 0.5);
 }
@@ -196,7 +196,7 @@ TEST_CASE("the voltage is held from one sampling instant to the next, in the con
     for (double time_s = 0; time_s < 0.7; time_s += 0.0007) {
         double volts = held_volts(machine, time_s), step = 20.0 / 4096;
         CHECK(volts / step == std::round(volts / step));
-        CHECK(volts == held_volts(machine, std::floor(time_s / 0.02) * 0.02 + 0.01));
+        CHECK(volts == held_volts(machine, (std::floor(time_s / 0.02 + 1e-6) + 0.5) * 0.02));
     }
     CHECK(std::abs(held_volts(machine, 0.6) - 0.3467) <= 10.0 / 4096);
     CHECK(held_volts(machine, 0.1) == 0);

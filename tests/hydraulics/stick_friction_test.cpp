@@ -9,7 +9,7 @@ using namespace placedpar;
 
 namespace {
 
-constexpr StickFriction friction{6000, 7800, 0.05, 3e6, 5e4};
+constexpr StickFriction friction{6000, 7800, 0.3, 3e6, 5e4};
 
 /// A mass of 1000 lbf s^2/in on the friction, pushed by a constant force from rest.
 struct Pushed {
@@ -30,13 +30,14 @@ struct Pushed {
 
 TEST_CASE("below the break-away force nothing moves but the bristles") {
     Pushed mass;
-    for (double force : {2000.0, 4000.0, 6000.0, 7000.0})
-        mass.push(force, 1);
-    CHECK(mass.position_in < 7800 / 3e6 * 1.2);
-    CHECK(mass.position_in > 0);
+    for (double force = 0; force <= 7500; force += 100)
+        mass.push(force, 0.1);
+    mass.push(7500, 1);
+    CHECK(mass.position_in < 0.0125); // their give is .0025, the rest is creep under the jerks
+    CHECK(mass.position_in > 7500 / 3e6 * 0.9);
     CHECK(std::abs(mass.velocity_in_per_s) < 1e-3);
     double held = mass.position_in;
-    mass.push(7000, 5);
+    mass.push(7500, 5);
     CHECK(mass.position_in - held < 2e-3); // creep of the bristles, 4e-4 in/s at most
 }
 
@@ -51,8 +52,8 @@ TEST_CASE("above it the mass breaks away and slides against the Coulomb force") 
 
 TEST_CASE("the force of steady sliding") {
     CHECK(sliding_force_lbf(friction, 0) == 7800);
-    CHECK(sliding_force_lbf(friction, 0.05) == doctest::Approx(6000 + 1800 * std::exp(-1)));
-    CHECK(sliding_force_lbf(friction, 1) == doctest::Approx(6000));
+    CHECK(sliding_force_lbf(friction, 0.3) == doctest::Approx(6000 + 1800 * std::exp(-1)));
+    CHECK(sliding_force_lbf(friction, 1.5) == doctest::Approx(6000).epsilon(1e-5));
     for (double velocity : {-2.0, -0.05, -0.001, 0.001, 0.03, 2.0}) { // where the bristles no longer move
         double bristle = std::copysign(sliding_force_lbf(friction, velocity) / 3e6, velocity);
         CHECK(std::abs(bristle_rate_in_per_s(friction, velocity, bristle)) < 1e-12);
