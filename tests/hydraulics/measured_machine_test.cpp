@@ -153,7 +153,7 @@ TEST_CASE("below the break-away force the piston stays") {
     CHECK(stuck.inlet_cylinder_psi == doctest::Approx(held + 200).epsilon(1e-3));
     CHECK(std::abs(stuck.velocity_in_per_s) < 1e-3);
     CHECK(std::abs(stuck.piston_in) < 0.01); // the bristles' give, and their creep under the hose's ringing
-    machine.flow.relief_psi = held + 300; // 9600 lbf
+    machine.flow.relief_psi = held + 300;    // 9600 lbf
     CHECK(simulate_measured_machine(machine).back().piston_in > 0.5);
 }
 
