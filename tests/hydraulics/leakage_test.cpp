@@ -1,4 +1,5 @@
 #include "hydraulics/boom_record.hpp"
+#include "hydraulics/compliance_fit.hpp"
 #include "hydraulics/excavator_motion.hpp"
 #include "hydraulics/excavator_values.hpp"
 #include "hydraulics/leakage.hpp"
@@ -26,30 +27,19 @@ BoomScenario leaking_boom(double leak_in3_per_s_psi, double start_s = opening_s)
     return scenario;
 }
 
-std::vector<BoomSample> rising_samples(const BoomScenario& scenario) {
-    auto measured = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, no_noise,
-                                 [] { return 0.0; });
+std::vector<CircuitSample> rising_samples(const BoomScenario& scenario) {
+    Record measured = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, no_noise,
+                                   [] { return 0.0; });
     UsableSamples rising;
     rising.count = 13;
-    return usable_samples(measured, scenario.flow, scenario.machine, rising);
+    return usable_samples(circuit_samples(measured, boom_circuit(), boom_readings(scenario.machine)), boom_circuit(),
+                          scenario.flow, rising);
 }
 
-/// The compliance at which a model without a leak misses least, on a grid.
+/// The compliance at which a model without a leak misses least.
 double identified_compliance(const BoomScenario& scenario) {
-    auto samples = rising_samples(scenario);
-    double best = 0, least = INFINITY;
-    for (double compliance = 0.005; compliance < 0.02; compliance += 2e-6) {
-        double sum = 0;
-        for (const BoomSample& sample : samples) {
-            double error = boom_error_in3_per_s(compliance, sample, scenario.flow);
-            sum += error * error;
-        }
-        if (sum < least) {
-            least = sum;
-            best = compliance;
-        }
-    }
-    return best;
+    std::array start{0.0086};
+    return fit_compliances(boom_circuit(), rising_samples(scenario), scenario.flow, start)->compliance_in3_per_psi[0];
 }
 
 /// Leak flow and pressure slope of the true motion at the sampling instants of the rise, .20 to .44 s.
@@ -75,8 +65,8 @@ double mean(const std::vector<double>& values) {
 
 double steepest_psi_per_s(const BoomScenario& scenario) {
     double steepest = 0;
-    for (const BoomSample& sample : rising_samples(scenario))
-        steepest = std::max(steepest, sample.inlet_slope_psi_per_s);
+    for (const CircuitSample& sample : rising_samples(scenario))
+        steepest = std::max(steepest, sample.links[0].inlet_slope_psi_per_s);
     return steepest;
 }
 
