@@ -30,7 +30,7 @@ MeasuredMachine::MeasuredMachine(const Parameters& p)
       outlet_hose(hose_of(p, "outlet")), friction{boom.friction_lbf, p["stiction.breakaway"] * boom.friction_lbf,
                                                   p["stiction.stribeck_velocity"], p["stiction.bristle_stiffness"],
                                                   p["stiction.bristle_damping"]},
-      oil{p["fault.air"]}, oil_volume_in3(p["oil.inlet_volume"]), drain_laminar_psi(p["valve.drain_laminar"]),
+      oil{p["fault.air"], 1, p["oil.bulk_modulus"], p["oil.atmospheric_pressure"]}, oil_volume_in3(p["oil.inlet_volume"]), drain_laminar_psi(p["valve.drain_laminar"]),
       leak_in3_per_s_psi(p["fault.leak"]), leak_start_s(p["fault.leak_start"]), voltage_spool(voltage_spool_of(p)),
       dead_time_s(p["valve.dead_time"]), command(servo_command(p)), sampling_period_s(p["sensors.period"]),
       servo_range_volts(p["sensors.servo_range"]), servo_bits(bits_of(p, "sensors.servo_bits")),

@@ -4,7 +4,8 @@ namespace placedpar {
 
 /// Dry friction with stiction: the LuGre model (C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky, "A new model
 /// for control of systems with friction", 1995), without its viscous part. The surfaces hold each other by bristles
-/// that give like springs, up to the break-away force, and slip at the Coulomb force.
+/// that give like springs, up to the break-away force, and slip at the Coulomb force. Known limits: it breaks away at
+/// less when the force rises fast, and creeps under vibration.
 struct StickFriction {
     double coulomb_lbf;
     double breakaway_lbf;                // >= coulomb_lbf
