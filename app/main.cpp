@@ -1,6 +1,7 @@
 #include "app/exit_code.hpp"
 #include "app/kinds_command.hpp"
 #include "app/manifest.hpp"
+#include "app/monitor/monitor_command.hpp"
 #include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/perfetto_trace.hpp"
@@ -24,6 +25,7 @@ struct Options {
     std::string file, format = "cfs", json, trace, kind, experiment;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
+    ServiceSettings monitor;
     std::string command; ///< as typed
 };
 
@@ -120,6 +122,10 @@ void declare_commands(CLI::App& app, Options& options, Command& chosen) {
     add_seed(*replay_sub, options);
     replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
     replay_sub->footer("experiments:\n" + list_experiments());
+
+    add_monitor_options(*add("monitor", "Serves the on-line diagnosis to control systems over TCP",
+                             [](const Options& o) { return monitor(o.monitor); }),
+                        options.monitor);
 }
 
 bool is_command(const CLI::App& app, std::string_view name) {
