@@ -1,12 +1,16 @@
-#include "app/exit_code.hpp"
+#include "app/command.hpp"
+#include "app/identify_command.hpp"
 #include "app/kinds_command.hpp"
 #include "app/manifest.hpp"
 #include "app/monitor/monitor_command.hpp"
 #include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
+#include "app/overrides.hpp"
 #include "app/perfetto_trace.hpp"
+#include "app/refused_input.hpp"
 #include "app/replay_command.hpp"
 #include "app/run_report.hpp"
+#include "hydraulics/parameters.hpp"
 #include "netlist/print.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,24 +29,11 @@ struct Options {
     std::string file, format = "cfs", json, trace, kind, experiment;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
-    ServiceSettings monitor;
     std::string command; ///< as typed
 };
 
-Overrides overrides_of(const Options& options) {
-    Overrides overrides;
-    for (const std::string& each : options.set) {
-        std::size_t equals = each.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw std::runtime_error(fmt::format("--set {}: it takes NAME=VALUE, such as --set slaves=3", each));
-        if (!overrides.emplace(each.substr(0, equals), each.substr(equals + 1)).second)
-            throw std::runtime_error(fmt::format("--set {}: {} is set twice", each, each.substr(0, equals)));
-    }
-    return overrides;
-}
-
 ExitCode run(const Options& options) {
-    Manifest manifest{options.command, options.seed, overrides_of(options)};
+    Manifest manifest{options.command, options.seed, overrides_of(options.set)};
     for (const std::string& path : {options.json, options.trace})
         if (!path.empty())
             require_writable(path);
@@ -58,7 +49,7 @@ ExitCode run(const Options& options) {
 }
 
 ExitCode check(const Options& options) {
-    Network network = load_network(options.file, overrides_of(options));
+    Network network = load_network(options.file, overrides_of(options.set));
     fmt::print("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n", network.source_path,
                std::ranges::count(network.nodes, NodeKind::processor, &Node::kind), network.connections.size(),
                network.processes.size(), network.channels.size(), network.hash);
@@ -66,7 +57,7 @@ ExitCode check(const Options& options) {
 }
 
 ExitCode show(const Options& options) {
-    Network network = load_network(options.file, overrides_of(options));
+    Network network = load_network(options.file, overrides_of(options.set));
     fmt::print("{}", options.format == "cfs"   ? print_cfs(network)
                      : options.format == "dot" ? print_dot(network)
                                                : print_json(network));
@@ -75,6 +66,11 @@ ExitCode show(const Options& options) {
 
 ExitCode kinds(const Options& options) {
     fmt::print("{}", options.kind.empty() ? print_kinds() : print_kind(options.kind));
+    return ExitCode::success;
+}
+
+ExitCode parameters(const Options&) {
+    fmt::print("{}", excavator_text());
     return ExitCode::success;
 }
 
@@ -89,13 +85,11 @@ void add_seed(CLI::App& command, Options& options) {
     command.add_option("--seed", options.seed, "of every random stream")->type_name("N")->capture_default_str();
 }
 
-using Command = ExitCode (*)(const Options&);
-
 /// Declares the commands; the one that was typed is put into `chosen`.
-void declare_commands(CLI::App& app, Options& options, Command& chosen) {
-    auto add = [&](const char* name, const char* about, Command command) {
+void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
+    auto add = [&](const char* name, const char* about, ExitCode (*command)(const Options&)) {
         auto* sub = app.add_subcommand(name, about);
-        sub->callback([&chosen, command] { chosen = command; });
+        sub->callback([&chosen, &options, command] { chosen = [&options, command] { return command(options); }; });
         return sub;
     };
     auto* run_command = add("run", "Runs a netlist and reports what it computed and what it cost", run);
@@ -123,9 +117,9 @@ void declare_commands(CLI::App& app, Options& options, Command& chosen) {
     replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
     replay_sub->footer("experiments:\n" + list_experiments());
 
-    add_monitor_options(*add("monitor", "Serves the on-line diagnosis to control systems over TCP",
-                             [](const Options& o) { return monitor(o.monitor); }),
-                        options.monitor);
+    declare_identify(app, chosen, options.command);
+    add("parameters", "Prints the constants of the excavator, as a file for --machine", parameters);
+    monitor::declare(app, chosen);
 }
 
 bool is_command(const CLI::App& app, std::string_view name) {
@@ -140,7 +134,7 @@ int main(int argc, char** argv) {
     app.footer("exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
                "            130 interrupted");
     Options options;
-    Command chosen = nullptr;
+    ChosenCommand chosen;
     declare_commands(app, options, chosen);
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
@@ -149,10 +143,10 @@ int main(int argc, char** argv) {
             throw std::runtime_error(
                 fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
         app.parse(argc, argv);
-        return static_cast<int>(chosen(options));
+        return static_cast<int>(chosen());
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
-    } catch (const RefusedNetlist& refused) {
+    } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const std::exception& error) {
         fmt::print(stderr, "placedpar: {}\n", error.what());

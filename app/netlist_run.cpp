@@ -1,6 +1,7 @@
 #include "app/netlist_run.hpp"
 
 #include "app/problems.hpp"
+#include "app/refused_input.hpp"
 #include "netlist/diagnostic.hpp"
 
 #include <fmt/format.h>
@@ -45,13 +46,17 @@ Network load_network(const std::filesystem::path& path, const Overrides& overrid
     Catalogue catalogue = known_kinds(problems);
     ReadResult read = read_netlist(path, catalogue, overrides);
     if (!read.network)
-        throw RefusedNetlist(render(read.diagnostics));
+        throw RefusedInput(render(read.diagnostics));
     fmt::print(stderr, "{}", render(read.diagnostics));
     return std::move(*read.network);
 }
 
 RunReport run_netlist(const Network& network, std::uint64_t seed, Time limit, TraceSink* trace) {
-    ProblemRegistry problems = known_problems(seed);
+    return run_netlist(network, known_problems(seed), seed, limit, trace);
+}
+
+RunReport run_netlist(const Network& network, const ProblemRegistry& problems, std::uint64_t seed, Time limit,
+                      TraceSink* trace) {
     Catalogue catalogue = known_kinds(problems);
     Machine machine(network, catalogue, seed);
     if (trace)

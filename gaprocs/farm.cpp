@@ -70,6 +70,7 @@ Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std
     auto strings = population.subspan(share.first_individual(), share.individuals());
     task.strings.assign(strings.begin(), strings.end());
     task.bias = settings_.bias;
+    task.coding = problem_.coding();
     task.bytes = static_cast<std::uint32_t>(strings.size()) * workload_.string_bytes;
     compute(block_move(task.bytes));
     if (measurements) {

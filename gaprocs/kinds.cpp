@@ -62,6 +62,13 @@ Parameters search_parameters() {
         real("bias", "(unit of the error)^2", 400, 1e-300, 1e300, "B of the fitness (eq. 3.9)"),
         real("crossover", "", 0.8, 0, 1, "probability that a pair is crossed over"),
         real("mutation", "", 0.01, 0, 1, "probability that a bit is flipped"),
+        integer("elite", "individuals", 0, 0, 1e6,
+                "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
+        text("reproduction", "roulette", {"roulette", "universal"},
+             "how parents are drawn: by roulette with replacement (thesis), or by stochastic universal sampling"),
+        text(
+            "coding", "natural", {"natural", "gray"},
+            "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are told"),
         text("stream", "", {}, "name of the random stream; the process's own name if empty"),
         integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
         integer("cycles_per_individual", "cycles", 1750, 0, 1e9, "workload: the genetic operators, for one individual"),

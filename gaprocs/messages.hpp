@@ -36,6 +36,7 @@ struct Task : Parcel {
     std::vector<Genome> strings; ///< the individuals that the share touches
     Window window;               ///< the measurements, when they are new; null when the slave has them
     double bias = 0;
+    Coding coding = Coding::natural; ///< how the strings are to be read
 };
 
 /// From a slave to its master: what the share adds to the fitness of each individual that it touches.

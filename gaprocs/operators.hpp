@@ -23,6 +23,9 @@ public:
     /// The individual whose sector the ball lies in, never one without a sector. Sector i holds its lower
     /// end, not its upper. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
     std::size_t sector(double turn) const;
+    /// The individuals that `balls` evenly spaced balls lie with, the first at turn / balls, in order.
+    /// REQUIRES: as sector().
+    std::vector<std::size_t> sectors(std::size_t balls, double turn) const;
 
 private:
     std::vector<double> ends_;
@@ -33,6 +36,16 @@ private:
 struct RouletteReproduction {
     /// Indices of `count` parents; nothing, and nothing drawn, when no fitness is positive.
     /// One number of the stream a parent. Throws as RouletteWheel.
+    std::optional<std::vector<std::size_t>> operator()(std::span<const double> fitness, std::size_t count,
+                                                       RandomStream& random) const;
+};
+
+/// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
+/// spin of a wheel with `count` evenly spaced balls, so that individual i becomes a parent floor(e) or ceil(e) times,
+/// e = count max(f_i, 0) / sum being what roulette gives on average. The parents are then shuffled, for the operators
+/// take neighbours for mates.
+struct UniversalReproduction {
+    /// As RouletteReproduction, but for the numbers drawn: one for the spin, at least count - 1 for the shuffle.
     std::optional<std::vector<std::size_t>> operator()(std::span<const double> fitness, std::size_t count,
                                                        RandomStream& random) const;
 };

@@ -44,11 +44,18 @@ Workload read_workload(const ProcessEnvironment& environment) {
     return workload;
 }
 
+Coding read_coding(const ProcessEnvironment& environment) {
+    return coding_named(environment.text("coding")).value(); // the catalogue allows no other
+}
+
 SearchSettings read_search_settings(const ProcessEnvironment& environment) {
     SearchSettings settings;
     settings.population = size(environment, "population");
     settings.crossover_probability = environment.real("crossover");
     settings.mutation_probability = environment.real("mutation");
+    settings.elite = size(environment, "elite");
+    if (environment.text("reproduction") == "universal")
+        settings.reproduction = Reproduction::universal;
     settings.window.length = size(environment, "window");
     settings.window.first = size(environment, "first_window");
     settings.window.trials = size(environment, "trials");

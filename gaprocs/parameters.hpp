@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/coding.hpp"
 #include "gaprocs/farm.hpp"
 #include "gaprocs/settings.hpp"
 #include "gaprocs/workload.hpp"
@@ -12,6 +13,7 @@ class ProcessEnvironment;
 
 Workload read_workload(const ProcessEnvironment&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< only what a slave uses
+Coding read_coding(const ProcessEnvironment&);
 SearchSettings read_search_settings(const ProcessEnvironment&);
 Farm::Settings read_farm_settings(const ProcessEnvironment&);
 

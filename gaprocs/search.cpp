@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -17,9 +19,23 @@ std::size_t worst_index(std::span<const double> fitness) {
     return static_cast<std::size_t>(std::min_element(fitness.begin(), fitness.end()) - fitness.begin());
 }
 
+std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count) {
+    if (count == 0)
+        return {};
+    std::vector<std::size_t> indices(fitness.size());
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+    auto better = [&](std::size_t a, std::size_t b) {
+        return fitness[a] != fitness[b] ? fitness[a] > fitness[b] : a < b;
+    };
+    auto end = indices.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(indices.begin(), end, indices.end(), better);
+    indices.resize(count);
+    return indices;
+}
+
 Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
-    : bits_(bits), crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability},
-      random_(std::move(random)) {
+    : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction),
+      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)) {
     settings.validate();
     if (bits == 0)
         throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
@@ -27,7 +43,8 @@ Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream ra
 }
 
 Search::Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random)
-    : bits_(population.empty() ? 0 : population.front().size()),
+    : bits_(population.empty() ? 0 : population.front().size()), elite_(settings.elite),
+      reproduction_(settings.reproduction),
       crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)),
       population_(std::move(population)) {
     settings.validate();
@@ -45,19 +62,28 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
 void Search::next_generation(std::span<const double> fitness) {
     best_ = emigrant(fitness);
     ++generation_;
-    auto parents = reproduction_(fitness, population_.size(), random_);
-    if (!parents) {
+    offspring_.clear();
+    for (std::size_t index : best_indices(fitness, elite_))
+        offspring_.push_back(population_[index]);
+    if (auto parents = draw_parents(fitness)) {
+        for (std::size_t parent : *parents)
+            offspring_.push_back(population_[parent]);
+        std::span<Genome> bred = std::span(offspring_).subspan(elite_);
+        crossover_(bred, random_);
+        mutation_(bred, random_);
+    } else {
         ++redraws_;
-        population_ = random_population(population_.size(), bits_, random_);
-        return;
+        while (offspring_.size() < population_.size())
+            offspring_.push_back(Genome::random(bits_, random_));
     }
-    std::vector<Genome> offspring;
-    offspring.reserve(population_.size());
-    for (std::size_t parent : *parents)
-        offspring.push_back(population_[parent]);
-    crossover_(offspring, random_);
-    mutation_(offspring, random_);
-    population_ = std::move(offspring);
+    std::swap(population_, offspring_);
+}
+
+std::optional<std::vector<std::size_t>> Search::draw_parents(std::span<const double> fitness) {
+    std::size_t count = population_.size() - elite_;
+    if (reproduction_ == Reproduction::universal)
+        return UniversalReproduction{}(fitness, count, random_);
+    return RouletteReproduction{}(fitness, count, random_);
 }
 
 const Individual& Search::best() const {

@@ -22,6 +22,9 @@ struct Individual {
 /// Index of the greatest (smallest) fitness; the lowest index among equals. REQUIRES: not empty.
 std::size_t best_index(std::span<const double> fitness);
 std::size_t worst_index(std::span<const double> fitness);
+/// Indices of the `count` greatest, the greatest first; the lower index first among equals.
+/// REQUIRES: count <= fitness.size().
+std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count);
 
 /// The state of a traditional genetic algorithm, one generation at a time. It does not evaluate: whoever
 /// holds it (a plain loop, a master with its slaves, an island) finds the fitness of population() and hands
@@ -29,7 +32,10 @@ std::size_t worst_index(std::span<const double> fitness);
 /// this is what makes algorithm A give exactly the generations of the traditional algorithm.
 ///
 /// An island goes: evaluate; emigrant() to the neighbour; accept() the immigrant; next_generation().
-/// No elitism: the thesis mentions none.
+///
+/// An elite (SearchSettings::elite) goes over unchanged and stands first in the next population, the best at its head.
+/// Only the strings go over: the elite is evaluated again with everybody else, for when the window has moved its
+/// fitness is another. While the window stands, the best fitness never falls.
 class Search {
 public:
     /// Draws the first population. Throws std::invalid_argument: 0 bits, or SearchSettings::validate().
@@ -42,7 +48,7 @@ public:
     /// Generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
     /// How often nobody had positive fitness and the whole population was drawn anew: the thesis is silent on
-    /// this case, but roulette has no answer to it.
+    /// this case, but roulette has no answer to it. An elite stays.
     std::uint64_t redraws() const { return redraws_; }
 
     /// Ends the evaluated generation: remembers its best, then reproduction, crossover and mutation.
@@ -63,13 +69,16 @@ public:
 
 private:
     void require_fitness(std::span<const double> fitness) const;
+    std::optional<std::vector<std::size_t>> draw_parents(std::span<const double> fitness);
 
     std::size_t bits_;
-    RouletteReproduction reproduction_;
+    std::size_t elite_;
+    Reproduction reproduction_;
     OnePointCrossover crossover_;
     BitMutation mutation_;
     RandomStream random_;
     std::vector<Genome> population_;
+    std::vector<Genome> offspring_; // the next population in the making: kept for its memory
     std::optional<Individual> best_;
     std::uint64_t generation_ = 0;
     std::uint64_t redraws_ = 0;

@@ -1,13 +1,17 @@
 #pragma once
 
+#include "gaprocs/coding.hpp"
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/genome.hpp"
+#include "gaprocs/population_fitness.hpp"
 
 #include <concepts>
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,10 +21,11 @@ namespace placedpar {
 using Sample = std::vector<double>;
 
 /// What a search needs to know of a problem. A plain struct satisfies it without including this header: it
-/// may take the genome as a template parameter and read it by field(first, count). Optional:
-/// `true_parameters()`, the values a simulated record was made with.
-template <typename P>
-concept Searchable = requires(const P& problem, const Genome& genome, std::span<const double> sample) {
+/// may take the genome as a template parameter and read it by field(first, count), and then any Coding serves
+/// it. Optional: `true_parameters()`, the values a simulated record was made with; what ErrorOfParameters
+/// asks for, by which a population is evaluated faster.
+template <typename P, typename G = Genome>
+concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;
     { problem.channels() } -> std::convertible_to<std::size_t>;
     { problem.error(genome, sample) } -> std::convertible_to<double>;
@@ -43,16 +48,25 @@ public:
     virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
     /// The sum of fitness_term over the samples: one call an individual, the loop inside is not virtual.
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;
+    /// fitness() of a whole population, bit for bit; several individuals at once where the problem states its
+    /// error as a function of the parameters. REQUIRES: out.size() == population.size().
+    virtual void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
+                            std::span<double> out) const = 0;
     /// The parameters coded by the string, with their names and units.
     virtual std::vector<double> decode(const Genome& genome) const = 0;
     virtual std::vector<std::string> parameter_names() const = 0;
     virtual std::vector<std::string> parameter_units() const = 0;
     /// Empty where nobody knows them.
     virtual std::vector<double> true_parameters() const { return {}; }
+
+    /// How the fields of the string are read, and the same problem with its fields read another way.
+    /// Throws std::invalid_argument when the problem does not read its string by fields.
+    virtual Coding coding() const = 0;
+    virtual std::shared_ptr<const SearchProblem> coded(Coding) const = 0;
 };
 
 /// SearchProblem around a plain struct.
-template <Searchable P>
+template <Searchable P, Coding C = Coding::natural>
 class SearchProblemOf final : public SearchProblem {
 public:
     explicit SearchProblemOf(P problem) : problem_(std::move(problem)) {}
@@ -60,15 +74,23 @@ public:
     std::size_t bits() const override { return problem_.bits(); }
     std::size_t channels() const override { return problem_.channels(); }
     double error(const Genome& genome, std::span<const double> sample) const override {
-        return problem_.error(genome, sample);
+        return problem_.error(as_coded(genome), sample);
     }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
         double sum = 0;
         for (const Sample& sample : samples)
-            sum += fitness_term(bias, problem_.error(genome, std::span<const double>(sample)));
+            sum += fitness_term(bias, problem_.error(as_coded(genome), std::span<const double>(sample)));
         return sum;
     }
-    std::vector<double> decode(const Genome& genome) const override { return problem_.decode(genome); }
+    void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
+                    std::span<double> out) const override {
+        if constexpr (ErrorOfParameters<P, StringRead>)
+            fitness_in_lanes(problem_, population, samples, bias, as_coded, out);
+        else
+            for (std::size_t i = 0; i < population.size(); ++i)
+                out[i] = fitness(population[i], samples, bias);
+    }
+    std::vector<double> decode(const Genome& genome) const override { return problem_.decode(as_coded(genome)); }
     std::vector<std::string> parameter_names() const override { return problem_.parameter_names(); }
     std::vector<std::string> parameter_units() const override { return problem_.parameter_units(); }
     std::vector<double> true_parameters() const override {
@@ -80,13 +102,28 @@ public:
             return {};
     }
 
+    Coding coding() const override { return C; }
+    std::shared_ptr<const SearchProblem> coded(Coding coding) const override {
+        if (coding == Coding::natural)
+            return std::make_shared<SearchProblemOf<P, Coding::natural>>(problem_);
+        if constexpr (Searchable<P, GrayCoded<Genome>>)
+            return std::make_shared<SearchProblemOf<P, Coding::gray>>(problem_);
+        else
+            throw std::invalid_argument("this problem does not read its binary string by fields, so that a Gray code "
+                                        "has no meaning for it");
+    }
+
 private:
+    using StringRead = std::conditional_t<C == Coding::gray, GrayCoded<Genome>, const Genome&>;
+    static StringRead as_coded(const Genome& genome) { return StringRead(genome); }
+
     P problem_;
 };
 
 template <Searchable P>
-std::shared_ptr<const SearchProblem> make_search_problem(P problem) {
-    return std::make_shared<SearchProblemOf<P>>(std::move(problem));
+std::shared_ptr<const SearchProblem> make_search_problem(P problem, Coding coding = Coding::natural) {
+    SearchProblemOf<P> natural(std::move(problem));
+    return natural.coded(coding);
 }
 
 } // namespace placedpar

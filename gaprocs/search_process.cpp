@@ -159,7 +159,7 @@ private:
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
     read_search_settings(environment).window.validate_for(recorded.record.size());
-    SearchProcess(environment, *recorded.problem).run();
+    SearchProcess(environment, *recorded.problem->coded(read_coding(environment))).run();
 }
 
 } // namespace placedpar

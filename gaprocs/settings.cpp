@@ -44,6 +44,10 @@ void SearchSettings::validate() const {
     if (population < 2)
         throw std::invalid_argument(
             fmt::format("the population is {}, expected at least 2: crossover needs two parents", population));
+    if (elite > population - 2)
+        throw std::invalid_argument(fmt::format("an elite of {} in a population of {}, expected at most {}: crossover "
+                                                "needs two parents",
+                                                elite, population, population - 2));
     require_probability("the crossover probability", crossover_probability);
     require_probability("the mutation probability", mutation_probability);
     window.validate();

@@ -19,14 +19,20 @@ struct WindowSettings {
     void validate_for(std::size_t record_length) const;
 };
 
+/// How parents are drawn (gaprocs/operators.hpp): by roulette with replacement, or by stochastic universal sampling.
+enum class Reproduction : unsigned char { roulette, universal };
+
 /// A genetic algorithm's numbers; the defaults are the thesis's (rates of 5.4, "identical" by 4.3).
 struct SearchSettings {
     std::size_t population = 120;
     double crossover_probability = 0.8;
     double mutation_probability = 0.01;
+    std::size_t elite = 0; // best individuals that go over unchanged; the thesis mentions none
+    Reproduction reproduction = Reproduction::roulette;
     WindowSettings window;
 
-    /// Throws std::invalid_argument: population < 2, a probability outside 0 ... 1, or as the window's.
+    /// Throws std::invalid_argument: population < 2, an elite that leaves no pair to be bred, a probability outside
+    /// 0 ... 1, or as the window's.
     void validate() const;
 };
 

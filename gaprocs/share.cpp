@@ -21,6 +21,10 @@ std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t 
 std::vector<double> evaluate_share(const SearchProblem& problem, const Share& share, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias) {
     std::vector<double> terms(share.individuals(), 0.0);
+    if (share.first % share.window == 0 && share.last % share.window == 0) { // whole individuals
+        problem.fitness_of(strings, window, bias, terms);
+        return terms;
+    }
     for (std::size_t e = share.first; e < share.last; ++e) {
         std::size_t individual = e / share.window - share.first_individual();
         terms[individual] += fitness_term(bias, problem.error(strings[individual], window[e % share.window]));

@@ -8,6 +8,7 @@
 #include "runtime/parallel.hpp"
 #include "runtime/processor.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace placedpar {
@@ -18,10 +19,10 @@ namespace {
 /// away from the master and results towards it; one of low priority evaluates.
 class Slave {
 public:
-    Slave(const ProcessEnvironment& environment, const SearchProblem& problem)
-        : problem_(problem), workload_(read_slave_workload(environment)), has_next_(environment.connected("to_next")),
-          from_master_(environment.input<Task>("from_master")), to_master_(environment.output<Fitnesses>("to_master")),
-          beyond_(environment.integer("beyond")) {
+    Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
+        : problem_(std::move(problem)), workload_(read_slave_workload(environment)),
+          has_next_(environment.connected("to_next")), from_master_(environment.input<Task>("from_master")),
+          to_master_(environment.output<Fitnesses>("to_master")), beyond_(environment.integer("beyond")) {
         if (has_next_) {
             to_next_ = environment.output<Task>("to_next");
             from_next_ = environment.input<Fitnesses>("from_next");
@@ -108,14 +109,16 @@ private:
         result.share = task.share;
         if (task.kind == Task::Kind::evaluate) {
             compute(static_cast<std::int64_t>(task.share.evaluations()) * workload_.error_evaluation);
-            result.terms = evaluate_share(problem_, task.share, task.strings, *window_, task.bias);
+            if (task.coding != problem_->coding())
+                problem_ = problem_->coded(task.coding);
+            result.terms = evaluate_share(*problem_, task.share, task.strings, *window_, task.bias);
         }
         result.bytes = static_cast<std::uint32_t>(task.strings.size()) * workload_.fitness_bytes;
         compute(block_move(result.bytes)); // pack
         return result;
     }
 
-    const SearchProblem& problem_;
+    std::shared_ptr<const SearchProblem> problem_;
     Workload workload_;
     bool has_next_;
     Input<Task> from_master_;
@@ -132,7 +135,7 @@ private:
 } // namespace
 
 void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {
-    Slave(environment, *problems.find(environment.text("problem")).problem).run();
+    Slave(environment, problems.find(environment.text("problem")).problem).run();
 }
 
 } // namespace placedpar

@@ -8,10 +8,8 @@ namespace placedpar {
 
 std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genome> population,
                              std::span<const Sample> window, double bias) {
-    std::vector<double> fitness;
-    fitness.reserve(population.size());
-    for (const Genome& genome : population)
-        fitness.push_back(problem.fitness(genome, window, bias));
+    std::vector<double> fitness(population.size());
+    problem.fitness_of(population, window, bias, fitness);
     return fitness;
 }
 

@@ -1,35 +1,51 @@
 #pragma once
 
 #include "hydraulics/flow_constants.hpp"
+#include "hydraulics/parameters.hpp"
 
 namespace placedpar {
 
-/// The boom as a mass on a cylinder. The thesis prints the compliance and the sampling only; every other
-/// value here is ours, chosen so that 4 deg/s of boom takes the 50 in^3/s at the centre of Table 2.6, and
-/// right in size for an excavator of 18 to 20 t.
+/// The boom as a mass on a cylinder. The thesis prints the compliance and the sampling only; excavator.csv says
+/// where each value comes from.
 struct BoomMachine {
-    double inlet_area_in2 = 32;                    // A_i, both cylinders together; ours
-    double outlet_area_in2 = 17;                   // A_o; ours
-    double moment_arm_in = 22.4;                   // piston travel per radian of boom; ours
-    double mass_lbf_s2_per_in = 1000;              // M, at the piston; ours
-    double damping_lbf_s_per_in = 800;             // b; ours
-    double friction_lbf = 6000;                    // F_c, reached over friction_velocity; ours
-    double friction_velocity_in_per_s = 0.05;      // F_c tanh(v / this): smooth through rest; ours
-    double gravity_lbf = 49500;                    // F_g, 1555 psi to hold; ours
-    double inlet_compliance_in3_per_psi = 0.0086;  // C_i, thesis 3.1.3, found from the servo-valve voltage
-    double outlet_compliance_in3_per_psi = 0.0060; // C_o; ours
-    double spool_lag_per_s = 8;                    // a_0 of A.2; ours
+    explicit BoomMachine(const Parameters& machine = Parameters::excavator())
+        : inlet_area_in2(machine["boom.inlet_area"]), outlet_area_in2(machine["boom.outlet_area"]),
+          moment_arm_in(machine["boom.moment_arm"]), mass_lbf_s2_per_in(machine["boom.mass"]),
+          damping_lbf_s_per_in(machine["boom.damping"]), friction_lbf(machine["boom.friction"]),
+          friction_velocity_in_per_s(machine["boom.friction_velocity"]), gravity_lbf(machine["boom.gravity"]),
+          inlet_compliance_in3_per_psi(machine["boom.inlet_compliance"]),
+          outlet_compliance_in3_per_psi(machine["boom.outlet_compliance"]), spool_lag_per_s(machine["boom.spool_lag"]) {
+    }
+
+    double inlet_area_in2;                // A_i, both cylinders together
+    double outlet_area_in2;               // A_o
+    double moment_arm_in;                 // piston travel per radian of boom
+    double mass_lbf_s2_per_in;            // M, at the piston
+    double damping_lbf_s_per_in;          // b
+    double friction_lbf;                  // F_c, reached over friction_velocity
+    double friction_velocity_in_per_s;    // F_c tanh(v / this): smooth through rest
+    double gravity_lbf;                   // F_g
+    double inlet_compliance_in3_per_psi;  // C_i
+    double outlet_compliance_in3_per_psi; // C_o
+    double spool_lag_per_s;               // a_0 of A.2
 };
 
 /// Scenario A: the boom is held, then the operator asks for 4 deg/s.
 struct BoomScenario {
-    FlowConstants flow = fitted_flow_constants; // fitted
+    explicit BoomScenario(const Parameters& parameters = Parameters::excavator())
+        : flow(flow_constants(parameters)), machine(parameters),
+          spool_at_rest_in(parameters["scenario_a.spool_at_rest"]),
+          spool_desired_in(parameters["scenario_a.spool_desired"]), step_time_s(parameters["scenario_a.step_time"]),
+          duration_s(parameters["scenario_a.duration"]), integration_step_s(parameters["scenario_a.integration_step"]) {
+    }
+
+    FlowConstants flow;
     BoomMachine machine;
-    double spool_at_rest_in = 0.1297;   // A.1 at 0 V, thesis
-    double spool_desired_in = 0.2593;   // 50 in^3/s at 1850 psi; fitted
-    double step_time_s = 0.1;           // ours
-    double duration_s = 1.5;            // ours
-    double integration_step_s = 0.0005; // ours
+    double spool_at_rest_in;
+    double spool_desired_in;
+    double step_time_s;
+    double duration_s;
+    double integration_step_s;
 };
 
 } // namespace placedpar

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydraulics/link.hpp"
+#include "hydraulics/machine_link.hpp"
 
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ enum class Through : unsigned char {
 /// A junction of the main valve: the inlet orifice of one link and the bypass past it leave from here. Flow
 /// comes from a pump, from the bypasses that lead here, or from both.
 struct Junction {
-    Link link;
+    MachineLink link;
     int pumps; ///< of constant flow each: 0 to 2
     Through through;
     std::size_t next = 0; ///< of the circuit's junctions, when the bypass leads to one; INVARIANT: a later one

@@ -30,28 +30,30 @@ Array positive_part(const Array& x) {
 
 } // namespace circuit_error_detail
 
-/// By how much the flows at the junctions of a circuit miss balance, in in^3/s: the sum over its junctions of
-/// |what comes in - what enters the cylinder - what passes on|. With one junction this is the error of
-/// equations 3.5 to 3.8, with two in series that of 3.10 and 3.11; the other circuits go the same way.
-/// Pressures at the junctions are estimated from the flows into the cylinders, not measured (3.6). Where a
-/// junction's estimate is below that of the next, nothing passes on.
+/// One number for each junction of a circuit, in its order; those beyond its last mean nothing.
+template <typename T>
+using PerJunction = std::array<T, all_links.size()>;
+
+/// By how much the flows at each junction of a circuit miss balance, in in^3/s: what comes in, less what enters
+/// the cylinder, less what passes on. Pressures at the junctions are estimated from the flows into the cylinders,
+/// not measured (3.6). Where a junction's estimate is below that of the next, nothing passes on.
 ///
 /// T is double, or an Eigen array of doubles: one entry for each individual of a population, with the same
 /// bits as if each were done alone. `compliance_in3_per_psi` and `samples` have one entry for each junction, in
 /// the circuit's order. REQUIRES: at most 4 junctions, samples[j].inlet_in2 > 0.
 template <typename T>
-T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
-                          std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
+PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
+                                       std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
     using circuit_error_detail::positive_part;
     using std::abs, std::sqrt;
     const double k = flow.orifice_in3_per_s_in2_sqrt_psi;
-    std::array<T, all_links.size()> inlet, junction_psi, missing;
+    PerJunction<T> junction_psi, missing;
     for (std::size_t j = 0; j < circuit.size(); ++j) {
         const LinkSample& sample = samples[j];
-        inlet[j] = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance_in3_per_psi[j]; // 3.5
-        T root = inlet[j] / (k * sample.inlet_in2);
+        T inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance_in3_per_psi[j]; // 3.5
+        T root = inlet / (k * sample.inlet_in2);
         junction_psi[j] = root * root + sample.inlet_psi; // 3.6
-        T taken = form == InletFlow::absolute ? T(abs(inlet[j])) : inlet[j];
+        T taken = form == InletFlow::absolute ? T(abs(inlet)) : inlet;
         missing[j] = circuit[j].pumps * flow.pump_in3_per_s - taken;
     }
     for (std::size_t j = 0; j < circuit.size(); ++j) {
@@ -64,7 +66,18 @@ T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_
         if (on)
             missing[circuit[j].next] += past;
     }
-    T error = abs(missing[0]); // 3.8, 3.11
+    return missing;
+}
+
+/// The sum of what is missing at the junctions, each without its sign. With one junction this is the error of
+/// equations 3.5 to 3.8, with two in series that of 3.10 and 3.11; the other circuits go the same way.
+/// REQUIRES: as missing_flows_in3_per_s().
+template <typename T>
+T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
+                          std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
+    using std::abs;
+    auto missing = missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, samples, flow, form);
+    T error = abs(missing[0]);
     for (std::size_t j = 1; j < circuit.size(); ++j)
         error += abs(missing[j]);
     return error;

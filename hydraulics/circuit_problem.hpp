@@ -28,6 +28,10 @@ public:
     std::size_t bits() const { return circuit_.size() * bits_; }
     std::size_t channels() const { return circuit_.size() * LinkSample::channels; }
     const Circuit& circuit() const { return circuit_; }
+    InletFlow inlet_flow() const { return form_; }
+    std::size_t bits_per_compliance() const { return bits_; }
+    /// From one code to the next.
+    double resolution_in3_per_psi() const { return compliance_in3_per_psi(1); }
 
     double compliance_in3_per_psi(std::uint64_t code) const {
         return largest_in3_per_psi * static_cast<double>(code) / static_cast<double>(std::uint64_t{1} << bits_);

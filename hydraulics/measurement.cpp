@@ -33,20 +33,25 @@ double standard_normal(const UniformSource& uniform) {
     return radius * std::cos(2 * std::numbers::pi * uniform());
 }
 
-std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
-                                          const MeasurementNoise& noise, const UniformSource& uniform) {
+Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
+                    const MeasurementNoise& noise, const UniformSource& uniform) {
     std::size_t stride = stride_of(motion, period_s);
     constexpr double deg_per_rad = 180 / std::numbers::pi;
-    std::vector<BoomMeasurement> record;
+    Record record;
+    record.period_s = period_s;
     for (std::size_t i = 0; i < motion.size(); i += stride) {
         const BoomState& state = motion[i];
         double pressure_noise = noise.pressure_psi * standard_normal(uniform);
         double angle_noise = noise.angle_deg * standard_normal(uniform);
         double spool_noise = noise.spool_in * standard_normal(uniform);
         double angle_deg = state.piston_in / moment_arm_in * deg_per_rad;
-        record.push_back({state.time_s, reading(state.inlet_psi + pressure_noise, pressure_resolution_psi),
-                          reading(angle_deg + angle_noise, angle_resolution_deg),
-                          reading(state.spool_in + spool_noise, spool_resolution_in)});
+        auto read = [&](Sensor sensor, double value, double resolution) {
+            record.of(MachineLink::boom, sensor).push_back(reading(value, resolution));
+        };
+        record.time_s.push_back(state.time_s);
+        read(Sensor::inlet_pressure, state.inlet_psi + pressure_noise, pressure_resolution_psi);
+        read(Sensor::angle, angle_deg + angle_noise, angle_resolution_deg);
+        read(Sensor::spool, state.spool_in + spool_noise, spool_resolution_in);
     }
     return record;
 }

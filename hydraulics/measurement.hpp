@@ -1,20 +1,12 @@
 #pragma once
 
 #include "hydraulics/boom_motion.hpp"
+#include "hydraulics/record.hpp"
 
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace placedpar {
-
-/// What the sensors of the boom say at one sampling instant.
-struct BoomMeasurement {
-    double time_s;
-    double inlet_psi;
-    double angle_deg;
-    double spool_in;
-};
 
 /// Standard deviations of white Gaussian noise on each sensor.
 struct MeasurementNoise {
@@ -44,10 +36,10 @@ inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
 
-/// Samples a motion every `period_s`, from its first state on; draws three normal numbers a sample in the
-/// order pressure, angle, spool, whatever the noise, so that two levels see the same disturbance in
-/// proportion. Throws std::invalid_argument when the period is no whole multiple of the motion's step.
-std::vector<BoomMeasurement> measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
-                                          const MeasurementNoise& noise, const UniformSource& uniform);
+/// Samples a motion every `period_s`, from its first state on: the boom's inlet pressure, angle and spool. Draws three
+/// normal numbers a sample in the order pressure, angle, spool, whatever the noise, so that two levels see the same
+/// disturbance in proportion. Throws std::invalid_argument when the period is no whole multiple of the motion's step.
+Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
+                    const MeasurementNoise& noise, const UniformSource& uniform);
 
 } // namespace placedpar

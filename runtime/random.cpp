@@ -21,14 +21,26 @@ RandomStream::RandomStream(std::uint64_t seed, std::string_view path)
     counter_ = {{0, 0, static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)}};
 }
 
-RandomStream::result_type RandomStream::operator()() {
-    if (drawn_from_block_ == 4) {
-        block_ = Philox{}(counter_, key_);
-        if (++counter_[0] == 0)
-            ++counter_[1];
-        drawn_from_block_ = 0;
+void RandomStream::next_block() {
+    block_ = Philox{}(counter_, key_);
+    if (++counter_[0] == 0)
+        ++counter_[1];
+    drawn_from_block_ = 0;
+}
+
+void RandomStream::fill(std::span<result_type> numbers) {
+    while (!numbers.empty() && drawn_from_block_ < 4) {
+        numbers.front() = block_[drawn_from_block_++];
+        numbers = numbers.subspan(1);
     }
-    return block_[drawn_from_block_++];
+    for (; numbers.size() >= 4; numbers = numbers.subspan(4)) {
+        next_block();
+        for (unsigned i = 0; i < 4; ++i)
+            numbers[i] = block_[i];
+        drawn_from_block_ = 4;
+    }
+    for (result_type& number : numbers)
+        number = (*this)();
 }
 
 std::uint32_t RandomStream::below(std::uint32_t n) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string_view>
 
 namespace placedpar {
@@ -20,7 +21,13 @@ public:
 
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
-    result_type operator()();
+    result_type operator()() {
+        if (drawn_from_block_ == 4)
+            next_block();
+        return block_[drawn_from_block_++];
+    }
+    /// The next numbers, as by so many calls.
+    void fill(std::span<result_type> numbers);
 
     /// Uniform in [0, 1), a multiple of 2^-32.
     double uniform() { return (*this)() * 0x1p-32; }
@@ -30,6 +37,8 @@ public:
     bool chance(double probability) { return uniform() < probability; }
 
 private:
+    void next_block();
+
     using Philox = r123::Philox4x32;
     Philox::key_type key_;
     Philox::ctr_type counter_;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What the monitor says, each one JSON object in one line with its newline; docs/monitor.md is the description.
 
@@ -22,4 +22,4 @@ std::string error_line(std::size_t line, const BadMessage& error);
 /// {"type":TYPE} and, where there is one, a text.
 std::string plain_line(std::string_view type, std::string_view text = "");
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
@@ -190,4 +190,4 @@ void Connection::close() {
     handlers_.closed(*this);
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

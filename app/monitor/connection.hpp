@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// One client's connection: lines come in, lines go out, both bounded.
 ///
@@ -77,4 +77,4 @@ private:
     Clock::time_point opened_, last_line_, line_begun_, last_written_, finishing_since_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What one population set says of a link, once it has settled.
 struct SetEstimate {
@@ -62,4 +62,4 @@ struct Alarm {
 /// what they share, its pump and the reading of its spools.
 std::vector<Alarm> find_alarms(const PerLink<LinkCheck>& checks, const DiagnosisSettings& settings);
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 void Dispatcher::leave(Client& client) {
     clients_.erase(&client);
@@ -166,4 +166,4 @@ void Dispatcher::say_goodbye() {
     }
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// One who is connected, as the dispatcher sees him.
 class Client {
@@ -82,4 +82,4 @@ private:
     bool complained_ = false; // of the state; once until it is well again
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::optional<double> Estimate::lasting_in3_per_psi() const {
     return median(state_.settled_in3_per_psi);
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What a population set knows of the compliance of one of its links.
 ///
@@ -65,4 +65,4 @@ double median(std::vector<double> values);
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 
-} // namespace placedpar
+} // namespace placedpar::monitor

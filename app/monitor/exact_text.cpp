@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::vector<Genome> genomes_from(std::string_view text, std::size_t bits) {
     return strings;
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

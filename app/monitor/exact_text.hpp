@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// Numbers and strings as text that gives back the same bits, which a JSON parser's doubles need not.
 
@@ -22,4 +22,4 @@ std::string exact_text(std::span<const Genome> strings);
 /// Throws std::runtime_error.
 std::vector<Genome> genomes_from(std::string_view text, std::size_t bits);
 
-} // namespace placedpar
+} // namespace placedpar::monitor

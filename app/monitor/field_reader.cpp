@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -104,4 +104,4 @@ void FieldReader::finish() const {
         }
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

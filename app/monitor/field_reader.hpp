@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// A range that a number has to be in, ends included.
 struct Range {
@@ -46,4 +46,4 @@ private:
     std::vector<std::string> asked_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

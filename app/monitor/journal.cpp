@@ -15,7 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -128,4 +128,4 @@ void Journal::sync() const {
         fail("cannot be brought to the disk");
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What is left of a journal after whatever happened to its writer.
 struct JournalContent {
@@ -50,4 +50,4 @@ private:
     std::size_t bytes_ = 0;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

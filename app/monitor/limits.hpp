@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What the service puts up with; all ours.
 struct ServiceLimits {
@@ -17,4 +17,4 @@ struct ServiceLimits {
     double closing_s = 2;               // for a client to read the last message
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

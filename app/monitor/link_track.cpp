@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::optional<LinkSample> LinkTrack::centre(const CentredLineFit& fit, const Lin
                       state_.bypass_in2[middle]};
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// The last readings of one link, from which the derivatives come: the line through 5 samples belongs to the
 /// middle one, so that what comes out is 2 samples old.
@@ -36,4 +36,4 @@ private:
     State state_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -49,4 +49,4 @@ double LoadMeter::uptime_s() const { return std::chrono::duration<double>(Clock:
 
 LoadMeter::Rates LoadMeter::rates() const { return rates_.over_s > 0 ? rates_ : between(start_, read()); }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

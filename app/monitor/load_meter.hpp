@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What the service has to do, and what that takes: totals, and rates over the last whole second or more.
 class LoadMeter {
@@ -44,4 +44,4 @@ private:
     Rates rates_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -53,7 +53,7 @@ Machine::State Machine::state() const {
 std::vector<LinkSet> Machine::sets_in_use() const {
     if (!state_.configuration)
         return {};
-    return placedpar::sets_in_use(*state_.configuration, state_.active);
+    return monitor::sets_in_use(*state_.configuration, state_.active);
 }
 
 PopulationSet& Machine::population(LinkSet set) {
@@ -88,7 +88,7 @@ void Machine::require_acceptable(const SampleMessage& message) const {
     if (!state_.configuration)
         throw BadMessage("type", "a sample before any configuration",
                          "first {\"type\":\"configuration\",\"configuration\":\"a\",\"active\":[\"BU\",\"BO\"]}");
-    for (Link link : links_of(state_.active))
+    for (MachineLink link : links_of(state_.active))
         if (!message.links[index_of(link)])
             throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is missing, and the link is active",
                              "a reading of each active link, or a configuration without it");
@@ -112,7 +112,7 @@ SampleOutcome Machine::take(const SampleMessage& message) {
     state_.time_s = message.time_s;
     state_.time_may_restart = false;
     ++state_.samples;
-    for (Link link : links_of(state_.active))
+    for (MachineLink link : links_of(state_.active))
         state_.tracks[index_of(link)].push(*message.links[index_of(link)], state_.parameters.links[index_of(link)],
                                            state_.parameters.period_s);
     double centre_s = message.time_s - static_cast<double>(line_fit_points / 2) * state_.parameters.period_s;
@@ -125,7 +125,7 @@ SampleOutcome Machine::take(const SampleMessage& message) {
 
 std::size_t Machine::search(LinkSet set, double centre_s) {
     SetSample samples;
-    for (Link link : links_of(set)) {
+    for (MachineLink link : links_of(set)) {
         auto sample = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
         if (!sample)
             return 0;
@@ -134,7 +134,7 @@ std::size_t Machine::search(LinkSet set, double centre_s) {
     return population(set).take(problem(set), samples, centre_s);
 }
 
-LinkCheck Machine::check(Link link) const {
+LinkCheck Machine::check(MachineLink link) const {
     LinkCheck check{state_.baseline_in3_per_psi[index_of(link)], {}};
     double newest_s = 0;
     bool any = false;
@@ -142,7 +142,7 @@ LinkCheck Machine::check(Link link) const {
         auto found = sets_.find(set);
         if (!set.contains(link) || found == sets_.end())
             continue;
-        std::vector<Link> links = links_of(set);
+        std::vector<MachineLink> links = links_of(set);
         auto position = static_cast<std::size_t>(std::ranges::find(links, link) - links.begin());
         const Estimate& estimate = found->second.state().estimates[position];
         double settled_s = estimate.state().settled_time_s;
@@ -160,7 +160,7 @@ LinkCheck Machine::check(Link link) const {
 
 void Machine::settle_baselines() {
     for (const auto& [set, population] : sets_) {
-        std::vector<Link> links = links_of(set);
+        std::vector<MachineLink> links = links_of(set);
         for (std::size_t i = 0; i < links.size(); ++i) {
             // The first settled value that will not move any more: at the end of its transient.
             const Estimate& estimate = population.state().estimates[i];
@@ -173,7 +173,7 @@ void Machine::settle_baselines() {
 }
 
 SampleOutcome Machine::set_baseline(const BaselineMessage& message) {
-    for (Link link : all_links)
+    for (MachineLink link : all_links)
         if (const auto& compliance = message.compliance_in3_per_psi[index_of(link)])
             state_.baseline_in3_per_psi[index_of(link)] = *compliance;
     SampleOutcome outcome;
@@ -183,7 +183,7 @@ SampleOutcome Machine::set_baseline(const BaselineMessage& message) {
 
 void Machine::update_alarms(SampleOutcome& outcome) {
     PerLink<LinkCheck> checks;
-    for (Link link : all_links)
+    for (MachineLink link : all_links)
         checks[index_of(link)] = check(link);
     std::vector<Alarm> now = find_alarms(checks, settings_);
     outcome.raised = without(now, state_.alarms);
@@ -191,4 +191,4 @@ void Machine::update_alarms(SampleOutcome& outcome) {
     state_.alarms = std::move(now);
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

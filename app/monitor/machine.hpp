@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What a sample led to.
 struct SampleOutcome {
@@ -57,7 +57,7 @@ public:
     const std::map<LinkSet, PopulationSet>& sets() const { return sets_; }
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<LinkSet> sets_in_use() const;
-    LinkCheck check(Link link) const;
+    LinkCheck check(MachineLink link) const;
 
     /// A control system has connected: the time of its samples may begin anew.
     void connected() { state_.time_may_restart = true; }
@@ -87,4 +87,4 @@ private:
     std::map<std::pair<Configuration, LinkSet>, SetProblem> problems_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

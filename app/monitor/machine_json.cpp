@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace json = boost::json;
 
@@ -33,7 +33,7 @@ std::optional<double> optional_from(const json::value& value) {
 
 json::string links_json(LinkSet links) {
     std::string text;
-    for (Link link : links_of(links))
+    for (MachineLink link : links_of(links))
         text += fmt::format("{}{}", text.empty() ? "" : " ", symbol_of(link));
     return json::string(text);
 }
@@ -41,7 +41,7 @@ json::string links_json(LinkSet links) {
 LinkSet links_from(const json::value& value) {
     LinkSet links;
     std::string symbols = text(value);
-    for (Link link : all_links)
+    for (MachineLink link : all_links)
         if (symbols.find(symbol_of(link)) != std::string::npos)
             links.insert(link);
     return links;
@@ -126,13 +126,9 @@ json::object set_json(LinkSet links, const PopulationSet::State& set) {
         window.push_back(sample_json(sample));
     for (const Estimate& estimate : set.estimates)
         estimates.push_back(estimate_json(estimate.state()));
-    return {{"set", name_of_set(links)},
-            {"population", exact_text(set.population)},
-            {"elite", set.elite ? exact_text(std::span(&*set.elite, 1)) : ""},
-            {"window", std::move(window)},
-            {"to_skip", set.to_skip},
-            {"samples", set.samples},
-            {"generations", set.generations},
+    return {{"set", name_of_set(links)},        {"population", exact_text(set.population)},
+            {"window", std::move(window)},      {"to_skip", set.to_skip},
+            {"samples", set.samples},           {"generations", set.generations},
             {"estimates", std::move(estimates)}};
 }
 
@@ -143,8 +139,6 @@ PopulationSet::State set_from(const json::value& value, LinkSet links, const Dia
     if (set.population.size() != settings.search.population)
         throw std::runtime_error(
             fmt::format("a population of {}, expected {}", set.population.size(), settings.search.population));
-    if (auto elite = genomes_from(text(value.at("elite")), bits); !elite.empty())
-        set.elite = elite.front();
     for (const json::value& sample : value.at("window").as_array())
         set.window.push_back(sample_from(sample, links.size()));
     set.to_skip = value.at("to_skip").to_number<std::size_t>();
@@ -220,4 +214,4 @@ Machine::State state_from(const json::value& value, const DiagnosisSettings& set
     return state;
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

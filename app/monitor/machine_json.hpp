@@ -4,7 +4,7 @@
 
 #include <boost/json.hpp>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// A machine's state as the state file keeps it: what is read back has the same bits.
 boost::json::object state_json(const Machine::State& state);
@@ -12,4 +12,4 @@ boost::json::object state_json(const Machine::State& state);
 /// Throws std::runtime_error when the value is no such state, or has populations of another size.
 Machine::State state_from(const boost::json::value& value, const DiagnosisSettings& settings);
 
-} // namespace placedpar
+} // namespace placedpar::monitor

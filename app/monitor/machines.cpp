@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 Machine& Machines::greet(const Hello& hello) {
     auto found = machines_.find(hello.machine);
@@ -48,4 +48,4 @@ void Machines::replay(const std::string& machine, std::string_view text) {
         found->second.set_baseline(*baseline);
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

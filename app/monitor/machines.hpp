@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// All machines under diagnosis, by name.
 class Machines {
@@ -38,4 +38,4 @@ private:
     std::map<std::string, Machine> machines_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

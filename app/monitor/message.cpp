@@ -1,6 +1,7 @@
 #include "app/monitor/message.hpp"
 
 #include "app/monitor/field_reader.hpp"
+#include "hydraulics/parameters.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +9,14 @@
 #include <cctype>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::monitor {
+
+PerLink<LinkParameters> default_link_parameters() {
+    const Parameters& excavator = Parameters::excavator();
+    double lag = excavator["boom.spool_lag"];
+    double boom = excavator["boom.inlet_area"] * excavator["boom.moment_arm"];
+    return {{{240, lag}, {boom, lag}, {384, lag}, {152, lag}}};
+}
 
 bool operator==(const MachineParameters& a, const MachineParameters& b) {
     auto numbers = [](const FlowConstants& flow) {
@@ -24,7 +32,7 @@ constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spoo
     areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.001, 1, "s"},
     pistons{0.1, 1e6, "in^3/rad"}, lags{0.1, 1000, "1/s"}, seconds{0, 86400, "s"};
 
-Link link_of(const std::string& name, const std::string& path) {
+MachineLink link_of(const std::string& name, const std::string& path) {
     if (auto link = link_named(name))
         return *link;
     throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
@@ -35,7 +43,7 @@ template <typename Read>
 void for_each_link(FieldReader& message, Read read) {
     FieldReader links = message.object("links");
     for (const std::string& name : links.names()) {
-        Link link = link_of(name, links.path_of(name));
+        MachineLink link = link_of(name, links.path_of(name));
         FieldReader fields = links.object(name);
         read(link, fields);
         fields.finish();
@@ -75,7 +83,7 @@ MachineParameters machine_parameters(FieldReader& fields) {
         flow.finish();
     }
     if (fields.has("links"))
-        for_each_link(fields, [&](Link link, FieldReader& of_link) {
+        for_each_link(fields, [&](MachineLink link, FieldReader& of_link) {
             LinkParameters& p = parameters.links[index_of(link)];
             p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
             p.spool_lag_per_s = of_link.number_or("spool_lag_per_s", lags, p.spool_lag_per_s);
@@ -133,7 +141,7 @@ Reading reading(FieldReader& fields) {
 
 Message sample(FieldReader& fields) {
     SampleMessage sample{fields.number("time_s", times), {}};
-    for_each_link(fields, [&](Link link, FieldReader& of_link) {
+    for_each_link(fields, [&](MachineLink link, FieldReader& of_link) {
         auto& place = sample.links[index_of(link)];
         if (place)
             throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
@@ -206,4 +214,4 @@ Message parse_message(std::string_view line) {
     return message;
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <variant>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// What a control system may say to the monitor, one JSON object a line; docs/monitor.md is the description.
 
@@ -22,21 +22,21 @@ using PerLink = std::array<T, all_links.size()>;
 
 /// What turns readings of one link into flows.
 struct LinkParameters {
-    double piston_in3_per_rad;  // A_i times the moment arm, or the displacement of a motor
-    double spool_lag_per_s = 8; // a_0 of A.2; ours
+    double piston_in3_per_rad; // A_i times the moment arm, or the displacement of a motor
+    double spool_lag_per_s;    // a_0 of A.2
 
     friend bool operator==(const LinkParameters&, const LinkParameters&) = default;
 };
 
-/// Bucket 20 in^2 at 12 in, boom 32 in^2 at 22.4 in, stick 24 in^2 at 16 in; the swing turns at 11 r.p.m. on the
-/// flow of one pump. All ours: the thesis prints none.
-inline constexpr PerLink<LinkParameters> default_link_parameters{{{240}, {716.8}, {384}, {152}}};
+/// The boom's are the excavator's; bucket 20 in^2 at 12 in, stick 24 in^2 at 16 in; the swing turns at 11 r.p.m. on
+/// the flow of one pump. All ours: the thesis prints none.
+PerLink<LinkParameters> default_link_parameters();
 
 /// What the diagnosis has to know of a machine.
 struct MachineParameters {
     double period_s = 0.020; // between samples; thesis
     FlowConstants flow = fitted_flow_constants;
-    PerLink<LinkParameters> links = default_link_parameters;
+    PerLink<LinkParameters> links = default_link_parameters();
 
     friend bool operator==(const MachineParameters&, const MachineParameters&);
 };
@@ -115,4 +115,4 @@ private:
 /// Throws BadMessage.
 Message parse_message(std::string_view line);
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -1,11 +1,15 @@
 #include "app/monitor/monitor_command.hpp"
 
+#include "app/monitor/service.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <memory>
+#include <string>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -43,9 +47,7 @@ void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
     add("--stale-after", diagnosis.stale_after_s, "older estimates take no part in cross-checks", "S");
 }
 
-} // namespace
-
-void add_monitor_options(CLI::App& command, ServiceSettings& settings) {
+void add_options(CLI::App& command, ServiceSettings& settings) {
     command.add_option("--address", settings.address, "where to listen")->capture_default_str();
     command.add_option("--port", settings.port, "0: any free one, which is printed")
         ->type_name("N")
@@ -61,7 +63,7 @@ void add_monitor_options(CLI::App& command, ServiceSettings& settings) {
     add_diagnosis(command, settings.diagnosis);
 }
 
-ExitCode monitor(const ServiceSettings& settings) {
+ExitCode serve(const ServiceSettings& settings) {
     auto say = [](const std::string& sentence) { fmt::print(stderr, "placedpar monitor: {}\n", sentence); };
     Service service(settings, say);
     fmt::print("placedpar monitor: listening on {} port {}\n", settings.address, service.port());
@@ -71,4 +73,13 @@ ExitCode monitor(const ServiceSettings& settings) {
     return ExitCode::success;
 }
 
-} // namespace placedpar
+} // namespace
+
+void declare(CLI::App& app, ChosenCommand& chosen) {
+    auto* command = app.add_subcommand("monitor", "Serves the on-line diagnosis to control systems over TCP");
+    auto settings = std::make_shared<ServiceSettings>();
+    add_options(*command, *settings);
+    command->callback([&chosen, settings] { chosen = [settings] { return serve(*settings); }; });
+}
+
+} // namespace placedpar::monitor

@@ -1,18 +1,15 @@
 #pragma once
 
-#include "app/exit_code.hpp"
-#include "app/monitor/service.hpp"
+#include "app/command.hpp"
 
 namespace CLI {
 class App;
 }
 
-namespace placedpar {
+namespace placedpar::monitor {
 
-/// Declares the options of `placedpar monitor`.
-void add_monitor_options(CLI::App& command, ServiceSettings& settings);
+/// Declares `placedpar monitor`, which serves until SIGINT or SIGTERM: it prints where it listens, and on standard
+/// error what the operator should know.
+void declare(CLI::App& app, ChosenCommand& chosen);
 
-/// Serves until SIGINT or SIGTERM. Prints where it listens, and on standard error what the operator should know.
-ExitCode monitor(const ServiceSettings& settings);
-
-} // namespace placedpar
+} // namespace placedpar::monitor

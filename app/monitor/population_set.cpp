@@ -1,7 +1,6 @@
 #include "app/monitor/population_set.hpp"
 
 #include "gaprocs/operators.hpp"
-#include "gaprocs/search.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -77,47 +76,37 @@ void PopulationSet::push(const SetSample& sample) {
 void PopulationSet::evolve(const SetProblem& problem, double time_s) {
     const WindowSettings& window = settings_.search.window;
     std::vector<Genome> former = state_.population;
-    std::optional<Genome> former_elite = state_.elite;
     Search search(std::move(state_.population), settings_.search,
                   RandomStream(seed_, fmt::format("{}/{}", name_, state_.samples)));
     for (std::size_t trial = 0; trial < window.trials; ++trial) {
-        std::vector<double> fitness = problem.fitness(search.population(), state_.window, window.bias);
-        if (state_.elite) {
-            double of_elite = problem.fitness({&*state_.elite, 1}, state_.window, window.bias).front();
-            search.accept({*state_.elite, of_elite}, fitness);
-        }
-        search.next_generation(fitness);
-        state_.elite = search.best().genome;
+        search.next_generation(problem.fitness(search.population(), state_.window, window.bias));
         ++state_.generations;
-        record(problem, search.best().fitness > 0, time_s);
+        record(problem, search.best(), time_s);
     }
     state_.population = search.population();
-    keep_frozen_columns(former, former_elite);
+    keep_frozen_columns(former);
 }
 
-void PopulationSet::record(const SetProblem& problem, bool fits, double time_s) {
+void PopulationSet::record(const SetProblem& problem, const Individual& best, double time_s) {
     for (std::size_t i = 0; i < state_.estimates.size(); ++i) {
         Estimate& estimate = state_.estimates[i];
         if (!estimate.excited())
             continue;
-        if (fits)
-            estimate.add(problem.compliance_in3_per_psi(*state_.elite, i), time_s, problem.step_in3_per_psi(),
-                         settings_);
+        if (best.fitness > 0)
+            estimate.add(problem.compliance_in3_per_psi(best.genome, i), time_s, problem.step_in3_per_psi(), settings_);
         else
             estimate.nothing_fits();
     }
 }
 
-void PopulationSet::keep_frozen_columns(const std::vector<Genome>& former, const std::optional<Genome>& former_elite) {
+void PopulationSet::keep_frozen_columns(const std::vector<Genome>& former) {
     for (std::size_t i = 0; i < state_.estimates.size(); ++i) {
         if (state_.estimates[i].excited())
             continue;
         std::size_t first = i * settings_.bits, count = settings_.bits;
         for (std::size_t j = 0; j < former.size(); ++j)
             state_.population[j].set_field(first, count, former[j].field(first, count));
-        if (former_elite)
-            state_.elite->set_field(first, count, former_elite->field(first, count));
     }
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

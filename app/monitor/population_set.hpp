@@ -2,7 +2,7 @@
 
 #include "app/monitor/estimate.hpp"
 #include "app/monitor/set_problem.hpp"
-#include "gaprocs/genome.hpp"
+#include "gaprocs/search.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// A population and what it has found: the part of the diagnosis that outlives changes of configuration.
 ///
@@ -21,11 +21,10 @@ class PopulationSet {
 public:
     /// All that a restart needs.
     struct State {
-        std::vector<Genome> population;
-        std::optional<Genome> elite;   // the best of the last generation
-        std::vector<SetSample> window; // oldest first
-        std::size_t to_skip = 0;       // usable samples still to be left out
-        std::uint64_t samples = 0;     // seen, usable or not
+        std::vector<Genome> population; // the elite first
+        std::vector<SetSample> window;  // oldest first
+        std::size_t to_skip = 0;        // usable samples still to be left out
+        std::uint64_t samples = 0;      // seen, usable or not
         std::uint64_t generations = 0;
         std::vector<Estimate> estimates; // of each link, in the order of links_of()
     };
@@ -50,8 +49,8 @@ private:
     void evolve(const SetProblem& problem, double time_s);
     /// Gives the links that are not excited their columns of the former population back: their bits would only
     /// drift.
-    void keep_frozen_columns(const std::vector<Genome>& former, const std::optional<Genome>& former_elite);
-    void record(const SetProblem& problem, bool fits, double time_s);
+    void keep_frozen_columns(const std::vector<Genome>& former);
+    void record(const SetProblem& problem, const Individual& best, double time_s);
 
     LinkSet links_;
     DiagnosisSettings settings_;
@@ -60,4 +59,4 @@ private:
     State state_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -13,7 +13,8 @@ struct NamedSet {
     LinkSet links;
 };
 
-constexpr Link bu = Link::bucket, bo = Link::boom, st = Link::stick, sw = Link::swing;
+constexpr MachineLink bu = MachineLink::bucket, bo = MachineLink::boom, st = MachineLink::stick,
+                      sw = MachineLink::swing;
 
 /// Figure 3.13.
 constexpr std::array<NamedSet, 15> figure_3_13{{
@@ -56,9 +57,9 @@ std::optional<LinkSet> set_named(std::string_view name) {
     return found == figure_3_13.end() ? std::nullopt : std::optional(found->links);
 }
 
-std::vector<Link> links_of(LinkSet set) {
-    std::vector<Link> links;
-    std::ranges::copy_if(all_links, std::back_inserter(links), [&](Link link) { return set.contains(link); });
+std::vector<MachineLink> links_of(LinkSet set) {
+    std::vector<MachineLink> links;
+    std::ranges::copy_if(all_links, std::back_inserter(links), [&](MachineLink link) { return set.contains(link); });
     return links;
 }
 
@@ -71,4 +72,4 @@ std::vector<LinkSet> sets_in_use(Configuration configuration, LinkSet active) {
     return sets;
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -251,4 +251,4 @@ void Service::run(bool until_signal) { loop_->run(until_signal); }
 
 void Service::stop() { loop_->stop(); }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 struct ServiceSettings {
     std::string address = "127.0.0.1";
@@ -41,4 +41,4 @@ private:
     std::unique_ptr<Loop> loop_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

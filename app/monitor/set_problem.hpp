@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// One LinkSample for each link of a population set, in the order of links_of().
 using SetSample = std::vector<LinkSample>;
@@ -36,10 +36,12 @@ public:
     std::vector<double> fitness(std::span<const Genome> strings, std::span<const SetSample> window, double bias) const;
 
 private:
+    std::vector<LinkSample> by_junction(const SetSample& sample) const;
+
     Circuit circuit_;
     FlowConstants flow_;
     std::size_t bits_;
     std::vector<std::size_t> positions_; // in the set, of the link of each junction
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace {
 
@@ -16,6 +16,12 @@ void require(bool good, const char* what, double value, const char* right) {
 }
 
 } // namespace
+
+SearchSettings service_search() {
+    SearchSettings search;
+    search.elite = 1;
+    return search;
+}
 
 double DiagnosisSettings::step_in3_per_psi() const {
     return CircuitProblem::largest_in3_per_psi / static_cast<double>(1u << bits);
@@ -34,4 +40,4 @@ void DiagnosisSettings::validate() const {
     require(stale_after_s > 0, "the age of a stale estimate", stale_after_s, "more than 0 s");
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

@@ -4,16 +4,19 @@
 
 #include <cstddef>
 
-namespace placedpar {
+namespace placedpar::monitor {
+
+/// The thesis's numbers, with one elite individual.
+SearchSettings service_search();
 
 /// How the on-line diagnosis searches and when it speaks. The search is the thesis's with what an engineer
 /// would add to it: one elite individual, Gray code, signed flow into the cylinder, a gate on excitation.
 struct DiagnosisSettings {
-    SearchSettings search;          // window 10, bias 400, 5 trials, population 120
-    std::size_t bits = 10;          // of one compliance; the thesis does not print it
-    double gate_psi_per_s = 800;    // rms slope over the window below which an estimate is frozen; ours
-    std::size_t skipped = 2;        // usable samples left out after the path to a cylinder opened; ours
-    std::size_t median_over = 25;   // generations whose best individuals' median is the estimate; ours
+    SearchSettings search = service_search(); // window 10, bias 400, 5 trials, population 120, 1 elite
+    std::size_t bits = 10;                    // of one compliance; the thesis does not print it
+    double gate_psi_per_s = 800;              // rms slope over the window below which an estimate is frozen; ours
+    std::size_t skipped = 2;                  // usable samples left out after the path to a cylinder opened; ours
+    std::size_t median_over = 25;             // generations whose best individuals' median is the estimate; ours
     double settled_within = 0.2;    // (greatest - least) / median of those, at which it counts as settled; ours
     double doubled_at = 1.8;        // times the baseline; ours: a doubled compliance is found as 2.01 +- 4.5 %
     double inconsistent_over = 0.3; // (greatest - least) / median between population sets; ours
@@ -27,4 +30,4 @@ struct DiagnosisSettings {
     void validate() const;
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

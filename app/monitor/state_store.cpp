@@ -15,7 +15,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 namespace fs = std::filesystem;
 namespace json = boost::json;
@@ -138,4 +138,4 @@ void StateStore::write(const Machines& machines) {
     generations_ = 0;
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

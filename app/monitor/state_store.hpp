@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// Keeps what is known of all machines over a restart: the state file, written whole, and beside it a journal
 /// (FILE.journal) of the messages taken since, as they came. The diagnosis is a function of its messages, so
@@ -47,4 +47,4 @@ private:
     std::uint64_t generations_ = 0; // in the journal
 };
 
-} // namespace placedpar
+} // namespace placedpar::monitor

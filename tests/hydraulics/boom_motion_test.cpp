@@ -29,7 +29,7 @@ double greatest_slope_psi_per_s(const std::vector<BoomState>& motion) {
 } // namespace
 
 TEST_CASE("scenario A: the load is held until the spool moves") {
-    std::vector<BoomState> motion = simulate_boom({});
+    std::vector<BoomState> motion = simulate_boom(BoomScenario());
     CHECK(motion.front().inlet_psi == doctest::Approx(1555).epsilon(1e-3));
     const BoomState& before = motion[200];
     CHECK(before.time_s == doctest::Approx(0.1));
@@ -50,7 +50,7 @@ TEST_CASE("scenario A: peak, steady state and steepest rise") {
 }
 
 TEST_CASE("the spool follows its first-order lag") {
-    std::vector<BoomState> motion = simulate_boom({});
+    std::vector<BoomState> motion = simulate_boom(BoomScenario());
     const BoomState& state = motion[400]; // t = .2 s, .1 s after the step: 1 - exp(-.8)
     CHECK(state.spool_in == doctest::Approx(0.1297 + 0.1296 * (1 - std::exp(-0.8))).epsilon(1e-9));
 }
@@ -58,7 +58,7 @@ TEST_CASE("the spool follows its first-order lag") {
 TEST_CASE("halving the integration step changes the pressure by less than 0.01 psi") {
     BoomScenario fine;
     fine.integration_step_s /= 2;
-    std::vector<BoomState> coarse = simulate_boom({}), halved = simulate_boom(fine);
+    std::vector<BoomState> coarse = simulate_boom(BoomScenario()), halved = simulate_boom(fine);
     double greatest = 0;
     for (std::size_t i = 0; i < coarse.size(); ++i)
         greatest = std::max(greatest, std::abs(coarse[i].inlet_psi - halved[2 * i].inlet_psi));

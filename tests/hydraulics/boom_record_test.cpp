@@ -14,53 +14,120 @@ namespace {
 
 const BoomScenario scenario;
 
-std::vector<BoomMeasurement> exact_measurements() {
+const Circuit circuit = boom_circuit();
+
+Record exact_record() {
     return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, no_noise,
                         [] { return 0.0; });
+}
+
+std::vector<CircuitSample> usable(const Record& record) {
+    return usable_samples(circuit_samples(record, circuit, boom_readings(scenario.machine)), circuit, scenario.flow);
+}
+
+/// The record's instants [first, last).
+Record part(Record record, std::size_t first, std::size_t last) {
+    auto cut = [&](std::vector<double>& values) {
+        values = std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                     values.begin() + static_cast<std::ptrdiff_t>(last));
+    };
+    cut(record.time_s);
+    for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
+        cut(record.of(MachineLink::boom, sensor));
+    return record;
 }
 
 } // namespace
 
 TEST_CASE("scenario A has 20 usable samples from .20 to .58 s, the first 14 rising") {
-    auto measured = exact_measurements();
-    auto samples = usable_samples(measured, scenario.flow, scenario.machine);
+    Record record = exact_record();
+    auto samples = usable(record);
     REQUIRE(samples.size() == 20);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        CHECK(samples[i].inlet_psi == measured[10 + i].inlet_psi); // measurement 10 is at .20 s
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        CHECK((samples[i].inlet_slope_psi_per_s > 0) == (i < 14));
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        CHECK(samples[i].index == 10 + i);
+        CHECK(samples[i].time_s == doctest::Approx(0.20 + 0.02 * static_cast<double>(i)));
+        CHECK(samples[i].links.at(0).inlet_psi == record.of(MachineLink::boom, Sensor::inlet_pressure)[10 + i]);
+        CHECK((samples[i].links.at(0).inlet_slope_psi_per_s > 0) == (i < 14));
+    }
 }
 
 TEST_CASE("the piston's flow at each sample is that of the motion, up to the line fit") {
     auto motion = simulate_boom(scenario);
-    auto samples = usable_samples(exact_measurements(), scenario.flow, scenario.machine);
+    auto samples = usable(exact_record());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         double exact = 32 * motion[400 + 40 * i].velocity_in_per_s;
-        CHECK(std::abs(samples[i].piston_flow_in3_per_s - exact) < 1.5);
+        CHECK(std::abs(samples[i].links.at(0).piston_flow_in3_per_s - exact) < 1.5);
     }
 }
 
 TEST_CASE("samples where the check valve shuts later are left out") {
-    auto measured = exact_measurements();
-    measured[15].spool_in = 0.18;  // a glitch: inlet shut
-    measured[16].spool_in = 0.195; // open, but the pump cannot reach the load
-    auto samples = usable_samples(measured, scenario.flow, scenario.machine);
+    Record record = exact_record();
+    record.of(MachineLink::boom, Sensor::spool)[15] = 0.18;  // a glitch: inlet shut
+    record.of(MachineLink::boom, Sensor::spool)[16] = 0.195; // open, but the pump cannot reach the load
+    auto samples = usable(record);
     REQUIRE(samples.size() == 20);
-    CHECK(samples[4].inlet_psi == measured[14].inlet_psi);
-    CHECK(samples[5].inlet_psi == measured[17].inlet_psi);
+    CHECK(samples[4].index == 14);
+    CHECK(samples[5].index == 17);
 }
 
 TEST_CASE("a record that ends early gives fewer samples, one at rest none") {
-    auto measured = exact_measurements();
-    std::span<const BoomMeasurement> all(measured);
-    CHECK(usable_samples(all.first(20), scenario.flow, scenario.machine).size() == 8); // centres 10 ... 17
-    CHECK(usable_samples(all.first(6), scenario.flow, scenario.machine).empty());
-    CHECK(usable_samples({}, scenario.flow, scenario.machine).empty());
+    Record record = exact_record();
+    CHECK(usable(part(record, 0, 20)).size() == 8); // centres 10 ... 17
+    CHECK(usable(part(record, 0, 6)).empty());
 }
 
-TEST_CASE("measurements at another period than stated are refused") {
-    auto measured = exact_measurements();
-    CHECK_THROWS_AS(usable_samples(measured, scenario.flow, scenario.machine, {}, 0.01), std::invalid_argument);
+TEST_CASE("no slope reaches over a gap") {
+    Record record = exact_record();
+    for (std::size_t i = 20; i < record.size(); ++i)
+        record.time_s[i] += 0.1;
+    auto samples = usable(record);
+    REQUIRE(samples.size() == 20);
+    CHECK(samples[7].index == 17); // 18 to 21 have a sample within two of the gap
+    CHECK(samples[8].index == 22);
+}
+
+TEST_CASE("skipped samples are the first usable ones") {
+    Record record = exact_record();
+    UsableSamples rule;
+    rule.skipped = 2;
+    rule.count = 5;
+    auto samples =
+        usable_samples(circuit_samples(record, circuit, boom_readings(scenario.machine)), circuit, scenario.flow, rule);
+    REQUIRE(samples.size() == 5);
+    CHECK(samples[0].index == 12);
+}
+
+TEST_CASE("a spool that reads too high by an offset gives the areas of the true spool") {
+    Record record = exact_record();
+    for (double& spool : record.of(MachineLink::boom, Sensor::spool))
+        spool += 0.01;
+    LinkReadings readings = boom_readings(scenario.machine);
+    readings[index_of(MachineLink::boom)].spool_offset_in = 0.01;
+    auto mended = circuit_samples(record, circuit, readings);
+    auto exact = circuit_samples(exact_record(), circuit, boom_readings(scenario.machine));
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        CHECK(mended[i].links[0].bypass_in2 == doctest::Approx(exact[i].links[0].bypass_in2).epsilon(1e-12));
+}
+
+TEST_CASE("areas that were read go before those of the spool; a missing channel is named") {
+    Record record = exact_record();
+    record.of(MachineLink::boom, Sensor::inlet_area).assign(record.size(), 0.1);
+    record.of(MachineLink::boom, Sensor::bypass_area).assign(record.size(), 0.2);
+    auto samples = circuit_samples(record, circuit, boom_readings(scenario.machine));
+    CHECK(samples[0].links[0].inlet_in2 == 0.1);
+    CHECK(samples[0].links[0].bypass_in2 == 0.2);
+    record.of(MachineLink::boom, Sensor::angle).clear();
+    CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}), "the record has no channel boom.angle",
+                         std::invalid_argument);
+}
+
+TEST_CASE("two junctions in series: the pump reaches a link if it exceeds its pressure with nothing taken") {
+    Circuit two = circuit_of(Configuration::a, {MachineLink::bucket, MachineLink::boom});
+    std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .3}, {1000, 0, 0, .1, .05}}};
+    // k 100, Q 175, P_e 25: 25 + (175 / 5)^2 = 1250 behind the boom, (175 / 30)^2 = 34.03 more at the bucket.
+    CHECK(open_by_psi(two, links, rounded_flow_constants) == doctest::Approx(1284.03 - 2000).epsilon(1e-5));
+    links[0].inlet_psi = 1000;
+    CHECK(open_by_psi(two, links, rounded_flow_constants) == doctest::Approx(250));
 }
 
 TEST_CASE("the record of scenario A at low noise: frozen, to the bit") {

@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-constexpr FlowConstants flow = rounded_flow_constants;
+const FlowConstants flow = rounded_flow_constants;
 
 FlowSplit boom_split(double spool_in, double inlet_psi) {
     OrificeAreas areas = boom_orifices(spool_in);

@@ -1,6 +1,7 @@
 // Identification of the boom's compliance over 50 seeds: figures of an independent prototype.
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
+#include "hydraulics/boom_problem.hpp"
 #include "hydraulics/boom_record.hpp"
 
 #include <doctest/doctest.h>

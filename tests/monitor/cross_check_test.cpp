@@ -6,10 +6,12 @@
 #include <initializer_list>
 
 using namespace placedpar;
+using namespace placedpar::monitor;
 
 namespace {
 
-constexpr Link bu = Link::bucket, bo = Link::boom, st = Link::stick, sw = Link::swing;
+constexpr MachineLink bu = MachineLink::bucket, bo = MachineLink::boom, st = MachineLink::stick,
+                      sw = MachineLink::swing;
 
 /// A link of baseline .01 of which these sets say these multiples, each over three transients.
 LinkCheck check_of(std::initializer_list<std::pair<LinkSet, double>> ratios) {

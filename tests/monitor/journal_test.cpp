@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::monitor;
 
 TEST_CASE("CRC-32 as everybody else counts it") {
     Scratch scratch;

@@ -13,11 +13,13 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::monitor;
 
 namespace {
 
 constexpr PerLink<double> healthy{0.0150, 0.0086, 0.0200, 0.0300};
-constexpr LinkSet bucket{Link::bucket}, boom{Link::boom}, bucket_boom{Link::bucket, Link::boom};
+constexpr LinkSet bucket{MachineLink::bucket}, boom{MachineLink::boom},
+    bucket_boom{MachineLink::bucket, MachineLink::boom};
 
 std::string text_of(const Machine& machine) { return boost::json::serialize(state_json(machine.state())); }
 
@@ -33,11 +35,21 @@ Machine machine_in(Configuration configuration, LinkSet active, std::uint64_t se
     return machine;
 }
 
-std::vector<BoomMeasurement> boom_measurements(std::uint64_t seed, const MeasurementNoise& noise) {
+Record boom_record(std::uint64_t seed, const MeasurementNoise& noise) {
     BoomScenario scenario;
     RandomStream random(seed, "noise");
     return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, 0.020, noise,
                         [&] { return random.uniform(); });
+}
+
+void feed(Machine& machine, const Record& record) {
+    auto of = [&](Sensor sensor) { return record.of(MachineLink::boom, sensor); };
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        SampleMessage message{record.time_s[i], {}};
+        message.links[index_of(MachineLink::boom)] = Reading{of(Sensor::inlet_pressure)[i], of(Sensor::angle)[i],
+                                                             SpoolReading{std::max(of(Sensor::spool)[i], 0.0)}};
+        machine.take(message);
+    }
 }
 
 double off(std::optional<double> found, double right) { return std::abs(found.value() / right - 1); }
@@ -49,13 +61,8 @@ TEST_CASE("the boom's compliance out of scenario A, by spool") {
         int good = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Machine machine = machine_in(Configuration::a, boom, seed);
-            for (const BoomMeasurement& m : boom_measurements(seed, noise)) {
-                SampleMessage message{m.time_s, {}};
-                message.links[index_of(Link::boom)] =
-                    Reading{m.inlet_psi, m.angle_deg, SpoolReading{std::max(m.spool_in, 0.0)}};
-                machine.take(message);
-            }
-            good += off(estimate_of(machine, boom, Link::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
+            feed(machine, boom_record(seed, noise));
+            good += off(estimate_of(machine, boom, MachineLink::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
         }
         CHECK(good >= 19); // 90th percentile 4 % without noise, 8 % at low noise
     }
@@ -69,7 +76,7 @@ TEST_CASE("all links of every configuration are found within 10 %") {
             Machine machine = machine_in(configuration, LinkSet::all(), seed);
             feed(machine, {configuration, LinkSet::all(), healthy}, 0);
             for (LinkSet set : machine.sets_in_use())
-                for (Link link : links_of(set)) {
+                for (MachineLink link : links_of(set)) {
                     auto found = estimate_of(machine, set, link).compliance_in3_per_psi();
                     CHECK(found);
                     good += off(found, healthy[index_of(link)]) <= 0.10;
@@ -97,9 +104,10 @@ TEST_CASE("a change from a to b leaves P2a untouched") {
 }
 
 TEST_CASE("what a set finds does not depend on the other sets") {
-    Machine alone = machine_in(Configuration::a, boom), both = machine_in(Configuration::a, {Link::boom, Link::stick});
+    Machine alone = machine_in(Configuration::a, boom),
+            both = machine_in(Configuration::a, {MachineLink::boom, MachineLink::stick});
     feed(alone, {Configuration::a, boom, healthy}, 0);
-    feed(both, {Configuration::a, {Link::boom, Link::stick}, healthy}, 0);
+    feed(both, {Configuration::a, {MachineLink::boom, MachineLink::stick}, healthy}, 0);
     CHECK(text_of(alone, boom) == text_of(both, boom));
     Machine other = machine_in(Configuration::a, boom, 2);
     feed(other, {Configuration::a, boom, healthy}, 0);
@@ -133,17 +141,17 @@ TEST_CASE("after a change of configuration the window begins anew") {
 TEST_CASE("below the gate nothing moves") {
     Machine machine = machine_in(Configuration::a, boom);
     feed(machine, {Configuration::a, boom, healthy}, 0);
-    double found = estimate_of(machine, boom, Link::boom).compliance_in3_per_psi().value();
-    CHECK(estimate_of(machine, boom, Link::boom).excited());
+    double found = estimate_of(machine, boom, MachineLink::boom).compliance_in3_per_psi().value();
+    CHECK(estimate_of(machine, boom, MachineLink::boom).excited());
     std::vector<Genome> population = machine.sets().at(boom).state().population;
     Transient slow(Configuration::a, boom, {0.03, 0.03, 0.03, 0.03});
     slow.slope_psi_per_s.fill(700);
     slow.curvature_psi_per_s2 = 0;
     for (const SampleOutcome& outcome : feed(machine, slow, 10))
         CHECK(outcome.generations == 0);
-    CHECK(estimate_of(machine, boom, Link::boom).compliance_in3_per_psi() == found);
-    CHECK_FALSE(estimate_of(machine, boom, Link::boom).excited());
-    CHECK(estimate_of(machine, boom, Link::boom).state().excitation_psi_per_s == doctest::Approx(700));
+    CHECK(estimate_of(machine, boom, MachineLink::boom).compliance_in3_per_psi() == found);
+    CHECK_FALSE(estimate_of(machine, boom, MachineLink::boom).excited());
+    CHECK(estimate_of(machine, boom, MachineLink::boom).state().excitation_psi_per_s == doctest::Approx(700));
     CHECK(machine.sets().at(boom).state().population == population);
 }
 
@@ -158,7 +166,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
     };
     auto bucket_codes = columns(0), boom_codes = columns(10);
     Transient half(Configuration::a, bucket_boom, healthy);
-    half.slope_psi_per_s[index_of(Link::bucket)] = 500;
+    half.slope_psi_per_s[index_of(MachineLink::bucket)] = 500;
     half.curvature_psi_per_s2 = 0;
     auto outcomes = feed(machine, half, 10);
     CHECK(outcomes.back().generations == 5);
@@ -185,12 +193,12 @@ TEST_CASE("a doubled compliance is told once, and its end") {
     Machine machine = machine_in(Configuration::a, boom);
     Transient good(Configuration::a, boom, healthy);
     PerLink<double> twice = healthy;
-    twice[index_of(Link::boom)] *= 2;
+    twice[index_of(MachineLink::boom)] *= 2;
     Transient bad(Configuration::a, boom, twice);
     feed(machine, good, 0);
     feed(machine, good, 10);
     CHECK(machine.alarms().empty());
-    CHECK(off(machine.check(Link::boom).baseline_in3_per_psi, 0.0086) < 0.05);
+    CHECK(off(machine.check(MachineLink::boom).baseline_in3_per_psi, 0.0086) < 0.05);
     std::size_t raised = 0, cleared = 0;
     for (const SampleOutcome& outcome : feed(machine, bad, 20)) {
         raised += static_cast<std::size_t>(std::ranges::count(outcome.raised, AlarmKind::doubled, &Alarm::kind));
@@ -209,9 +217,9 @@ TEST_CASE("sets that disagree are told") {
     feed(machine, {Configuration::a, bucket_boom, healthy}, 0);
     machine.change({Configuration::b, bucket_boom});
     PerLink<double> other = healthy;
-    other[index_of(Link::boom)] *= 1.5;
+    other[index_of(MachineLink::boom)] *= 1.5;
     feed(machine, {Configuration::b, bucket_boom, other}, 10);
-    LinkCheck check = machine.check(Link::boom);
+    LinkCheck check = machine.check(MachineLink::boom);
     REQUIRE(check.estimates.size() == 2);
     CHECK(check.spread() == doctest::Approx(0.5 / 1.25).epsilon(0.1));
     CHECK(std::ranges::count(machine.alarms(), Alarm{AlarmKind::inconsistent, boom, ""}) == 1);
@@ -221,10 +229,10 @@ TEST_CASE("sets that disagree are told") {
 TEST_CASE("a machine of negative compliance is at its lower bound: drift") {
     Machine machine = machine_in(Configuration::a, boom);
     PerLink<double> negative = healthy;
-    negative[index_of(Link::boom)] = -0.004;
+    negative[index_of(MachineLink::boom)] = -0.004;
     feed(machine, {Configuration::a, boom, negative}, 0);
     CHECK(std::ranges::count(machine.alarms(), Alarm{AlarmKind::drift, boom, ""}) == 1);
-    CHECK_FALSE(machine.check(Link::boom).baseline_in3_per_psi); // no measure of health
+    CHECK_FALSE(machine.check(MachineLink::boom).baseline_in3_per_psi); // no measure of health
 }
 
 TEST_CASE("the state goes through JSON and on as if nothing had been") {

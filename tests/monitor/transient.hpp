@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::monitor {
 
 /// Readings that fit the equations of a circuit exactly, with known compliances: the pressures and the flows into
 /// the cylinders are chosen, and from them the bypass areas that make the flows of every junction balance.
@@ -33,16 +33,16 @@ public:
     }
 
 private:
-    double pressure_psi(Link link, std::size_t position, double t) const {
+    double pressure_psi(MachineLink link, std::size_t position, double t) const {
         double base = 1700 - 250 * static_cast<double>(position); // downstream lower
         return base + slope_psi_per_s[index_of(link)] * t + curvature_psi_per_s2 * t * t / 2;
     }
 
-    Reading reading(Link link, double psi, double flow_in3_per_s, double t, AreaReading areas) const {
+    Reading reading(MachineLink link, double psi, double flow_in3_per_s, double t, AreaReading areas) const {
         double c = compliance_[index_of(link)], slope = slope_psi_per_s[index_of(link)];
         // The integral of (flow - C dP/dt).
         double piston_in3 = flow_in3_per_s * t - c * (slope * t + curvature_psi_per_s2 * t * t / 2);
-        double angle_rad = piston_in3 / default_link_parameters[index_of(link)].piston_in3_per_rad;
+        double angle_rad = piston_in3 / default_link_parameters()[index_of(link)].piston_in3_per_rad;
         return {psi, angle_rad * 180 / std::numbers::pi, areas};
     }
 
@@ -62,7 +62,7 @@ private:
             double below = circuit[j].through == Through::junction ? junction_psi[circuit[j].next] : flow.tank_psi;
             double past = arriving[j] - into[j];
             double bypass_in2 = past > 0 ? past / (k * std::sqrt(junction_psi[j] - below)) : 0.02;
-            Link link = circuit[j].link;
+            MachineLink link = circuit[j].link;
             message.links[index_of(link)] = reading(link, psi[j], into[j], t, {inlet_in2, bypass_in2});
         }
     }
@@ -81,10 +81,10 @@ inline std::vector<SampleOutcome> feed(Machine& machine, const Transient& transi
     return outcomes;
 }
 
-inline const Estimate& estimate_of(const Machine& machine, LinkSet set, Link link) {
-    std::vector<Link> links = links_of(set);
+inline const Estimate& estimate_of(const Machine& machine, LinkSet set, MachineLink link) {
+    std::vector<MachineLink> links = links_of(set);
     auto position = static_cast<std::size_t>(std::find(links.begin(), links.end(), link) - links.begin());
     return machine.sets().at(set).state().estimates.at(position);
 }
 
-} // namespace placedpar
+} // namespace placedpar::monitor

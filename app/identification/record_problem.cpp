@@ -1,0 +1,53 @@
+#include "app/identification/record_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+std::string list(LinkSet links) {
+    std::string names;
+    for (MachineLink link : all_links)
+        if (links.contains(link))
+            names += (names.empty() ? "" : ",") + std::string(name_of(link));
+    return names;
+}
+
+void require_one_group(const Question& question) {
+    for (LinkSet group : coupled_groups(question.configuration))
+        if ((question.links & group) == question.links)
+            return;
+    throw std::invalid_argument(
+        fmt::format("{} are not coupled with each other in configuration {}: identify them one by one",
+                    list(question.links), name_of(question.configuration)));
+}
+
+} // namespace
+
+LinkReadings link_readings(const Parameters& machine) {
+    LinkReadings readings;
+    for (MachineLink link : all_links)
+        if (machine.find(fmt::format("{}.inlet_area", name_of(link))))
+            readings[index_of(link)].piston_flow_in3_per_deg = machine[fmt::format("{}.inlet_area", name_of(link))] *
+                                                               machine[fmt::format("{}.moment_arm", name_of(link))] *
+                                                               std::numbers::pi / 180;
+    return readings;
+}
+
+RecordProblem prepare(const Record& record, const Parameters& machine, const Question& question,
+                      const IdentificationWay& way) {
+    require_one_group(question);
+    Circuit circuit = circuit_of(question.configuration, question.links);
+    FlowConstants flow = flow_constants(machine);
+    LinkReadings readings = link_readings(machine);
+    readings[index_of(MachineLink::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
+    auto samples = usable_samples(circuit_samples(record, circuit, readings), circuit, flow, way.usable);
+    return {CircuitProblem(circuit, flow, way.bits), flow, readings, std::move(samples)};
+}
+
+} // namespace placedpar

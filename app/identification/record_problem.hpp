@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/identification/identification.hpp"
+#include "hydraulics/offset_calibration.hpp"
+#include "hydraulics/parameters.hpp"
+#include "hydraulics/record.hpp"
+
+#include <optional>
+
+namespace placedpar {
+
+/// What of a record is to be identified.
+struct Question {
+    Configuration configuration = Configuration::a;
+    LinkSet links = {MachineLink::boom};
+    std::optional<double> spool_offset_in; ///< of the boom; taken off its readings
+};
+
+/// A record made ready for identification.
+struct RecordProblem {
+    CircuitProblem problem;
+    FlowConstants flow;
+    LinkReadings readings;
+    std::vector<CircuitSample> samples; ///< the usable ones
+};
+
+/// What the readings of every link mean on a machine.
+LinkReadings link_readings(const Parameters& machine);
+
+/// Throws std::invalid_argument: the links are not of one coupled group of the configuration, or the record
+/// lacks a channel.
+RecordProblem prepare(const Record& record, const Parameters& machine, const Question& question,
+                      const IdentificationWay& way);
+
+} // namespace placedpar

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "hydraulics/parameters.hpp"
+#include "hydraulics/record.hpp"
+
+#include <filesystem>
+
+namespace placedpar {
+
+/// Reads a record of measurement. Warnings go to standard error. Throws std::runtime_error whose text is all
+/// that is wrong, each with file, line, column and a caret.
+Record load_record(const std::filesystem::path& path);
+
+/// The excavator's constants, with those of the file in place of those of the same name; no file when the path
+/// is empty. Throws as load_record().
+Parameters load_machine(const std::filesystem::path& path);
+
+} // namespace placedpar

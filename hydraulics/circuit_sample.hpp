@@ -1,0 +1,60 @@
+#pragma once
+
+#include "hydraulics/circuit.hpp"
+#include "hydraulics/flow_constants.hpp"
+#include "hydraulics/link_sample.hpp"
+#include "hydraulics/record.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// How the readings of a link become flows and areas.
+struct LinkReading {
+    double piston_flow_in3_per_deg = 0; // what the pump side takes up a degree of the joint: A_i r pi / 180
+    double spool_offset_in = 0;         // by which the spool's readings are too high
+};
+using LinkReadings = std::array<LinkReading, all_links.size()>; // by index_of(link)
+
+/// What the links of a circuit did at one instant.
+struct CircuitSample {
+    std::size_t index; // in the record
+    double time_s;
+    std::vector<LinkSample> links; // in the circuit's order
+
+    /// As plain numbers, end to end: a sample of CircuitProblem.
+    std::vector<double> values() const;
+};
+
+/// Every instant of the record at which the slopes are known: two samples on either side, none missing. Slopes
+/// from 5-point lines; areas as they were read, or from the spool by the boom's functions A.3 to A.9.
+/// Throws std::invalid_argument, naming the channel, when a link of the circuit lacks pressure, angle, or both
+/// areas and spool.
+std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit, const LinkReadings& readings);
+
+/// By how much the pumps would exceed the pressure of the link that they exceed least, if no link took any
+/// flow: infinite where every way past is shut, negative where a load check stays closed.
+double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow);
+
+/// How fast the pressure of one link moves: the rms slope. REQUIRES: not empty.
+double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction);
+
+/// Which samples identification may use (ours; the thesis says "during the transient period").
+struct UsableSamples {
+    double open_by_psi = 25;            // the first sample: every path is predicted open by more than this ...
+    double first_slope_psi_per_s = 150; // ... and every pressure rises faster than this
+    std::size_t skipped = 0;            // samples left out after that
+    std::size_t count = 20;             // 0.4 s of transient, thesis 4.4
+    bool rising = false;                // nothing from the first falling pressure on, thesis 3.1.3
+};
+
+/// Starts at the first sample that the rule accepts and leaves out later ones where an inlet is shut or the
+/// pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Fewer than `count` when
+/// the record ends.
+std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
+                                          const FlowConstants& flow, const UsableSamples& rule = {});
+
+} // namespace placedpar

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace placedpar {
+
+/// A binary string whose bits can be read as whole numbers, bit `first` the most significant of `count`.
+template <typename G>
+concept BinaryString = requires(const G& genome) {
+    { genome.field(std::size_t{}, std::size_t{}) } -> std::convertible_to<std::uint64_t>;
+};
+
+/// A parameter as a field of bits: the whole number n stands for low + (high - low) n / 2^bits (thesis eq. 1.5).
+/// The range is [low, high): `high` itself has no code.
+struct ParameterField {
+    double low = 0, high = 1; // in the parameter's unit
+    std::size_t bits = 10;
+
+    /// 2^bits.
+    double codes() const { return static_cast<double>(std::uint64_t{1} << bits); }
+    /// REQUIRES: code < 2^bits.
+    double value(std::uint64_t code) const { return low + (high - low) * static_cast<double>(code) / codes(); }
+    /// What one step of the code changes.
+    double resolution() const { return (high - low) / codes(); }
+};
+
+/// A binary string as parameters: their fields, one after the other (thesis eq. 1.6).
+class ParameterCoding {
+public:
+    /// Doubles tell this many bits apart.
+    static constexpr std::size_t most_bits = 52;
+
+    /// Throws std::invalid_argument: no field, bits outside 1 ... most_bits, low and high not finite numbers, or low
+    /// not below high.
+    explicit ParameterCoding(std::vector<ParameterField> fields);
+    /// The same field for each of several parameters.
+    ParameterCoding(std::size_t parameters, const ParameterField& each)
+        : ParameterCoding(std::vector<ParameterField>(parameters, each)) {}
+
+    std::size_t parameters() const { return fields_.size(); }
+    const ParameterField& field(std::size_t parameter) const { return fields_[parameter]; }
+    /// Length of the whole string.
+    std::size_t bits() const { return bits_; }
+
+    /// REQUIRES: parameter < parameters(), a string of bits().
+    template <BinaryString G>
+    double value(const G& genome, std::size_t parameter) const {
+        const ParameterField& field = fields_[parameter];
+        return field.value(genome.field(firsts_[parameter], field.bits));
+    }
+    template <BinaryString G>
+    std::vector<double> decode(const G& genome) const {
+        std::vector<double> values(parameters());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = value(genome, i);
+        return values;
+    }
+
+private:
+    std::vector<ParameterField> fields_;
+    std::vector<std::size_t> firsts_; // the first bit of each field
+    std::size_t bits_ = 0;
+};
+
+} // namespace placedpar

@@ -1,0 +1,109 @@
+#include "hydraulics/parameters.hpp"
+
+#include "hydraulics/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> columns{"name", "value", "unit", "mark", "source"};
+constexpr std::array<std::string_view, 4> marks{"thesis", "fitted", "ours", "measured"};
+
+bool header_is_right(const TextRow& header) { return std::ranges::equal(header.cells, columns, {}, &TextCell::text); }
+
+void refuse(std::vector<TextFault>& faults, std::size_t line, const TextCell& cell, std::string message,
+            std::string hint) {
+    faults.push_back({true, line, cell.column, std::move(message), std::move(hint)});
+}
+
+/// Reads the text that defines which parameters there are.
+std::vector<Parameter> parameters_of(std::string_view text) {
+    std::vector<TextFault> faults;
+    TextTable table = split_table(text, faults);
+    std::vector<Parameter> parameters;
+    for (const TextRow& row : table.rows) {
+        const Unit* unit = unit_named(row.cells[2].text);
+        if (!unit || unit->factor != 1)
+            throw std::logic_error(fmt::format("excavator.csv:{}: not a unit of this room", row.line));
+        parameters.push_back({row.cells[0].text, number_in(row.cells[1], row.line, faults), row.cells[2].text,
+                              row.cells[3].text, row.cells[4].text});
+    }
+    if (!faults.empty() || !header_is_right(table.header))
+        throw std::logic_error("excavator.csv is not a table of parameters");
+    return parameters;
+}
+
+} // namespace
+
+const Parameters& Parameters::excavator() {
+    static const Parameters parameters = [] {
+        Parameters read;
+        read.parameters_ = parameters_of(excavator_text());
+        return read;
+    }();
+    return parameters;
+}
+
+const Parameter* Parameters::find(std::string_view name) const {
+    auto found = std::ranges::find(parameters_, name, &Parameter::name);
+    return found == parameters_.end() ? nullptr : &*found;
+}
+
+Parameter* Parameters::find(std::string_view name) {
+    return const_cast<Parameter*>(static_cast<const Parameters&>(*this).find(name));
+}
+
+double Parameters::operator[](std::string_view name) const {
+    if (const Parameter* parameter = find(name))
+        return parameter->value;
+    throw std::invalid_argument(fmt::format("the machine has no parameter {}", name));
+}
+
+void Parameters::set(std::string_view name, double value) {
+    Parameter* parameter = find(name);
+    if (!parameter)
+        throw std::invalid_argument(fmt::format("the machine has no parameter {}", name));
+    parameter->value = value;
+}
+
+void Parameters::read(std::string_view text, std::vector<TextFault>& faults) {
+    TextTable table = split_table(text, faults);
+    if (!header_is_right(table.header)) {
+        faults.push_back({true, table.header.line, table.header.cells.empty() ? 0u : 1u,
+                          "not the header of a table of parameters", "name,value,unit,mark,source"});
+        return;
+    }
+    for (const TextRow& row : table.rows)
+        read_row(row, faults);
+}
+
+void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
+    Parameter* parameter = find(row.cells[0].text);
+    if (!parameter) {
+        refuse(faults, row.line, row.cells[0], fmt::format("the machine has no parameter \"{}\"", row.cells[0].text),
+               "placedpar parameters lists them");
+        return;
+    }
+    Quantity quantity = unit_named(parameter->unit)->quantity;
+    const Unit* unit = unit_named(row.cells[2].text);
+    double value = number_in(row.cells[1], row.line, faults);
+    if (!unit || unit->quantity != quantity)
+        refuse(faults, row.line, row.cells[2],
+               fmt::format("\"{}\" is not a unit of {}", row.cells[2].text, name_of(quantity)), list_units(quantity));
+    else if (std::ranges::find(marks, row.cells[3].text) == marks.end())
+        refuse(faults, row.line, row.cells[3], fmt::format("\"{}\" is not a mark", row.cells[3].text),
+               "thesis, fitted, ours or measured");
+    else {
+        parameter->value = value * unit->factor;
+        parameter->mark = row.cells[3].text;
+        parameter->source = row.cells[4].text;
+    }
+}
+
+} // namespace placedpar

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// Something wrong in a text, with the place. Lines and columns count from 1; line 0 is the text as a whole.
+struct TextFault {
+    bool refused; ///< or else a warning: the text can be used
+    std::size_t line, column;
+    std::string message;
+    std::string hint; ///< what would be right; "" if there is nothing to say
+};
+
+struct TextCell {
+    std::string text; ///< without the blanks around it
+    std::size_t column;
+};
+
+struct TextRow {
+    std::size_t line;
+    std::vector<TextCell> cells;
+};
+
+/// A table of comma-separated values: lines that start with '#' before the header describe it, elsewhere they
+/// are comments; blank lines mean nothing; a cell in double quotes may hold commas. The first row is the header.
+struct TextTable {
+    std::string description; ///< the lines before the header, without their "# "
+    TextRow header;
+    std::vector<TextRow> rows; ///< INVARIANT: each as long as the header
+};
+
+/// Splits a text into a table; a row longer or shorter than the header is a fault and left out.
+TextTable split_table(std::string_view text, std::vector<TextFault>& faults);
+
+/// The cell as a finite number; a fault, and 0, when it is none.
+double number_in(const TextCell& cell, std::size_t line, std::vector<TextFault>& faults);
+
+/// Is any of them a reason to refuse the text?
+bool refuses(const std::vector<TextFault>& faults);
+
+} // namespace placedpar

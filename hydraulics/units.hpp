@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// What a number measures. This room works in one unit of each: that of the thesis.
+enum class Quantity : unsigned char {
+    number,
+    time,          // s
+    pressure,      // psi, gauge
+    length,        // in
+    angle,         // deg
+    voltage,       // V
+    area,          // in^2
+    flow,          // in^3/s
+    compliance,    // in^3/psi
+    force,         // lbf
+    mass,          // lbf s^2/in
+    damping,       // lbf s/in
+    speed,         // in/s
+    rate,          // 1/s
+    pressure_rate, // psi/s
+    orifice,       // in^3/(s in^2 psi^0.5): k = Cd sqrt(2 / density)
+    leakage        // in^3/(s psi)
+};
+
+/// A unit, and what one of it is in this room's unit of the same quantity.
+struct Unit {
+    std::string_view name;
+    Quantity quantity;
+    double factor;
+};
+
+/// Pascals in a psi and metres in an inch, of which all other factors between the systems follow.
+inline constexpr double pascal_per_psi = 6894.757293168361;
+inline constexpr double metre_per_inch = 0.0254;
+
+/// None when no such unit is known. "cm^3/s", "kPa", "deg"; the room's own unit of a quantity has factor 1.
+const Unit* unit_named(std::string_view name);
+
+/// All units of a quantity, the room's own first.
+std::vector<Unit> units_of(Quantity);
+/// "psi, Pa, kPa, MPa or bar", for messages.
+std::string list_units(Quantity);
+std::string_view name_of(Quantity);
+
+} // namespace placedpar

@@ -1,0 +1,62 @@
+// What becomes of the estimate when the motion no longer excites the compliance (thesis 3.2, the end).
+#include "boom_records.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr std::uint64_t seeds = 50;
+constexpr double truth = 0.0086;
+
+/// Four seconds of motion, all of it usable: 5 generations a sample.
+Identified follow(IdentificationWay way, std::uint64_t seed) {
+    way.usable.count = 150;
+    way.searches = 1;
+    return identify_boom(boom_measured(4, low_noise, seed), way, seed);
+}
+
+const TransientEstimate& at_generation(const Identified& identified, std::size_t generation) {
+    return identified.estimates.at(generation / 5 - 1);
+}
+
+} // namespace
+
+TEST_CASE("without the gate the estimate has walked away by generation 400, as the thesis saw after 425") {
+    std::vector<double> early, late;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        Identified identified = follow(thesis_way(), seed);
+        early.push_back(error_percent(at_generation(identified, 50).compliance_in3_per_psi[0], truth));
+        late.push_back(error_percent(at_generation(identified, 400).compliance_in3_per_psi[0], truth));
+    }
+    CHECK(share_below(early, 0.5) <= 3.5);
+    CHECK(share_below(late, 0.5) >= 30);
+}
+
+TEST_CASE("with the gate it stays, to the bit, and is right") {
+    std::vector<double> errors;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        IdentificationWay way = thesis_way();
+        way.gate.emplace();
+        Identified identified = follow(way, seed);
+        REQUIRE(identified.estimates.back().frozen);
+        auto last_live = std::find_if(identified.estimates.rbegin(), identified.estimates.rend(),
+                                      [](const TransientEstimate& estimate) { return !estimate.frozen; });
+        CHECK(identified.estimates.back().compliance_in3_per_psi == last_live->compliance_in3_per_psi);
+        errors.push_back(error_percent(identified.estimates.back().compliance_in3_per_psi[0], truth));
+    }
+    CHECK(share_below(errors, 0.9) <= 12);
+}
+
+TEST_CASE("a frozen search evaluates nothing") {
+    IdentificationWay way = thesis_way();
+    way.gate.emplace();
+    Identified identified = follow(way, 1);
+    auto live = static_cast<std::uint64_t>(
+
+        std::count_if(identified.estimates.begin(), identified.estimates.end(),
+                      [](const TransientEstimate& estimate) { return !estimate.frozen; }));
+    CHECK(identified.generations == 5 * live);
+    CHECK(live < identified.estimates.size());
+}

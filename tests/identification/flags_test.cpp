@@ -1,0 +1,69 @@
+#include "boom_records.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+/// The rising part of the transient only, where an offset shows most.
+IdentificationWay rising(IdentificationWay way) {
+    way.usable.rising = true;
+    return way;
+}
+
+bool is_flagged(const Identified& identified, const std::string& word) {
+    const auto& flags = identified.links.at(0).flags;
+    return std::any_of(flags.begin(), flags.end(),
+                       [&](const std::string& flag) { return flag.find(word) != std::string::npos; });
+}
+
+Record with_spool_offset(Record record, double offset_in) {
+    for (double& spool : record.of(MachineLink::boom, Sensor::spool))
+        spool += offset_in;
+    return record;
+}
+
+} // namespace
+
+TEST_CASE("a good record raises no flag, whatever the seed") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Identified identified = identify_boom(boom_measured(1.5, low_noise, seed), service_way(), seed);
+        CAPTURE(seed);
+        for (const std::string& flag : identified.links[0].flags)
+            FAIL_CHECK(flag);
+    }
+}
+
+TEST_CASE("a spool that reads .02 in too low asks for a negative compliance: at the lower bound") {
+    int flagged = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Record record = with_spool_offset(boom_measured(1.5, low_noise, seed), -0.02);
+        flagged += is_flagged(identify_boom(record, rising(thesis_way()), seed), "at the lower bound");
+        // With the offset taken off, the same record is as good as any.
+        Identified cured = identify_boom(record, service_way(), seed, -0.02);
+        CHECK(error_percent(cured.links[0].compliance_in3_per_psi, 0.0086) < 10);
+        CHECK(!is_flagged(cured, "at the lower bound"));
+    }
+    CHECK(flagged >= 18);
+}
+
+TEST_CASE("a compliance beyond the range: at the upper bound") {
+    CHECK(is_flagged(identify_boom(boom_measured(3, no_noise, 1, 0.15), thesis_way(), 1), "at the upper bound"));
+}
+
+TEST_CASE("long after the transient: no excitation") {
+    IdentificationWay way = thesis_way();
+    way.usable.count = 150;
+    CHECK(is_flagged(identify_boom(boom_measured(4, low_noise, 1), way, 1), "no excitation"));
+}
+
+TEST_CASE("a pump that gives less than the model's: inconsistent") {
+    RecordProblem prepared = prepare(boom_measured(1.5, low_noise, 1), Parameters::excavator(), {}, thesis_way());
+    FlowConstants stronger = prepared.flow;
+    stronger.pump_in3_per_s *= 1.5;
+    CircuitProblem problem(prepared.problem.circuit(), stronger);
+    CHECK(is_flagged(identify(problem, stronger, prepared.samples, thesis_way(), 1), "inconsistent"));
+}
