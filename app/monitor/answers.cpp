@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <utility>
 
 namespace placedpar::monitor {
 
@@ -11,7 +13,34 @@ namespace json = boost::json;
 
 namespace {
 
-std::string line(const json::object& object) { return json::serialize(object) + "\n"; }
+/// As boost::json::serialize, but numbers as people write them.
+void print(const json::value& value, std::string& text) {
+    const char* separator = "";
+    if (const json::object* object = value.if_object()) {
+        text += '{';
+        for (const auto& field : *object) {
+            text += fmt::format("{}{}:", std::exchange(separator, ","), json::serialize(json::value(field.key())));
+            print(field.value(), text);
+        }
+        text += '}';
+    } else if (const json::array* array = value.if_array()) {
+        text += '[';
+        for (const json::value& each : *array) {
+            text += std::exchange(separator, ",");
+            print(each, text);
+        }
+        text += ']';
+    } else if (const double* number = value.if_double())
+        text += fmt::format("{}", *number);
+    else
+        text += json::serialize(value);
+}
+
+std::string line(const json::object& object) {
+    std::string text;
+    print(object, text);
+    return text + "\n";
+}
 
 /// Six digits say more than any estimate knows.
 double rounded(double value) {
@@ -19,6 +48,11 @@ double rounded(double value) {
     double result = value;
     std::from_chars(text.data(), text.data() + text.size(), result);
     return result;
+}
+
+/// To the microsecond; times may count from 1970.
+json::value time_json(const std::optional<double>& time_s) {
+    return time_s ? json::value(std::round(*time_s * 1e6) / 1e6) : json::value(nullptr);
 }
 
 json::value number(const std::optional<double>& value) {
@@ -70,7 +104,7 @@ json::object estimate_json(const Machine& machine, MachineLink link, const Estim
     return {{"compliance_in3_per_psi", number(estimate.compliance_in3_per_psi())},
             {"settled_in3_per_psi", number(estimate.settled_in3_per_psi())},
             {"excitation_psi_per_s", rounded(estimate.state().excitation_psi_per_s)},
-            {"time_s", estimate.compliance_in3_per_psi() ? json::value(rounded(estimate.state().time_s)) : nullptr},
+            {"time_s", estimate.compliance_in3_per_psi() ? time_json(estimate.state().time_s) : nullptr},
             {"flags", flags(estimate, inconsistent, settings)}};
 }
 
@@ -89,7 +123,7 @@ json::object check_json(const LinkCheck& check) {
                                          {"compliance_in3_per_psi", rounded(each.compliance_in3_per_psi)},
                                          {"lasting_in3_per_psi", rounded(each.lasting_in3_per_psi)},
                                          {"transients", each.transients},
-                                         {"time_s", rounded(each.time_s)}});
+                                         {"time_s", time_json(each.time_s)}});
     return {{"baseline_in3_per_psi", number(check.baseline_in3_per_psi)},
             {"spread", rounded(check.spread())},
             {"estimates", std::move(estimates)}};
@@ -107,7 +141,7 @@ std::string welcome_line(const Machine& machine, std::uint64_t seed) {
                  {"machine", machine.name()},
                  {"seed", seed},
                  {"samples", machine.samples()},
-                 {"time_s", machine.time_s() ? json::value(*machine.time_s()) : nullptr},
+                 {"time_s", time_json(machine.time_s())},
                  {"configuration", configuration_json(machine)},
                  {"active", symbols(machine.active())}});
 }
@@ -128,7 +162,7 @@ std::string estimates_line(const Machine& machine, const SampleOutcome& outcome,
     return line({{"type", "estimates"},
                  {"machine", machine.name()},
                  {"samples", machine.samples()},
-                 {"time_s", *machine.time_s()},
+                 {"time_s", time_json(machine.time_s())},
                  {"generations", outcome.generations},
                  {"window_restarted", outcome.window_restarted},
                  {"sets", std::move(sets)}});
@@ -137,7 +171,7 @@ std::string estimates_line(const Machine& machine, const SampleOutcome& outcome,
 std::string alarm_line(const Machine& machine, const Alarm& alarm, bool raised) {
     json::object object{{"type", "alarm"},
                         {"machine", machine.name()},
-                        {"time_s", number(machine.time_s())},
+                        {"time_s", time_json(machine.time_s())},
                         {"state", raised ? "raised" : "cleared"}};
     for (const auto& field : alarm_json(alarm))
         object[field.key()] = field.value();
@@ -159,7 +193,7 @@ std::string status_line(const Machine& machine, const DiagnosisSettings& setting
                  {"configuration", configuration_json(machine)},
                  {"active", symbols(machine.active())},
                  {"samples", machine.samples()},
-                 {"time_s", machine.time_s() ? json::value(*machine.time_s()) : nullptr},
+                 {"time_s", time_json(machine.time_s())},
                  {"sets_in_use", set_names(machine.sets_in_use())},
                  {"sets", std::move(sets)},
                  {"links", std::move(links)},

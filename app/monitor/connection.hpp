@@ -45,6 +45,8 @@ public:
     /// It has said what it is: the limit of hello_s is over.
     void greeted() { greeted_ = true; }
 
+    /// It takes part in nothing any more.
+    bool finishing() const { return finishing_ || closed_; }
     std::size_t lines() const { return lines_; }
     std::size_t queued_bytes() const { return waiting_.size() + writing_.size(); }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -141,11 +142,16 @@ void Dispatcher::record(const std::string& machine, std::string_view line, std::
     }
 }
 
+std::size_t Dispatcher::clients() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(clients_, [](const Client* client) { return !client->finishing(); }));
+}
+
 std::string Dispatcher::load() const {
     std::size_t queued = 0;
     for (const Client* client : clients_)
         queued += client->queued_bytes();
-    return load_line(meter_, clients_.size(), machines_.all().size(), queued);
+    return load_line(meter_, clients(), machines_.all().size(), queued);
 }
 
 void Dispatcher::tick() {

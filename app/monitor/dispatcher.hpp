@@ -25,6 +25,7 @@ public:
     /// Sends what is waiting and closes.
     virtual void finish() = 0;
     virtual void greeted() = 0;
+    virtual bool finishing() const = 0;
     /// Lines that came from him, the present one included.
     virtual std::size_t lines() const = 0;
     virtual std::size_t queued_bytes() const = 0;
@@ -51,7 +52,8 @@ public:
     /// Has anything been recorded since this was asked last?
     bool anything_recorded() { return std::exchange(recorded_, false); }
 
-    std::size_t clients() const { return clients_.size(); }
+    /// Without those who are about to be closed.
+    std::size_t clients() const;
     const LoadMeter& meter() const { return meter_; }
 
 private:

@@ -14,7 +14,7 @@ struct ServiceLimits {
     double line_s = 10;                 // from the first to the last byte of a line
     double idle_s = 300;                // without a line
     double stall_s = 10;                // without the client reading anything
-    double closing_s = 2;               // for a client to read the last message
+    double closing_s = 1;               // for a client to read the last message
 };
 
 } // namespace placedpar::monitor

@@ -37,6 +37,7 @@ public:
     void send(std::string_view line) override { connection_.send(line); }
     void finish() override { connection_.finish(); }
     void greeted() override { connection_.greeted(); }
+    bool finishing() const override { return connection_.finishing(); }
     std::size_t lines() const override { return connection_.lines(); }
     std::size_t queued_bytes() const override { return connection_.queued_bytes(); }
 
