@@ -213,6 +213,8 @@ std::string load_line(const LoadMeter& meter, std::size_t clients, std::size_t m
                  {"queued_bytes", queued_bytes},
                  {"samples", meter.samples()},
                  {"generations", meter.generations()},
+                 {"work_s", rounded(meter.work_s())},
+                 {"cpu_s", rounded(meter.cpu_s())},
                  {"uptime_s", rounded(meter.uptime_s())}});
 }
 

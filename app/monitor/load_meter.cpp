@@ -45,6 +45,8 @@ void LoadMeter::tick() {
     last_ = totals;
 }
 
+double LoadMeter::cpu_s() const { return thread_cpu_s(); }
+
 double LoadMeter::uptime_s() const { return std::chrono::duration<double>(Clock::now() - start_.time).count(); }
 
 LoadMeter::Rates LoadMeter::rates() const { return rates_.over_s > 0 ? rates_ : between(start_, read()); }

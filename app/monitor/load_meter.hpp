@@ -27,6 +27,10 @@ public:
 
     std::uint64_t samples() const { return now_.samples; }
     std::uint64_t generations() const { return now_.generations; }
+    /// Spent on messages, in all.
+    double work_s() const { return now_.work_s; }
+    /// Of processor time of this thread, in all.
+    double cpu_s() const;
     double uptime_s() const;
     /// Of the last ended interval; of the time since the start before there is one.
     Rates rates() const;

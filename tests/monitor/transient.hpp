@@ -24,6 +24,8 @@ public:
     PerLink<double> slope_psi_per_s{1800, 1400, 1600, 2000}; // at the start
     double curvature_psi_per_s2 = -600;
 
+    double swing_psi = 0, swing_rad_per_s = 0; // beside that
+
     SampleMessage sample(double start_s, std::size_t index) const {
         double t = static_cast<double>(index) * period_s;
         SampleMessage message{start_s + t, {}};
@@ -33,15 +35,15 @@ public:
     }
 
 private:
-    double pressure_psi(MachineLink link, std::size_t position, double t) const {
-        double base = 1700 - 250 * static_cast<double>(position); // downstream lower
-        return base + slope_psi_per_s[index_of(link)] * t + curvature_psi_per_s2 * t * t / 2;
+    double risen_psi(MachineLink link, double t) const {
+        return slope_psi_per_s[index_of(link)] * t + curvature_psi_per_s2 * t * t / 2 +
+               swing_psi * std::sin(swing_rad_per_s * t);
     }
+    static double base_psi(std::size_t position) { return 1700 - 250 * static_cast<double>(position); }
 
     Reading reading(MachineLink link, double psi, double flow_in3_per_s, double t, AreaReading areas) const {
-        double c = compliance_[index_of(link)], slope = slope_psi_per_s[index_of(link)];
         // The integral of (flow - C dP/dt).
-        double piston_in3 = flow_in3_per_s * t - c * (slope * t + curvature_psi_per_s2 * t * t / 2);
+        double piston_in3 = flow_in3_per_s * t - compliance_[index_of(link)] * risen_psi(link, t);
         double angle_rad = piston_in3 / default_link_parameters()[index_of(link)].piston_in3_per_rad;
         return {psi, angle_rad * 180 / std::numbers::pi, areas};
     }
@@ -51,7 +53,7 @@ private:
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi, inlet_in2 = 0.1;
         std::array<double, 4> psi{}, into{}, junction_psi{}, arriving{};
         for (std::size_t j = 0; j < circuit.size(); ++j) {
-            psi[j] = pressure_psi(circuit[j].link, j, t);
+            psi[j] = base_psi(j) + risen_psi(circuit[j].link, t); // downstream lower
             arriving[j] += circuit[j].pumps * flow.pump_in3_per_s;
             into[j] = circuit[j].through == Through::nowhere ? arriving[j] : 40;
             junction_psi[j] = psi[j] + std::pow(into[j] / (k * inlet_in2), 2);
