@@ -14,6 +14,7 @@
 
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,11 +25,13 @@ namespace {
 
 /// What the command line may say.
 struct Options {
-    std::string record, links = "boom", configuration = "a", way = "service", offset = "auto", machine, netlist, json;
+    std::string record, links = "boom", configuration = "a", way = "thesis", offset = "auto", areas, coding, machine,
+                        netlist, json;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
     std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
     double bias = 400;
+    std::optional<std::size_t> elite;
     bool rising = false;
 };
 
@@ -47,6 +50,9 @@ LinkSet links_of(const std::string& text) {
 IdentificationWay way_of(const Options& options) {
     IdentificationWay way = options.way == "thesis" ? thesis_way() : service_way();
     way.bits = options.bits;
+    if (auto coding = coding_named(options.coding))
+        way.coding = *coding;
+    way.search.elite = options.elite.value_or(way.search.elite);
     way.search.population = options.population;
     way.search.window.trials = options.trials;
     way.search.window.length = options.window;
@@ -55,6 +61,12 @@ IdentificationWay way_of(const Options& options) {
     way.usable.rising = options.rising;
     way.search.validate();
     return way;
+}
+
+std::optional<AreasFrom> areas_of(const Options& options) {
+    if (options.areas.empty())
+        return std::nullopt;
+    return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
 }
 
 double inches_of(const std::string& text) {
@@ -67,7 +79,7 @@ double inches_of(const std::string& text) {
 
 /// The offset that --offset asks for; says what came of "auto".
 std::optional<double> spool_offset(const Options& options, const Record& record, const Parameters& machine) {
-    if (options.offset == "none" || (options.offset == "auto" && options.way == "thesis"))
+    if (options.offset == "none")
         return std::nullopt;
     if (options.offset != "auto")
         return inches_of(options.offset);
@@ -113,7 +125,7 @@ ExitCode identify_record(const Options& options, const std::string& command_line
     Record record = load_record(options.record);
     IdentificationWay way = way_of(options);
     Question question{*configuration_named(options.configuration), links_of(options.links),
-                      spool_offset(options, record, machine)};
+                      spool_offset(options, record, machine), areas_of(options)};
     RecordProblem prepared = prepare(record, machine, question, way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, way, options.seed);
     fmt::print("{}", print_identified(identified, prepared, way));
@@ -144,9 +156,16 @@ void declare_options(CLI::App& command, Options& options) {
         ->capture_default_str();
     command.add_option("--offset", options.offset, "of the boom's spool: auto, none, or a number of inches")
         ->capture_default_str();
+    command
+        .add_option("--areas-from", options.areas,
+                    "areas, spool or servo (experiments 1 and 2 of the thesis: the spool, the servo-valve's voltage)")
+        ->check(CLI::IsMember({"areas", "spool", "servo"}));
     command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
         ->type_name("FILE");
-    command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 32))->capture_default_str();
+    command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 52))->capture_default_str();
+    command.add_option("--coding", options.coding, "natural or gray; the way's own if not given")
+        ->check(CLI::IsMember({"natural", "gray"}));
+    command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given");
     command.add_option("--population", options.population, "individuals")->capture_default_str();
     command.add_option("--trials", options.trials, "generations a sample")->capture_default_str();
     command.add_option("--window", options.window, "samples that a fitness is summed over")->capture_default_str();

@@ -26,7 +26,7 @@ namespace {
 
 /// What the command line may say, of all commands.
 struct Options {
-    std::string file, format = "cfs", json, trace, kind, experiment;
+    std::string file, format = "cfs", json, trace, kind, experiment, plots;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
     std::string command; ///< as typed
@@ -111,10 +111,11 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
         ->add_option("NAME", options.kind, "everything about this kind");
 
     auto* replay_sub = add("replay", "Runs an experiment of the thesis beside the thesis's figures",
-                           [](const Options& o) { return replay(o.experiment, o.seed, o.json, o.command); });
+                           [](const Options& o) { return replay(o.experiment, o.seed, {o.json, o.plots}, o.command); });
     replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
     add_seed(*replay_sub, options);
     replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
+    replay_sub->add_option("--plots", options.plots, "writes the experiment's plots, SVG")->type_name("FOLDER");
     replay_sub->footer("experiments:\n" + list_experiments());
 
     declare_identify(app, chosen, options.command);

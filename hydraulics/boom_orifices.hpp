@@ -11,6 +11,8 @@ struct OrificeAreas {
 
 /// HminSpool[1]: up to here only the bypass is open.
 inline constexpr double boom_dead_band_in = 0.188;
+/// From here the outlet opens more steeply.
+inline constexpr double boom_outlet_knee_in = 0.248;
 /// From here the bypass is shut.
 inline constexpr double boom_bypass_shut_in = 0.376;
 

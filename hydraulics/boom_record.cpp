@@ -10,6 +10,7 @@ LinkReadings boom_readings(const BoomMachine& machine) {
     LinkReadings readings;
     readings[index_of(MachineLink::boom)].piston_flow_in3_per_deg =
         machine.inlet_area_in2 * machine.moment_arm_in * std::numbers::pi / 180;
+    readings[index_of(MachineLink::boom)].spool_lag_per_s = machine.spool_lag_per_s;
     return readings;
 }
 

@@ -22,7 +22,7 @@ inline InletFlow printed_inlet_flow(std::size_t links) {
 
 namespace circuit_error_detail {
 
-inline double positive_part(double x) { return x > 0 ? x : 0; }
+inline double positive_part(double x) { return x < 0 ? 0 : x; } // NaN stays, as in an array
 template <typename Array>
 Array positive_part(const Array& x) {
     return x.max(0.0);

@@ -3,16 +3,23 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace placedpar {
 
-CircuitProblem::CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form)
-    : circuit_(std::move(circuit)), flow_(flow), bits_(bits), form_(form) {
-    if (circuit_.empty() || circuit_.size() > all_links.size())
-        throw std::invalid_argument(fmt::format("a circuit of {} junctions, expected 1 to 4", circuit_.size()));
-    if (bits_ < 1 || bits_ > 32)
-        throw std::invalid_argument(fmt::format("{} bits for a compliance, expected 1 to 32", bits_));
+namespace {
+
+Circuit checked(Circuit circuit) {
+    if (circuit.empty() || circuit.size() > all_links.size())
+        throw std::invalid_argument(fmt::format("a circuit of {} junctions, expected 1 to 4", circuit.size()));
+    return circuit;
 }
+
+} // namespace
+
+CircuitProblem::CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form)
+    : circuit_(checked(std::move(circuit))), flow_(flow), coding_(circuit_.size(), {0, largest_in3_per_psi, bits}),
+      form_(form) {}
 
 std::vector<std::string> CircuitProblem::parameter_names() const {
     std::vector<std::string> names;

@@ -1,54 +1,71 @@
 #include "hydraulics/circuit_sample.hpp"
 
 #include "hydraulics/boom_orifices.hpp"
+#include "hydraulics/junction_flow.hpp"
 #include "hydraulics/line_fit.hpp"
+#include "hydraulics/voltage_spool.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace placedpar {
 
 namespace {
 
-/// A link's channels in the record.
-struct LinkChannels {
-    const std::vector<double>&inlet_psi, &angle_deg, &spool_in, &inlet_in2, &bypass_in2;
-    const LinkReading& reading;
-
-    bool areas_were_read() const { return !inlet_in2.empty() && !bypass_in2.empty(); }
-};
-
 void require(const Record& record, MachineLink link, Sensor sensor) {
     if (!record.has(link, sensor))
         throw std::invalid_argument(fmt::format("the record has no channel {}.{}", name_of(link), name_of(sensor)));
 }
 
-LinkChannels channels_of(const Record& record, MachineLink link, const LinkReading& reading) {
-    LinkChannels channels{record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
-                          record.of(link, Sensor::spool),          record.of(link, Sensor::inlet_area),
-                          record.of(link, Sensor::bypass_area),    reading};
-    require(record, link, Sensor::inlet_pressure);
-    require(record, link, Sensor::angle);
-    if (!channels.areas_were_read())
-        require(record, link, Sensor::spool);
-    return channels;
+AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading) {
+    if (reading.from)
+        return *reading.from;
+    if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
+        return AreasFrom::areas;
+    return record.has(link, Sensor::spool) || !record.has(link, Sensor::servo) ? AreasFrom::spool : AreasFrom::servo;
 }
 
-/// The spool, where the areas come from it; sensor noise may take it a little below 0.
-double spool_in(const LinkChannels& link, std::size_t i) {
-    return std::max(link.spool_in[i] - link.reading.spool_offset_in, 0.0);
+/// The areas of one link at every instant, as far as identification needs them.
+std::vector<OrificeAreas> areas_of(const Record& record, MachineLink link, const LinkReading& reading) {
+    std::vector<OrificeAreas> areas;
+    AreasFrom from = areas_from(record, link, reading);
+    if (from == AreasFrom::areas) {
+        require(record, link, Sensor::inlet_area);
+        require(record, link, Sensor::bypass_area);
+        for (std::size_t i = 0; i < record.size(); ++i)
+            areas.push_back({record.of(link, Sensor::inlet_area)[i], record.of(link, Sensor::bypass_area)[i], 0});
+        return areas;
+    }
+    require(record, link, from == AreasFrom::spool ? Sensor::spool : Sensor::servo);
+    std::vector<double> spool = from == AreasFrom::spool ? record.of(link, Sensor::spool)
+                                                         : spool_from_volts(record.of(link, Sensor::servo),
+                                                                            reading.spool_lag_per_s, record.period_s);
+    for (double spool_in : spool) // sensor noise may take it a little below 0
+        areas.push_back(boom_orifices(std::max(spool_in - reading.spool_offset_in, 0.0)));
+    return areas;
+}
+
+/// A link's channels in the record.
+struct LinkChannels {
+    const std::vector<double>&inlet_psi, &angle_deg;
+    std::vector<OrificeAreas> areas;
+    double piston_flow_in3_per_deg;
+};
+
+LinkChannels channels_of(const Record& record, MachineLink link, const LinkReading& reading) {
+    require(record, link, Sensor::inlet_pressure);
+    require(record, link, Sensor::angle);
+    return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle), areas_of(record, link, reading),
+            reading.piston_flow_in3_per_deg};
 }
 
 LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::size_t i) {
-    OrificeAreas areas = link.areas_were_read() ? OrificeAreas{link.inlet_in2[i], link.bypass_in2[i], 0}
-                                                : boom_orifices(spool_in(link, i));
     return {link.inlet_psi[i], fit.slope_per_s(link.inlet_psi, i),
-            link.reading.piston_flow_in3_per_deg * fit.slope_per_s(link.angle_deg, i), areas.inlet_in2,
-            areas.bypass_in2};
+            link.piston_flow_in3_per_deg * fit.slope_per_s(link.angle_deg, i), link.areas[i].inlet_in2,
+            link.areas[i].bypass_in2};
 }
 
 double square(double x) { return x * x; }
@@ -82,22 +99,12 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
     return samples;
 }
 
-double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow) {
-    std::array<double, all_links.size()> passing{}, psi{};
-    for (std::size_t j = 0; j < circuit.size(); ++j) {
-        passing[j] += circuit[j].pumps * flow.pump_in3_per_s;
-        if (circuit[j].through == Through::junction)
-            passing[circuit[j].next] += passing[j];
-    }
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = circuit.size(); j-- > 0;) {
-        double below = circuit[j].through == Through::junction ? psi[circuit[j].next] : flow.tank_psi;
-        psi[j] = circuit[j].through == Through::nowhere
-                     ? std::numeric_limits<double>::infinity()
-                     : below + square(passing[j] / (flow.orifice_in3_per_s_in2_sqrt_psi * links[j].bypass_in2));
-        least = std::min(least, psi[j] - links[j].inlet_psi);
-    }
-    return least;
+bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi) {
+    std::vector<JunctionOpening> openings;
+    for (const LinkSample& link : links)
+        openings.push_back({link.inlet_psi + margin_psi, link.inlet_in2, link.bypass_in2});
+    return std::ranges::all_of(solve_junctions(circuit, openings, flow),
+                               [](const JunctionFlow& junction) { return junction.inlet_in3_per_s > 0; });
 }
 
 double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction) {
@@ -109,12 +116,9 @@ double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t 
 
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
                                           const FlowConstants& flow, const UsableSamples& rule) {
-    auto open = [&](const CircuitSample& sample, double by_psi) {
-        return std::ranges::all_of(sample.links, [](const LinkSample& link) { return link.inlet_in2 > 0; }) &&
-               open_by_psi(circuit, sample.links, flow) > by_psi;
-    };
     auto starts = [&](const CircuitSample& sample) {
-        return open(sample, rule.open_by_psi) && std::ranges::all_of(sample.links, [&](const LinkSample& link) {
+        return all_open(circuit, sample.links, flow, rule.open_by_psi) &&
+               std::ranges::all_of(sample.links, [&](const LinkSample& link) {
                    return link.inlet_slope_psi_per_s > rule.first_slope_psi_per_s;
                });
     };
@@ -127,7 +131,7 @@ std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples
     for (auto sample = std::ranges::find_if(samples, starts); sample != samples.end(); ++sample) {
         if (usable.size() == rule.count || falls(*sample))
             break;
-        if (open(*sample, 0) && skipped++ >= rule.skipped)
+        if (all_open(circuit, sample->links, flow, 0) && skipped++ >= rule.skipped)
             usable.push_back(*sample);
     }
     return usable;

@@ -7,15 +7,22 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace placedpar {
 
+/// Where the areas of a link's orifices come from: as they were read, or by the boom's functions A.3 to A.9 from the
+/// spool, or from the servo-valve's voltage by A.1 and A.2.
+enum class AreasFrom : unsigned char { areas, spool, servo };
+
 /// How the readings of a link become flows and areas.
 struct LinkReading {
     double piston_flow_in3_per_deg = 0; // what the pump side takes up a degree of the joint: A_i r pi / 180
-    double spool_offset_in = 0;         // by which the spool's readings are too high
+    double spool_offset_in = 0;         // by which the spool's readings, or A.1, are too high
+    double spool_lag_per_s = 0;         // a_0 of A.2
+    std::optional<AreasFrom> from = {}; // none: the first of the three that the record has
 };
 using LinkReadings = std::array<LinkReading, all_links.size()>; // by index_of(link)
 
@@ -30,21 +37,21 @@ struct CircuitSample {
 };
 
 /// Every instant of the record at which the slopes are known: two samples on either side, none missing. Slopes
-/// from 5-point lines; areas as they were read, or from the spool by the boom's functions A.3 to A.9.
-/// Throws std::invalid_argument, naming the channel, when a link of the circuit lacks pressure, angle, or both
-/// areas and spool.
+/// from 5-point lines.
+/// Throws std::invalid_argument, naming the channel, when a link of the circuit lacks pressure, angle, or what its
+/// areas come from.
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit, const LinkReadings& readings);
 
-/// By how much the pumps would exceed the pressure of the link that they exceed least, if no link took any
-/// flow: infinite where every way past is shut, negative where a load check stays closed.
-double open_by_psi(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow);
+/// Are all inlets open and all load checks, even if every link's pressure were `margin_psi` higher? By the steady
+/// flow of the circuit (junction_flow.hpp).
+bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi);
 
 /// How fast the pressure of one link moves: the rms slope. REQUIRES: not empty.
 double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction);
 
 /// Which samples identification may use (ours; the thesis says "during the transient period").
 struct UsableSamples {
-    double open_by_psi = 25;            // the first sample: every path is predicted open by more than this ...
+    double open_by_psi = 25;            // the first sample: all open, by this margin ...
     double first_slope_psi_per_s = 150; // ... and every pressure rises faster than this
     std::size_t skipped = 0;            // samples left out after that
     std::size_t count = 20;             // 0.4 s of transient, thesis 4.4

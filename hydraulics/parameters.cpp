@@ -55,7 +55,7 @@ const Parameter* Parameters::find(std::string_view name) const {
     return found == parameters_.end() ? nullptr : &*found;
 }
 
-Parameter* Parameters::find(std::string_view name) {
+Parameter* Parameters::entry(std::string_view name) {
     return const_cast<Parameter*>(static_cast<const Parameters&>(*this).find(name));
 }
 
@@ -66,7 +66,7 @@ double Parameters::operator[](std::string_view name) const {
 }
 
 void Parameters::set(std::string_view name, double value) {
-    Parameter* parameter = find(name);
+    Parameter* parameter = entry(name);
     if (!parameter)
         throw std::invalid_argument(fmt::format("the machine has no parameter {}", name));
     parameter->value = value;
@@ -84,7 +84,7 @@ void Parameters::read(std::string_view text, std::vector<TextFault>& faults) {
 }
 
 void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
-    Parameter* parameter = find(row.cells[0].text);
+    Parameter* parameter = entry(row.cells[0].text);
     if (!parameter) {
         refuse(faults, row.line, row.cells[0], fmt::format("the machine has no parameter \"{}\"", row.cells[0].text),
                "placedpar parameters lists them");

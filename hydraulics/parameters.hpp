@@ -37,7 +37,7 @@ public:
     void read(std::string_view text, std::vector<TextFault>& faults);
 
 private:
-    Parameter* find(std::string_view name);
+    Parameter* entry(std::string_view name);
     void read_row(const TextRow& row, std::vector<TextFault>& faults);
 
     std::vector<Parameter> parameters_;

@@ -45,7 +45,7 @@ SourceProblem not_a_text(std::string_view text, std::size_t offset) {
     auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
     auto start = before.rfind('\n');
     auto column = start == std::string_view::npos ? offset + 1 : offset - start;
-    return {fmt::format("this is no netlist but a binary file: it holds the byte 0x{:02x}",
+    return {fmt::format("this is no text but a binary file: it holds the byte 0x{:02x}",
                         static_cast<unsigned char>(text[offset])),
             line, column};
 }
@@ -61,7 +61,7 @@ std::string why_not_a_file(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::not_found)
         return "there is no such file";
     if (status.type() == std::filesystem::file_type::directory)
-        return "this is a directory, not a netlist";
+        return "this is a directory, not a file";
     if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
         return "the file cannot be read: " + error.message();
     if (status.type() != std::filesystem::file_type::regular)
@@ -76,7 +76,7 @@ LoadedSource check_source(std::string shown_path, std::string text) {
         text.erase(0, 3);
     if (text.size() > largest_source_bytes)
         return refused(std::move(shown_path),
-                       fmt::format("the file is too large: a netlist may have {} bytes", largest_source_bytes));
+                       fmt::format("the file is too large: it may have {} bytes", largest_source_bytes));
     LoadedSource loaded{std::make_shared<SourceFile>(std::move(shown_path), std::move(text)), {}};
     const auto& all = loaded.file->text();
     auto odd = std::find_if_not(all.begin(), all.end(), is_text);

@@ -18,7 +18,7 @@ constexpr double searches_differ = 0.2, halves_differ = 0.3;
 constexpr double halves_differ_errors = 4;
 
 void flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
-    double step = problem.resolution_in3_per_psi();
+    double step = problem.field().resolution();
     if (link.compliance_in3_per_psi < 1.5 * step)
         link.flags.push_back("at the lower bound of the search: the record asks for a compliance of 0 or below, as an "
                              "offset of the spool makes it");

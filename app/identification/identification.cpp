@@ -116,15 +116,14 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
 void compare_with_optimum(Identified& result, std::span<const SearchRun> runs, const CircuitProblem& problem,
                           const FlowConstants& flow, std::span<const CircuitSample> window,
                           const IdentificationWay& way) {
-    auto optimum =
-        exhaustive_optimum(problem.circuit(), window, flow, problem.inlet_flow(), problem.bits_per_compliance(),
-                           CircuitProblem::largest_in3_per_psi, way.search.window.bias);
+    auto optimum = exhaustive_optimum(problem.circuit(), window, flow, problem.inlet_flow(), problem.field().bits,
+                                      CircuitProblem::largest_in3_per_psi, way.search.window.bias);
     for (std::size_t j = 0; j < result.links.size(); ++j) {
         LinkIdentified& link = result.links[j];
-        link.optimum = problem.compliance_in3_per_psi(optimum.codes[j]);
+        link.optimum = problem.field().value(optimum.codes[j]);
         std::vector<double> distances;
         for (double each : last_answers(runs, j))
-            distances.push_back(std::round(std::abs(each - *link.optimum) / problem.resolution_in3_per_psi()));
+            distances.push_back(std::round(std::abs(each - *link.optimum) / problem.field().resolution()));
         link.codes_from_optimum = quantile(distances, 0.5);
     }
 }
@@ -135,6 +134,8 @@ IdentificationWay thesis_way() { return {}; }
 
 IdentificationWay service_way() {
     IdentificationWay way;
+    way.coding = Coding::gray;
+    way.search.elite = 1;
     way.usable.skipped = 2;
     way.gate.emplace();
     way.searches = 21;
@@ -144,7 +145,7 @@ IdentificationWay service_way() {
 Identified identify(const CircuitProblem& problem, const FlowConstants& flow, std::span<const CircuitSample> samples,
                     const IdentificationWay& way, std::uint64_t seed) {
     require_samples(samples, way);
-    auto search_problem = make_search_problem(problem);
+    auto search_problem = make_search_problem(problem, way.coding);
     std::vector<SearchRun> runs;
     for (std::size_t i = 0; i < way.searches; ++i)
         runs.push_back(search_once(*search_problem, samples, way,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/coding.hpp"
 #include "gaprocs/settings.hpp"
 #include "hydraulics/circuit_problem.hpp"
 #include "hydraulics/circuit_sample.hpp"
@@ -23,7 +24,8 @@ struct ExcitationGate {
 /// How compliances are identified.
 struct IdentificationWay {
     SearchSettings search;
-    std::size_t bits = 10; // a compliance
+    std::size_t bits = CircuitProblem::usual_bits; // a compliance
+    Coding coding = Coding::natural;
     UsableSamples usable;
     /// None: the thesis has no gate.
     std::optional<ExcitationGate> gate;

@@ -46,6 +46,8 @@ RecordProblem prepare(const Record& record, const Parameters& machine, const Que
     FlowConstants flow = flow_constants(machine);
     LinkReadings readings = link_readings(machine);
     readings[index_of(MachineLink::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
+    for (LinkReading& reading : readings)
+        reading.from = question.areas_from;
     auto samples = usable_samples(circuit_samples(record, circuit, readings), circuit, flow, way.usable);
     return {CircuitProblem(circuit, flow, way.bits), flow, readings, std::move(samples)};
 }

@@ -13,7 +13,8 @@ namespace placedpar {
 struct Question {
     Configuration configuration = Configuration::a;
     LinkSet links = {MachineLink::boom};
-    std::optional<double> spool_offset_in; ///< of the boom; taken off its readings
+    std::optional<double> spool_offset_in;    ///< of the boom; taken off its readings
+    std::optional<AreasFrom> areas_from = {}; ///< none: the first that the record has
 };
 
 /// A record made ready for identification.

@@ -1,8 +1,8 @@
 #include "app/monitor/link_track.hpp"
 
 #include "hydraulics/boom_orifices.hpp"
+#include "hydraulics/voltage_spool.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace placedpar::monitor {
@@ -15,22 +15,16 @@ void push_bounded(std::vector<double>& values, double value) {
     values.push_back(value);
 }
 
-/// Voltage-spool transfer function of the boom (A.1). REQUIRES: servo_V >= 0.
-double desired_spool_in(double servo_V) { return ((0.0892 * servo_V + 0.2352) * servo_V + 0.2815) * servo_V + 0.1297; }
-
 } // namespace
 
 double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& parameters, double period_s) {
-    // A.2 with Desired Spool(k-1) and Spool(k-1) on the right: what is printed has k on both sides.
     double desired = desired_spool_in(servo_V);
-    if (!state_.spool_in)
-        state_.spool_in = desired;
-    else {
-        double kept = std::exp(-parameters.spool_lag_per_s * period_s);
-        *state_.spool_in = *state_.desired_in * (1 - kept) + kept * *state_.spool_in;
-    }
+    SpoolLag spool(parameters.spool_lag_per_s, period_s, state_.spool_in.value_or(desired));
+    if (state_.desired_in)
+        spool.hold(*state_.desired_in);
+    state_.spool_in = spool.spool_in();
     state_.desired_in = desired;
-    return *state_.spool_in;
+    return spool.spool_in();
 }
 
 void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, double period_s) {

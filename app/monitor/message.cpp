@@ -15,7 +15,7 @@ PerLink<LinkParameters> default_link_parameters() {
     const Parameters& excavator = Parameters::excavator();
     double lag = excavator["boom.spool_lag"];
     double boom = excavator["boom.inlet_area"] * excavator["boom.moment_arm"];
-    return {{{240, lag}, {boom, lag}, {384, lag}, {152, lag}}};
+    return {{{20 * 12, lag}, {boom, lag}, {24 * 18, lag}, {16 * 12, lag}}};
 }
 
 bool operator==(const MachineParameters& a, const MachineParameters& b) {

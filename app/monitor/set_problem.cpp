@@ -34,7 +34,7 @@ std::vector<LinkSample> SetProblem::by_junction(const SetSample& sample) const {
 
 bool SetProblem::open(const SetSample& sample) const {
     return std::ranges::all_of(sample, [](const LinkSample& link) { return link.inlet_in2 > 0; }) &&
-           open_by_psi(circuit_, by_junction(sample), flow_) > 0;
+           all_open(circuit_, by_junction(sample), flow_, 0);
 }
 
 std::vector<double> SetProblem::fitness(std::span<const Genome> strings, std::span<const SetSample> window,

@@ -28,8 +28,8 @@ public:
     double compliance_in3_per_psi(const Genome& genome, std::size_t position) const;
     double step_in3_per_psi() const;
 
-    /// Is the path to every cylinder open, as far as can be told: would each junction's pressure exceed its
-    /// cylinder's if no cylinder took any flow? Equation 3.6 does not hold where it is not.
+    /// Is the path to every cylinder open, by the steady flow of the circuit? Equation 3.6 does not hold where it
+    /// is not.
     bool open(const SetSample& sample) const;
 
     /// The sum of fitness_term over the window, for each string (eq. 3.9).

@@ -168,7 +168,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
     Transient half(Configuration::a, bucket_boom, healthy);
     half.slope_psi_per_s[index_of(MachineLink::bucket)] = 500;
     half.curvature_psi_per_s2 = 0;
-    auto outcomes = feed(machine, half, 10);
+    auto outcomes = feed(machine, half, 10, 12); // the boom stays below the bucket
     CHECK(outcomes.back().generations == 5);
     CHECK(columns(0) == bucket_codes);
     CHECK(columns(10) != boom_codes);

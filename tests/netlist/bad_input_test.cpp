@@ -35,7 +35,7 @@ TEST_CASE("what is no text file") {
     auto folder = std::filesystem::temp_directory_path() / "placedpar_bad_input_test";
     std::filesystem::create_directories(folder);
     CHECK(first_message(read_netlist(folder / "nothing.cfs", small_catalogue())) == "there is no such file");
-    CHECK(first_message(read_netlist(folder, small_catalogue())) == "this is a directory, not a netlist");
+    CHECK(first_message(read_netlist(folder, small_catalogue())) == "this is a directory, not a file");
     CHECK(first_message(read_netlist("/dev/null", small_catalogue())) == "this is no regular file");
     CHECK(
         first_message(read_netlist(std::string(5000, 'x'), small_catalogue())).starts_with("the file cannot be read"));
@@ -46,14 +46,14 @@ TEST_CASE("what is no text file") {
 
 TEST_CASE("binary rubbish") {
     auto result = read_netlist_text(std::string("T800 a;\n\tval \0 x", 16), small_catalogue());
-    CHECK(first_message(result) == "this is no netlist but a binary file: it holds the byte 0x00");
+    CHECK(first_message(result) == "this is no text but a binary file: it holds the byte 0x00");
     REQUIRE(result.diagnostics.size() == 1);
     CHECK(result.diagnostics[0].location.text() == "netlist:2:6");
     CHECK(render(result.diagnostics) ==
-          "netlist:2:6: error: this is no netlist but a binary file: it holds the byte 0x00\n"
+          "netlist:2:6: error: this is no text but a binary file: it holds the byte 0x00\n"
           "    \tval ? x\n"
           "    \t    ^\n");
-    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is no netlist but a binary file"));
+    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is no text but a binary file"));
     CHECK(refused("val \xff 5;") == "illegal character byte 0xff");
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("overrides that make no sense") {
     CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token behind an expression"));
     CHECK(refused("val n 1;", {{"n", "\"a\""}}).starts_with("wrong type for the val"));
     CHECK(refused("val n 1;", {{"", "5"}}) != "");
-    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no netlist but a binary file"));
+    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no text but a binary file"));
 }
 
 TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") {

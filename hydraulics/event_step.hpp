@@ -1,0 +1,108 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+
+#include <concepts>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// A system of ordinary differential equations that is smooth but for events: valves that open and shut,
+/// knees of a curve, commands. `Mode` says which of them hold; where it stays the same, the system is smooth.
+template <typename S>
+concept ModalSystem = requires(S system, const std::vector<double>& state, std::vector<double>& rate, double time_s) {
+    { system.rate(state, rate, time_s) } -> std::same_as<typename S::Mode>;
+    requires std::equality_comparable<typename S::Mode>;
+};
+
+/// The classical Runge-Kutta method of order 4 (Boost.Odeint) that steps up to each event and starts anew
+/// behind it, so that its order holds with them, too.
+///
+/// A step is clean when all its stages and its end see the mode of its beginning. An unclean one is cut down,
+/// by bisection, to the longest clean one; from there another is tried. When no clean step above the
+/// resolution is left, the event is less than that away, and a hop of the resolution crosses it. Hops double
+/// until a step is clean again, so that even events without end let time pass.
+/// Events that undo each other between the stages of one step are not seen: choose the step accordingly.
+template <ModalSystem System>
+class EventStepper {
+public:
+    using State = std::vector<double>;
+    using Mode = typename System::Mode;
+
+    /// Hops, and so the places of events, are this fine; an error in the state of the same order is far below
+    /// any reading's.
+    static constexpr double resolution_s = 1e-12;
+
+    EventStepper(const System& system, State state, double time_s)
+        : system_(system), now_{std::move(state), {}, {}}, time_s_(time_s) {
+        now_.rate.resize(now_.state.size());
+        now_.mode = system_.rate(now_.state, now_.rate, time_s_);
+    }
+
+    const State& state() const { return now_.state; }
+    const Mode& mode() const { return now_.mode; }
+    double time_s() const { return time_s_; }
+
+    /// Goes on to `end_s`; calls event(time_s, mode before, mode behind) at each event.
+    template <typename Event>
+    void advance_to(double end_s, Event event) {
+        double hop_s = resolution_s;
+        while (time_s_ < end_s) {
+            double rest_s = end_s - time_s_;
+            if (rest_s <= hop_s || clean(rest_s)) {
+                accept(end_s, rest_s, event);
+                return;
+            }
+            double longest_s = longest_clean(rest_s);
+            bool hopping = longest_s <= resolution_s;
+            double step_s = hopping ? hop_s : longest_s;
+            accept(time_s_ + step_s, step_s, event);
+            hop_s = hopping ? 2 * hop_s : resolution_s;
+        }
+    }
+
+private:
+    struct Point {
+        State state, rate;
+        Mode mode;
+    };
+
+    /// Tries a step from now; leaves its end in `next_`.
+    bool clean(double step_s) {
+        bool same = true;
+        auto rate = [&](const State& state, State& derivative, double time_s) {
+            same &= system_.rate(state, derivative, time_s) == now_.mode;
+        };
+        next_.state.resize(now_.state.size());
+        next_.rate.resize(now_.state.size());
+        stepper_.do_step(rate, now_.state, now_.rate, time_s_, next_.state, step_s);
+        next_.mode = system_.rate(next_.state, next_.rate, time_s_ + step_s);
+        return same && next_.mode == now_.mode;
+    }
+
+    double longest_clean(double unclean_s) {
+        double clean_s = 0;
+        while (unclean_s - clean_s > resolution_s) {
+            double middle_s = clean_s + (unclean_s - clean_s) / 2;
+            (clean(middle_s) ? clean_s : unclean_s) = middle_s;
+        }
+        return clean_s;
+    }
+
+    template <typename Event>
+    void accept(double end_s, double step_s, Event& event) {
+        clean(step_s);
+        time_s_ = end_s;
+        std::swap(now_, next_);
+        if (now_.mode != next_.mode)
+            event(time_s_, next_.mode, now_.mode);
+    }
+
+    const System& system_;
+    boost::numeric::odeint::runge_kutta4<State> stepper_;
+    Point now_, next_;
+    double time_s_;
+};
+
+} // namespace placedpar

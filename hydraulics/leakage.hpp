@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+namespace placedpar {
+
+/// Flow across a worn piston seal, from the pump side to the drain side: Q_l = k_l (P_i - P_o), laminar.
+inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, double outlet_psi) {
+    return leak_in3_per_s_psi * (inlet_psi - outlet_psi);
+}
+
+/// By how much the compliance seems to grow to a model that knows of no leak.
+///
+/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; the model takes C_i' dP_i/dt for the first and the last
+/// term. (The thesis prints 2.5 with both C_i' and Q_l, from which its 2.7 would not follow.) At one instant
+/// C_i' - C_i = Q_l / (dP_i/dt), of which 2.8 is the lower bound; over a window, the C_i' that misses least has
+///   C_i' - C_i = sum(Q_l dP_i/dt) / sum((dP_i/dt)^2).
+/// In in^3/psi. Throws std::invalid_argument when the numbers of flows and slopes differ, or no slope is other
+/// than 0: then a leak cannot be told by the compliance.
+double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::span<const double> slope_psi_per_s);
+
+} // namespace placedpar

@@ -1,0 +1,29 @@
+#pragma once
+
+namespace placedpar {
+
+/// A link as a mass on a cylinder (or, for the swing, on a motor: area times moment arm is then its
+/// displacement a radian). No value has a default: they come from one place, excavator_values.hpp.
+struct LinkMachine {
+    double inlet_area_in2;                // A_i, pump side of the piston
+    double outlet_area_in2;               // A_o, drain side; 0: the drain side is left out of the simulation
+    double moment_arm_in;                 // piston travel per radian of the joint
+    double mass_lbf_s2_per_in;            // M, the link's inertia at the piston
+    double damping_lbf_s_per_in;          // b
+    double friction_lbf;                  // F_c, of friction F_c tanh(v / friction_velocity)
+    double friction_velocity_in_per_s;    // > 0: the friction is smooth through rest
+    double load_lbf;                      // F, what the piston holds
+    double inlet_compliance_in3_per_psi;  // C_i
+    double outlet_compliance_in3_per_psi; // C_o; of no effect without a drain side
+    double spool_lag_per_s;               // a_0 of A.2
+};
+
+/// A leak across a piston (2.3.2): Q_l = coefficient (P_i - P_o), from its start on.
+struct PistonLeak {
+    double in3_per_s_psi; // k_l
+    double start_s;
+};
+
+inline constexpr PistonLeak no_leak{0, 0};
+
+} // namespace placedpar
