@@ -60,7 +60,10 @@ void Estimate::add(double compliance, double time_s, double step, const Diagnosi
         !agree(state_.recent_in3_per_psi, step, settings.settled_within))
         return;
     double value = median(state_.recent_in3_per_psi);
-    if (state_.settled)
+    // Excitation that comes and goes about the gate makes no new transient.
+    double since_s = time_s - state_.settled_time_s;
+    bool same = !state_.settled_in3_per_psi.empty() && since_s >= 0 && since_s < transients_apart_s;
+    if (state_.settled || same)
         state_.settled_in3_per_psi.back() = value;
     else
         push_bounded(state_.settled_in3_per_psi, value, kept_transients);

@@ -32,6 +32,8 @@ public:
 
     /// Transients whose settled values are kept.
     static constexpr std::size_t kept_transients = 5;
+    /// Settled values closer than this are of one transient; ours: an operator's movements are seconds apart.
+    static constexpr double transients_apart_s = 1;
 
     Estimate() = default;
     explicit Estimate(State state) : state_(std::move(state)) {}

@@ -56,12 +56,22 @@ TEST_CASE("the last five transients are kept") {
     Estimate estimate;
     for (int i = 1; i <= 7; ++i) {
         estimate.excite(1000, {});
-        add(estimate, 0.001 * i, 60);
+        add(estimate, 0.001 * i, 60, 10.0 * i);
         estimate.end_transient();
     }
     CHECK(estimate.state().settled_in3_per_psi.size() == 5);
     CHECK(estimate.lasting_in3_per_psi() == doctest::Approx(0.005));
     CHECK(estimate.settled_in3_per_psi() == doctest::Approx(0.007));
+}
+
+TEST_CASE("excitation that comes and goes makes no new transient") {
+    Estimate estimate;
+    for (int i = 1; i <= 4; ++i) {
+        estimate.excite(1000, {});
+        add(estimate, 0.001 * i, 60, 0.3 * i);
+        estimate.end_transient();
+    }
+    CHECK(estimate.state().settled_in3_per_psi == std::vector<double>{0.004});
 }
 
 TEST_CASE("bounds of the search") {

@@ -75,7 +75,7 @@ TEST_CASE("a torn journal loses its last message at most") {
         run(other, shorter, 11);
     }
     std::size_t last = journal.rfind('\n', journal.size() - 2) + 1;
-    for (std::size_t size = last; size < journal.size(); ++size) {
+    for (std::size_t size = last; size < journal.size(); size += 23) {
         scratch.write("state.journal", journal.substr(0, size));
         scratch.write("state", state);
         Machines restored = none();
