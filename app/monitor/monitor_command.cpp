@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -29,6 +30,7 @@ void add_limits(CLI::App& command, ServiceLimits& limits) {
     add("--line-timeout", limits.line_s, "from the first byte of a line to the last", "S");
     add("--idle-timeout", limits.idle_s, "without a line", "S");
     add("--stall-timeout", limits.stall_s, "without the client reading", "S");
+    add("--closing-timeout", limits.closing_s, "for a client to read the last message", "S");
 }
 
 void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
@@ -65,6 +67,7 @@ void add_options(CLI::App& command, ServiceSettings& settings) {
 
 ExitCode serve(const ServiceSettings& settings) {
     auto say = [](const std::string& sentence) { fmt::print(stderr, "placedpar monitor: {}\n", sentence); };
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is like a full disk, no reason to end
     Service service(settings, say);
     fmt::print("placedpar monitor: listening on {} port {}\n", settings.address, service.port());
     std::fflush(stdout);

@@ -97,6 +97,19 @@ class Restart(ServiceTest):
         self.assertEqual(self.client(again, "digger").welcome["samples"], 19)
         self.assertIn("torn", again.stop()[1])
 
+    def test_a_full_disk_does_not_end_the_diagnosis(self):
+        service = self.service("--state", self.state, file_bytes=4000)
+        client = self.client(service, "digger")
+        client.ask(**CONFIGURATION)
+        for i in range(SAMPLES):
+            self.assertEqual(client.ask(**boom(i))["samples"], i + 1)
+        _, errors = service.stop(signal.SIGKILL)
+        self.assertEqual(errors.count("going on, but a restart would forget"), 1)
+        again = self.service("--state", self.state)
+        known = self.client(again, "digger").welcome["samples"]
+        self.assertGreater(known, 10)
+        self.assertLess(known, SAMPLES)
+
     def test_what_cannot_be_is_refused(self):
         service = self.service("--state", self.state, *UNSETTLED)
         self.assertIn("another placedpar monitor is using it", self.refusal("--state", self.state))

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import signal
 import socket
 import subprocess
@@ -17,9 +18,13 @@ SECONDS = 60  # for anything that should take no time
 class Service:
     """A running `placedpar monitor`; its port is any free one."""
 
-    def __init__(self, *arguments):
+    def __init__(self, *arguments, file_bytes=None):
+        def limit_files():
+            if file_bytes:
+                resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
+
         self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True)
+                                        stderr=subprocess.PIPE, text=True, preexec_fn=limit_files)
         first = self.process.stdout.readline()
         found = re.fullmatch(r"placedpar monitor: listening on (\S+) port (\d+)\n", first)
         if not found:
@@ -105,8 +110,8 @@ class ServiceTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def service(self, *arguments):
-        service = Service(*arguments)
+    def service(self, *arguments, **limits):
+        service = Service(*arguments, **limits)
         self.addCleanup(service.process.stderr.close)
         self.addCleanup(service.process.stdout.close)
         self.addCleanup(service.process.wait)
