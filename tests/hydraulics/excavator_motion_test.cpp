@@ -155,7 +155,7 @@ TEST_CASE("any configuration with all links: each gets what the controller asks 
     for (Configuration configuration : all_configurations) {
         CAPTURE(std::string(1, name_of(configuration)));
         ExcavatorScenario scenario = step_scenario(configuration, LinkSet::all());
-        scenario.integration_step_s = 0.004;
+        scenario.integration_step_s = 0.008;
         ExcavatorMotion motion = simulate_excavator(scenario);
         for (std::size_t i = 0; i < 4; ++i) {
             Link link = scenario.links[i].link;
@@ -175,6 +175,7 @@ TEST_CASE("in configuration a the branches do not feel each other; in d they do"
     for (Configuration configuration : {Configuration::a, Configuration::d}) {
         ExcavatorScenario both = step_scenario(configuration, LinkSet::all());
         both.duration_s = 0.5;
+        both.integration_step_s = 0.004;
         ExcavatorScenario heavier = both;
         heavier.links[3].machine.load_lbf *= 1.1; // the swing
         ExcavatorMotion before = simulate_excavator(both), behind = simulate_excavator(heavier);
