@@ -108,6 +108,7 @@ TEST_CASE("scenario R2: before anything moves, the opening instant has a closed 
 }
 
 TEST_CASE("R2: halving the step divides the change of pressure by 16, the method's order, through both openings") {
+    // Steps that do not stop at the openings: .05 psi where this bounds .001, and a ratio of 2.
     ExcavatorMotion steps_4_ms = with_step(two_link_scenario(), 0.004),
                     steps_2_ms = with_step(two_link_scenario(), 0.002),
                     steps_1_ms = with_step(two_link_scenario(), 0.001);
