@@ -113,6 +113,6 @@ TEST_CASE("a last ball that rounding puts on the very end of the wheel lies in t
     RouletteWheel wheel(std::array<double, 4>{1, 0, 1, 0});
     auto found = wheel.sectors(balls, 1 - 0x1p-32);
     CHECK(found.back() == 2);
-    CHECK(found[balls / 2 - 1] == 0);
-    CHECK(found[balls / 2] == 2);
+    CHECK(found[balls / 4] == 0);
+    CHECK(found[balls / 2 + 1] == 2);
 }
