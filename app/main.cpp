@@ -2,6 +2,7 @@
 #include "app/identify_command.hpp"
 #include "app/kinds_command.hpp"
 #include "app/manifest.hpp"
+#include "app/monitor/monitor_command.hpp"
 #include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
@@ -123,6 +124,7 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     declare_identify(app, chosen, options.command);
     declare_record(app, chosen);
     add("parameters", "Prints the constants of the excavator, as a file for --machine", parameters);
+    monitor::declare(app, chosen);
 }
 
 bool is_command(const CLI::App& app, std::string_view name) {

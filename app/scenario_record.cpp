@@ -68,10 +68,14 @@ std::string description_of(const RecordScenario& scenario, const Parameters& par
         command += fmt::format(" --set {}={}", parameter.name, parameter.value);
         changed += fmt::format("{} = {} {}, not {}\n", parameter.name, parameter.value, parameter.unit, before.value);
     }
-    return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}true inlet compliance {} in^3/psi, outlet {} in^3/psi\n",
-                       scenario.name, scenario.about, command, seed,
+    std::string truth;
+    for (const Parameter& parameter : parameters.all())
+        if (scenario.uses(parameter.name) && parameter.name.ends_with("let_compliance"))
+            truth += fmt::format("{}true {} {} {}", truth.empty() ? "" : ", ", parameter.name, parameter.value,
+                                 parameter.unit);
+    return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
                        changed.empty() ? "every parameter is the program's own" : "parameters that were set:", changed,
-                       parameters["boom.inlet_compliance"], parameters["boom.outlet_compliance"]);
+                       truth);
 }
 
 } // namespace

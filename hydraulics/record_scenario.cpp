@@ -1,6 +1,8 @@
 #include "hydraulics/record_scenario.hpp"
 
 #include "hydraulics/boom_sensors.hpp"
+#include "hydraulics/excavator_record.hpp"
+#include "hydraulics/excavator_values.hpp"
 
 #include <fmt/format.h>
 
@@ -81,10 +83,28 @@ Record record_excavator(const Parameters& parameters, const UniformSource& unifo
     return read_boom_sensors(simulate_measured_machine(machine), machine, sensors, uniform);
 }
 
-constexpr std::array<RecordScenario, 3> scenarios{{
+bool two_links_use(std::string_view name) {
+    if (in_group(name, {"flow.", "bucket.", "noise.", "sensors.period"}))
+        return name != "noise.spool" && !name.starts_with("flow.rounded.");
+    constexpr std::array<std::string_view, 6> boom{"inlet_area", "moment_arm", "mass",
+                                                   "gravity",    "spool_lag",  "inlet_compliance"};
+    if (name.starts_with("boom."))
+        return std::ranges::find(boom, name.substr(5)) != boom.end();
+    return name.starts_with("two_links.") && !in_group(name, {"two_links.stick", "two_links.swing"});
+}
+
+Record record_two_links(const Parameters& parameters, const UniformSource& uniform) {
+    ExcavatorScenario scenario = two_link_scenario(parameters);
+    MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], 0, parameters["noise.area"]};
+    return measure_excavator(simulate_excavator(scenario), scenario, parameters["sensors.period"], noise, uniform);
+}
+
+constexpr std::array<RecordScenario, 4> scenarios{{
     {"scenario-a", "the simple plant, a step to 4 deg/s of boom", as_they_are, scenario_a_uses, record_scenario_a},
     {"scenario-b", "the simple plant made heavy and slow, a ramp to 4 deg/s of boom", with_machine_of_b,
      scenario_b_uses, record_scenario_b},
+    {"two-links", "bucket and boom, branch 1 of configuration a, a step of both (3.2)", as_they_are, two_links_use,
+     record_two_links},
     {"excavator", "the measured machine: hoses with inertia, pump ripple, stiction, dead time, converters", as_they_are,
      excavator_uses, record_excavator},
 }};
@@ -111,7 +131,7 @@ std::vector<Parameter> noise_rows(const Parameters& machine, std::string_view le
         return rows;
     for (auto [name, value] :
          {std::pair{"noise.pressure", found->noise.pressure_psi}, std::pair{"noise.angle", found->noise.angle_deg},
-          std::pair{"noise.spool", found->noise.spool_in}}) {
+          std::pair{"noise.spool", found->noise.spool_in}, std::pair{"noise.area", found->noise.area_share}}) {
         Parameter row = *machine.find(name);
         row.value = value;
         rows.push_back(std::move(row));

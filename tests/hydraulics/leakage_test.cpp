@@ -87,12 +87,13 @@ TEST_CASE("a leak that starts with the motion: flow and apparent compliance of t
     };
     double sound = identified_compliance(leaking_boom(0));
     CHECK(sound == doctest::Approx(0.0086).epsilon(0.02));
-    for (auto [leak, flow, change] : {Figures{0.001, 1.82, 0.00079}, {0.002, 3.60, 0.00159}, {0.004, 6.97, 0.0032}}) {
+    for (const Figures& figures : {Figures{0.001, 1.82, 0.00079}, {0.002, 3.60, 0.00159}, {0.004, 6.97, 0.0032}}) {
+        double leak = figures.leak_in3_per_s_psi;
         CAPTURE(leak);
         Rise rise = rise_of(leaking_boom(leak));
         double predicted = apparent_compliance_change(rise.leak_in3_per_s, rise.slope_psi_per_s);
-        CHECK(std::abs(mean(rise.leak_in3_per_s) - flow) < 0.04 * flow);
-        CHECK(std::abs(predicted - change) < 0.03 * change);
+        CHECK(std::abs(mean(rise.leak_in3_per_s) - figures.flow_in3_per_s) < 0.04 * figures.flow_in3_per_s);
+        CHECK(std::abs(predicted - figures.change_in3_per_psi) < 0.03 * figures.change_in3_per_psi);
         double ratio = mean(rise.leak_in3_per_s) / mean(rise.slope_psi_per_s) / predicted;
         CHECK(ratio > 0.9);
         CHECK(ratio < 1.2);

@@ -20,7 +20,7 @@ struct Recorded {
 };
 
 Recorded recorded(std::size_t stride) {
-    auto motion = simulate_boom({});
+    auto motion = simulate_boom(BoomScenario());
     Recorded record;
     for (std::size_t i = 360; i <= 1320; i += stride) {
         record.samples.push_back({motion[i].time_s, motion[i].spool_in, motion[i].velocity_in_per_s});
