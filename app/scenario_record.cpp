@@ -83,11 +83,15 @@ std::string description_of(const RecordScenario& scenario, const Parameters& par
 const RecordScenario& scenario_called(std::string_view name) {
     if (const RecordScenario* scenario = record_scenario_named(name))
         return *scenario;
-    std::vector<std::string> names;
-    for (const RecordScenario& scenario : record_scenarios())
-        names.emplace_back(scenario.name);
-    throw std::runtime_error(fmt::format("there is no scenario \"{}\"; there are {}, {} and {}", name, names.at(0),
-                                         names.at(1), names.at(2)));
+    std::string names;
+    std::span<const RecordScenario> all = record_scenarios();
+    for (const RecordScenario& scenario : all)
+        names += fmt::format("{}{}",
+                             &scenario == &all.front()  ? ""
+                             : &scenario == &all.back() ? " and "
+                                                        : ", ",
+                             scenario.name);
+    throw std::runtime_error(fmt::format("there is no scenario \"{}\"; there are {}", name, names));
 }
 
 Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,

@@ -127,11 +127,14 @@ double number_in(const TextCell& cell, std::size_t line, std::vector<TextFault>&
     auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc() && stop == end && std::isfinite(value))
         return value;
+    bool out_of_range = error == std::errc::result_out_of_range && stop == end;
     bool tiny = cell.text.find("e-") != std::string::npos || cell.text.find("E-") != std::string::npos;
-    if (error == std::errc::result_out_of_range && stop == end && tiny)
+    if (out_of_range && tiny)
         return 0;
     faults.push_back({true, line, cell.column,
-                      cell.text.empty() ? "no value" : fmt::format("\"{}\" is not a finite number", cell.text),
+                      cell.text.empty() ? "no value"
+                      : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
+                                        : fmt::format("\"{}\" is not a finite number", cell.text),
                       "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"});
     return 0;
 }
