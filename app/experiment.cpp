@@ -12,6 +12,8 @@ const std::vector<Experiment>& experiments() {
          replay_figures_2_8_2_9},
         {"experiments-1-2", "the boom's compliance identified from the spool and from the servo-valve's voltage",
          replay_experiments_1_2},
+        {"first-attempt", "the thesis's failed identification: an offset of the spool, flagged, calibrated and cured",
+         replay_first_attempt},
         {"table-e1", "what a generation costs on one cluster with 0 to 3 slaves", replay_table_e1},
         {"table-e2", "the speedup of algorithms B, A, and A + B on the machine of Figure E.2", replay_table_e2},
     };

@@ -8,6 +8,18 @@ namespace placedpar {
 
 namespace {
 
+/// A value that is held until the next.
+Series held(Series series) {
+    std::vector<Point> corners;
+    for (const Point& point : series.points) {
+        if (!corners.empty())
+            corners.push_back({point.x, corners.back().y});
+        corners.push_back(point);
+    }
+    series.points = corners;
+    return series;
+}
+
 const std::vector<double>& of(const BoomData& data, Sensor sensor) { return data.record.of(MachineLink::boom, sensor); }
 
 Axis time_axis(double until_s) { return {"time [s]", 0, until_s}; }
@@ -50,18 +62,18 @@ Panel motion_panel(std::string title, const BoomData& data, const BoomModel& mod
 Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
     Series best{"best individual", {}};
     for (const TransientEstimate& estimate : watched.identified.found.estimates)
-        best.points.push_back({estimate.time_s, estimate.compliance_in3_per_psi[0]});
+        best.points.push_back({estimate.time_s, 1000 * estimate.compliance_in3_per_psi[0]});
     best.points.push_back({until_s, best.points.back().y}); // the search has ended: its last answer stays
     return {"c: estimated C_BOi",
             time_axis(until_s),
-            {"compliance [in³/psi]", 0, 0.02},
+            {"compliance [0.001 in³/psi]", 0, 20},
             {best},
-            {{"true", watched.data.machine.inlet_compliance_in3_per_psi}}};
+            {{"true", 1000 * watched.data.machine.inlet_compliance_in3_per_psi}}};
 }
 
 /// The error that the equations are left with at every instant where the inlet is open, with the answer.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
-    Series series{"of the last answer", {}};
+    Series series{"last answer", {}};
     for (const CircuitSample& sample : samples_of(watched.data, watched.model))
         if (sample.time_s <= until_s && sample.links[0].inlet_in2 > 0)
             series.points.push_back(
@@ -72,7 +84,7 @@ Series error_of_answer(const WatchedIdentification& watched, double until_s) {
 }
 
 Panel error_panel(const WatchedIdentification& watched, double until_s) {
-    Series mean{"mean of the population", {}}, best{"best individual, rms", {}};
+    Series mean{"population's mean", {}}, best{"best one, rms", {}};
     double trials = 0; // the generations of a sample stand side by side in its period
     for (std::size_t i = 0; i < watched.generations.size(); ++i) {
         const Generation& generation = watched.generations[i];
@@ -98,9 +110,9 @@ Series over_time(std::string name, const Record& record, std::span<const double>
 }
 
 Plot plot_of_record(std::string title, const BoomData& data, double until_s) {
-    auto volts = over_time("asked for", data.record, of(data, Sensor::servo), until_s);
+    auto volts = held(over_time("asked for", data.record, of(data, Sensor::servo), until_s));
     auto spool = over_time("measured", data.record, of(data, Sensor::spool), until_s);
-    auto lagged = over_time("by A.1 and A.2", data.record, spool_of(data, model_of(data, AreasFrom::servo)), until_s,
+    auto lagged = over_time("A.1 and A.2", data.record, spool_of(data, model_of(data, AreasFrom::servo)), until_s,
                             Stroke::dashes);
     auto angle = over_time("measured", data.record, of(data, Sensor::angle), until_s);
     return {std::move(title),

@@ -36,19 +36,20 @@ double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
 Panel panel_of_lag(std::span<const BoomData> machines) {
     Panel panel{"Compliance that the voltage gives, over the a_0 believed in",
                 {"a_0 of A.2 [1/s]", 5, 16},
-                {"compliance [in³/psi]", 0, 0.02},
+                {"compliance [0.001 in³/psi]", 0, 20},
                 {},
-                {{"thesis, spool", 0.005}, {"thesis, voltage", 0.0086}}};
+                {{"thesis, spool", 5}, {"thesis, voltage", 8.6}}};
     for (const BoomData& machine : machines) {
         Series series{fmt::format("true C {}", machine.machine.inlet_compliance_in3_per_psi), {}};
         for (int i = 0; i <= 110; ++i)
             if (auto found = found_with(5 + 0.1 * i, machine))
-                series.points.push_back({5 + 0.1 * i, *found});
+                series.points.push_back({5 + 0.1 * i, 1000 * *found});
         panel.series.push_back(series);
-        panel.series.push_back({fmt::format("  the machine's own a_0", machine.plant),
-                                {{machine.machine.spool_lag_per_s, machine.machine.inlet_compliance_in3_per_psi}},
-                                Stroke::points,
-                                static_cast<int>(panel.series.size()) - 1});
+        panel.series.push_back(
+            {"  its own a_0",
+             {{machine.machine.spool_lag_per_s, 1000 * machine.machine.inlet_compliance_in3_per_psi}},
+             Stroke::points,
+             static_cast<int>(panel.series.size()) - 1});
     }
     return panel;
 }
