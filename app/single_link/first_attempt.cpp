@@ -104,8 +104,8 @@ void add_attempt(Reading& reading, const KnownOffset& known, std::uint64_t seed)
         5);
     const char* flagged = "flagged: at the lower bound";
     if (known.search_in3_per_psi)
-        reading.cells.push_back(judged_cell(flagged, column, "%", *known.search_in3_per_psi == 0 ? 100 : 0,
-                                            spool.flagged_percent, 10, 0));
+        reading.cells.push_back(
+            judged_cell(flagged, column, "%", *known.search_in3_per_psi == 0 ? 100 : 0, spool.flagged_percent, 10, 0));
     else
         reading.cells.push_back(plain_cell(flagged, column, "%", spool.flagged_percent, 0));
 }
