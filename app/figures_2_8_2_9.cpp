@@ -135,13 +135,13 @@ Reading run(std::string name, const PdLoop& loop, std::array<Maybe, 4> Row::*kno
 Series response_series(const PdLoop& loop, double factor, std::optional<int> colour = std::nullopt) {
     Series series{times_c(factor), {}, Stroke::line, colour};
     auto response = response_of(with_compliance(loop, factor), 4);
-    for (std::size_t i = 0; i < response.size(); i += 10)
+    for (std::size_t i = 0; i < response.size(); i += 20)
         series.points.push_back({static_cast<double>(i) * step_s, response[i]});
     return series;
 }
 
 Panel response_panel(std::string title, std::vector<Series> series) {
-    return {std::move(title), {"time [s]", 0, 4}, {"angle θ / desired θ", 0, 2}, std::move(series), {{"desired", 1}}};
+    return {std::move(title), {"time [s]", 0, 4}, {"angle θ / desired θ", 0, 1.6}, std::move(series), {{"desired", 1}}};
 }
 
 /// The path of one pole while C grows from half to ten times.

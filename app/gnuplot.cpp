@@ -9,7 +9,11 @@
 #include <boost/process/search_path.hpp>
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <future>
+#include <memory>
 #include <stdexcept>
 
 namespace placedpar {
@@ -25,6 +29,16 @@ std::filesystem::path find_gnuplot() {
     return path;
 }
 
+/// A file without a name that holds the script: written through a pipe, it could meet a gnuplot that has given up.
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_of(const std::string& script) {
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+    if (!file || std::fwrite(script.data(), 1, script.size(), file.get()) != script.size() ||
+        std::fflush(file.get()) != 0)
+        throw std::runtime_error(fmt::format("no room for what gnuplot is to draw: {}", std::strerror(errno)));
+    std::rewind(file.get());
+    return file;
+}
+
 } // namespace
 
 void require_gnuplot() { find_gnuplot(); }
@@ -32,8 +46,8 @@ void require_gnuplot() { find_gnuplot(); }
 std::string run_gnuplot(const std::string& script) {
     boost::asio::io_context context;
     std::future<std::string> drawing, complaint;
-    process::child gnuplot(find_gnuplot(), process::args("-d"),
-                           process::std_in<boost::asio::buffer(script), process::std_out> drawing,
+    auto file = file_of(script);
+    process::child gnuplot(find_gnuplot(), process::args("-d"), process::std_in<file.get(), process::std_out> drawing,
                            process::std_err > complaint, context);
     context.run();
     gnuplot.wait();

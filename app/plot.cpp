@@ -19,8 +19,8 @@ constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#
                                              "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
 
 // Sizes in pixels.
-constexpr int width = 960, title_height = 50, panel_height = 400, left_margin = 90, top_margin = 40, bottom_margin = 70;
-constexpr int legend_sample = 60, legend_letter = 8;
+constexpr int width = 960, title_height = 44, panel_height = 390, left_margin = 90, top_margin = 40, bottom_margin = 66;
+constexpr int legend_sample = 70, legend_letter = 9; // of the widest of the fonts that a viewer may take
 
 /// A gnuplot string, in which nothing but the quote means anything.
 std::string quoted(const std::string& text) {
@@ -53,7 +53,7 @@ std::string style_of(const Series& series, std::size_t place) {
     switch (series.stroke) {
     case Stroke::line: return "with lines linewidth 2 " + paint;
     case Stroke::dashes: return "with lines linewidth 2 dashtype (8,5) " + paint;
-    case Stroke::points: return "with points pointtype 7 pointsize 0.7 " + paint;
+    case Stroke::points: return "with points pointtype 7 pointsize 0.8 " + paint;
     }
     return "";
 }
@@ -62,8 +62,9 @@ std::string title_of(const std::string& name) { return name.empty() ? "notitle" 
 
 std::string axis_commands(const char* letter, const Axis& axis) {
     auto end = [](std::optional<double> value) { return value ? fmt::format("{}", *value) : std::string("*"); };
-    return fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n{4} logscale {0}\n", letter, quoted(axis.label),
-                       end(axis.from), end(axis.to), axis.logarithmic ? "set" : "unset");
+    return fmt::format("set {0}label {1} {5}\nset {0}range [{2}:{3}]\n{4} logscale {0}\n", letter, quoted(axis.label),
+                       end(axis.from), end(axis.to), axis.logarithmic ? "set" : "unset",
+                       *letter == 'x' ? "offset 0,0.4" : "");
 }
 
 std::string data_blocks(const Panel& panel, std::size_t number) {
@@ -94,23 +95,24 @@ std::string panel_commands(const Panel& panel, std::size_t number) {
     std::string out = "set title " + quoted(panel.title) + " offset 0,-0.4\n";
     out += axis_commands("x", panel.x) + axis_commands("y", panel.y) + data_blocks(panel, number);
     std::vector<std::string> curves;
-    for (const Mark& mark : panel.marks)
-        curves.push_back(fmt::format("{} {} with lines linewidth 1.2 dashtype (4,4) linecolor rgb '#606060'", mark.y,
-                                     title_of(mark.name)));
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         curves.push_back(fmt::format("$panel{}series{} using 1:2 {} {}", number, i, title_of(panel.series[i].name),
                                      style_of(panel.series[i], i)));
-    // The marks lie below the series, and come after them in the legend.
-    std::rotate(curves.begin(), curves.begin() + static_cast<std::ptrdiff_t>(panel.marks.size()), curves.end());
+    for (const Mark& mark : panel.marks)
+        curves.push_back(fmt::format("{} {} with lines linewidth 1.2 dashtype (4,4) linecolor rgb '#606060'", mark.y,
+                                     title_of(mark.name)));
     return fmt::format("{}plot {}\n", out, fmt::join(curves, ", \\\n     "));
 }
 
 void check(const Plot& plot) {
-    for (const Panel& panel : plot.panels)
+    for (const Panel& panel : plot.panels) {
+        if (panel.series.empty())
+            throw std::invalid_argument(fmt::format("the panel \"{}\" has nothing to draw", panel.title));
         for (const Series& series : panel.series)
             if (series.points.empty())
-                throw std::runtime_error(fmt::format("plot \"{}\", panel \"{}\": the series \"{}\" has no points",
-                                                     plot.title, panel.title, series.name));
+                throw std::invalid_argument(
+                    fmt::format("in the panel \"{}\" the series \"{}\" has no points", panel.title, series.name));
+    }
 }
 
 std::string script_of(const Plot& plot) {

@@ -52,8 +52,8 @@ struct NamedPlot {
     Plot plot;
 };
 
-/// Drawn by gnuplot: the same plot gives the same bytes. Throws std::runtime_error when gnuplot is not there or
-/// refuses the plot, such as one with a series of no points.
+/// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series and
+/// a series without points, std::runtime_error when gnuplot is not there or refuses the plot.
 std::string draw_svg(const Plot&);
 
 } // namespace placedpar

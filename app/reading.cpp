@@ -76,7 +76,7 @@ std::string print_difference(double difference, int decimals) {
 }
 
 std::string print_error(const Cell& cell) {
-    if (cell.tolerance && cell.thesis)
+    if (cell.thesis && (cell.tolerance || cell.unit == "%"))
         return print_difference(cell.simulated - *cell.thesis, cell.decimals);
     auto error = cell.error_percent();
     return error ? fmt::format("{:+.1f}%", *error) : "";
@@ -128,6 +128,12 @@ std::optional<double> Cell::error_percent() const {
     if (*thesis == 0)
         return simulated == 0 ? std::optional(0.0) : std::nullopt;
     return 100 * (simulated - *thesis) / std::abs(*thesis);
+}
+
+std::optional<double> Cell::tolerance_in_percent() const {
+    if (!tolerance)
+        return tolerance_percent;
+    return thesis && *thesis != 0 ? std::optional(100 * *tolerance / std::abs(*thesis)) : std::nullopt;
 }
 
 bool Cell::within_tolerance() const {

@@ -27,6 +27,8 @@ struct Cell {
 
     /// Of the thesis's figure; 0 where both are 0. None without a figure to compare with.
     std::optional<double> error_percent() const;
+    /// tolerance_percent, or what `tolerance` is in percent; none where that is not defined.
+    std::optional<double> tolerance_in_percent() const;
     bool within_tolerance() const;
 };
 
@@ -42,8 +44,8 @@ struct Reading {
 bool within_tolerance(const Reading&);
 
 /// A table for people: each cell as simulated, thesis and error: in percent, or in the cell's unit where its tolerance
-/// is. Rows and columns come in the order of the cells. A row with a column that the rows above it do not have begins
-/// a table of its own.
+/// is or that is percent itself. Rows and columns come in the order of the cells. A row with a column that the rows
+/// above it do not have begins a table of its own.
 std::string print_reading(const Reading&);
 
 } // namespace placedpar

@@ -36,7 +36,7 @@ boost::json::object cell_json(const Cell& cell, const std::string& against) {
                              {"thesis", against == "thesis" ? or_null(cell.thesis) : nullptr},
                              {"simulated", cell.simulated},
                              {"error_percent", or_null(cell.error_percent())},
-                             {"tolerance_percent", or_null(cell.tolerance_percent)},
+                             {"tolerance_percent", or_null(cell.tolerance_in_percent())},
                              {"origin", name_of(cell.origin)}};
     if (against != "thesis")
         json[against] = or_null(cell.thesis);

@@ -9,7 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <span>
+#include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -82,8 +83,8 @@ void add_claims(Reading& reading, const FlowConstants& constants) {
             return boom_flow_sensitivity(point.spool_in, point.inlet_psi, constants).*of;
         };
     };
-    add_rows(reading, {"for 0.02 in more", "%", 1, more_flow(0.02), always(50), only_at(40, 1630, 2)});
-    add_rows(reading, {"for 0.01 in more", "%", 1, more_flow(0.01), always(20), only_at(50, 1630, 1.5)});
+    add_rows(reading, {"more flow for +0.02 in", "%", 1, more_flow(0.02), always(50), only_at(40, 1630, 2)});
+    add_rows(reading, {"more flow for +0.01 in", "%", 1, more_flow(0.01), always(20), only_at(50, 1630, 1.5)});
     add_rows(reading, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});
     add_rows(reading, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
 }
@@ -160,9 +161,11 @@ Panel flow_panel() {
     for (int psi : pressures_psi) {
         int colour = static_cast<int>(panel.series.size()) / 2;
         Series line{fmt::format("{} psi", psi), {}, Stroke::line, colour};
-        for (double spool = boom_dead_band_in; spool < 0.3; spool += 0.0005)
-            line.points.push_back(
-                {spool, flow_in3_per_s({0, static_cast<double>(psi), spool}, 0, rounded_flow_constants)});
+        for (int i = 0; i <= 224; ++i) {
+            double spool = boom_dead_band_in + i * 0.0005; // to 0.3 in
+            SteadyFlowPoint point{0, static_cast<double>(psi), spool};
+            line.points.push_back({spool, flow_in3_per_s(point, 0, rounded_flow_constants)});
+        }
         Series points{fmt::format("thesis, {} psi", psi), {}, Stroke::points, colour};
         for (const SteadyFlowPoint& point : table_2_6())
             if (point.inlet_psi == psi)
