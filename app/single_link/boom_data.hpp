@@ -5,31 +5,39 @@
 #include "hydraulics/measurement.hpp"
 #include "hydraulics/record.hpp"
 
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <optional>
+#include <vector>
 
 namespace placedpar {
+
+/// Who moves the boom: the plant whose structure is the model's own (boom_motion.hpp), or the one with hoses, stiction,
+/// pump ripple, dead time and converters (measured_machine.hpp).
+enum class BoomPlant : unsigned char { simple, measured };
 
 /// A motion of the boom as its sensors saw it, and the machine that moved: what the experiments of 3.1 work on. All
 /// they need of a source of records is this.
 struct BoomData {
-    std::string plant; ///< for people: "simple plant, low noise"
-    Record record;     ///< of the boom: both pressures, angle, spool, servo-valve's voltage
+    Record record; ///< of the boom: both pressures, angle, spool, servo-valve's voltage
     FlowConstants flow;
-    BoomMachine machine;             ///< as it truly is
-    double true_spool_offset_in = 0; ///< by which the spool's readings and A.1 are too high
+    BoomMachine machine; ///< as it truly is
 };
 
-/// Scenario A with another final spool and, perhaps, another compliance, of the plant that has the model's own
-/// structure; its sensors' noise is drawn from the stream (seed, "sensors"), as the tests of identification do. A
-/// spool offset leaves the motion alone: readings and A.1 are wrong alike, so that the controller asks for the voltage
-/// that moves the spool where it is wanted.
-struct SimpleMotion {
+/// A step of the boom, 4 deg/s of a machine of excavator.csv but for what is set here. A spool offset leaves the motion
+/// alone: readings and A.1 are wrong alike, so that the controller asks for the voltage that moves the spool where it
+/// is wanted.
+struct BoomMotion {
+    BoomPlant plant = BoomPlant::simple;
     MeasurementNoise noise = no_noise;
-    std::uint64_t seed = 1;
-    double spool_offset_in = 0;
+    double spool_offset_in = 0; ///< by which the spool's readings and A.1 are too high
+    std::optional<double> inlet_compliance_in3_per_psi = {}, spool_desired_in = {}, duration_s = {};
+    bool slow = false; ///< of the simple plant: scenario B, heavy and by a ramp
 };
-BoomData simple_plant(const BoomScenario& scenario, const SimpleMotion& motion, std::string noise_name);
+
+/// Simulates it once, and measures it with the noise of the streams (seed, "sensors") of consecutive seeds.
+std::vector<BoomData> measure(const BoomMotion& motion, std::size_t records, std::uint64_t first_seed);
+BoomData measure(const BoomMotion& motion, std::uint64_t seed);
 
 /// Which areas the model takes, and what it believes.
 struct BoomModel {

@@ -9,28 +9,47 @@ namespace placedpar {
 
 namespace {
 
-std::optional<double> found_with(double lag_per_s, const BoomData& data) {
+std::optional<double> found_with(const BoomModel& model, const BoomData& data) {
     UsableSamples rising;
     rising.rising = true;
-    return least_squares_compliance(data, {AreasFrom::servo, lag_per_s, 0}, rising);
+    return least_squares_compliance(data, model, rising);
+}
+
+BoomModel with_lag(double lag_per_s) { return {AreasFrom::servo, lag_per_s, 0}; }
+
+/// Where `found(x)` passes through the compliance, x from low to high; it must rise.
+template <class Found>
+double solve(double compliance_in3_per_psi, double low, double high, double precision, Found found) {
+    auto beyond = [&](double x) {
+        auto value = found(x);
+        if (!value)
+            throw std::runtime_error(fmt::format("no usable samples at {}", x));
+        return *value - compliance_in3_per_psi;
+    };
+    if (beyond(low) > 0 || beyond(high) < 0)
+        throw std::runtime_error(
+            fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
+    // The usable samples change with x, which makes the function jump: bisection minds least.
+    auto [below, above] =
+        boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
+    return (below + above) / 2;
 }
 
 } // namespace
 
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
-    auto beyond = [&](double lag_per_s) {
-        auto found = found_with(lag_per_s, data);
-        if (!found)
-            throw std::runtime_error(fmt::format("a_0 = {} 1/s leaves no usable samples", lag_per_s));
-        return *found - compliance_in3_per_psi;
-    };
-    double low = 0.75 * data.machine.spool_lag_per_s, high = 4 * data.machine.spool_lag_per_s;
-    if (beyond(low) > 0 || beyond(high) < 0)
-        throw std::runtime_error(fmt::format("no a_0 finds {} in^3/psi", compliance_in3_per_psi));
-    // The usable samples change with a_0, which makes the function jump: bisection minds least.
-    auto [below, above] =
-        boost::math::tools::bisect(beyond, low, high, [](double a, double b) { return b - a < 1e-3; });
-    return (below + above) / 2;
+    double own = data.machine.spool_lag_per_s;
+    return solve(compliance_in3_per_psi, 0.75 * own, 4 * own, 1e-3,
+                 [&](double lag) { return found_with(with_lag(lag), data); });
+}
+
+double offset_that_finds(double compliance_in3_per_psi, const BoomData& data) {
+    // What is not taken off a reading that is too low is as good as taken off a right one.
+    return solve(compliance_in3_per_psi, -0.015, 0, 1e-6, [&](double offset) {
+        BoomModel model = model_of(data, AreasFrom::spool);
+        model.spool_offset_in = -offset;
+        return found_with(model, data);
+    });
 }
 
 Panel panel_of_lag(std::span<const BoomData> machines) {
@@ -42,7 +61,7 @@ Panel panel_of_lag(std::span<const BoomData> machines) {
     for (const BoomData& machine : machines) {
         Series series{fmt::format("true C {}", machine.machine.inlet_compliance_in3_per_psi), {}};
         for (int i = 0; i <= 110; ++i)
-            if (auto found = found_with(5 + 0.1 * i, machine))
+            if (auto found = found_with(with_lag(5 + 0.1 * i), machine))
                 series.points.push_back({5 + 0.1 * i, 1000 * *found});
         panel.series.push_back(series);
         panel.series.push_back(
