@@ -17,6 +17,11 @@ const std::vector<Experiment>& experiments() {
         {"figure-3-8", "the identified compliance simulates the pressure of other motions", replay_figure_3_8},
         {"identification-study", "50 seeds at four levels of noise: how well the boom's compliance is identified",
          replay_identification_study},
+        {"figures-3-9-to-3-11", "bucket and boom together: both compliances, and the states inside the valve",
+         replay_figures_3_9_to_3_11},
+        {"loss-of-excitation", "what becomes of the estimates when the motion is steady", replay_loss_of_excitation},
+        {"faults", "compliance doubled, a leak, a drift of the servo-valve: what the identification shows",
+         replay_faults},
         {"table-e1", "what a generation costs on one cluster with 0 to 3 slaves", replay_table_e1},
         {"table-e2", "the speedup of algorithms B, A, and A + B on the machine of Figure E.2", replay_table_e2},
     };
