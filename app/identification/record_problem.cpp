@@ -31,11 +31,12 @@ void require_one_group(const Question& question) {
 
 LinkReadings link_readings(const Parameters& machine) {
     LinkReadings readings;
-    for (MachineLink link : all_links)
-        if (machine.find(fmt::format("{}.inlet_area", name_of(link))))
-            readings[index_of(link)].piston_flow_in3_per_deg = machine[fmt::format("{}.inlet_area", name_of(link))] *
-                                                               machine[fmt::format("{}.moment_arm", name_of(link))] *
-                                                               std::numbers::pi / 180;
+    for (MachineLink link : all_links) {
+        auto value = [&](std::string_view what) { return machine[fmt::format("{}.{}", name_of(link), what)]; };
+        LinkReading& reading = readings[index_of(link)];
+        reading.piston_flow_in3_per_deg = value("inlet_area") * value("moment_arm") * std::numbers::pi / 180;
+        reading.spool_lag_per_s = value("spool_lag");
+    }
     return readings;
 }
 

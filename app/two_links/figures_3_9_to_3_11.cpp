@@ -76,9 +76,9 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
         reading.cells.push_back(plain_cell(row, study.name, "%", value, 1));
     };
     add("error of C_BUi, median", median(bucket));
-    add("  9 seeds of 10 below", share_below(bucket, 0.9));
+    add("  of C_BUi, 9 of 10 below", share_below(bucket, 0.9));
     add("error of C_BOi, median", median(boom));
-    add("  9 seeds of 10 below", share_below(boom, 0.9));
+    add("  of C_BOi, 9 of 10 below", share_below(boom, 0.9));
 }
 
 Reading study_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
