@@ -123,7 +123,7 @@ Reading other_reading(BoomPlant plant, std::uint64_t seed) {
                     "thesis",
                     true};
     for (std::size_t i = 0; i < other_speeds.size(); ++i)
-        add_motion(reading, other_speeds[i], other_motion(plant, i, seed), identified, simple ? 12 : 40);
+        add_motion(reading, other_speeds[i], other_motion(plant, i, seed), identified, simple ? 18 : 40);
     reading.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
     return reading;
 }

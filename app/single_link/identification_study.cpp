@@ -127,11 +127,12 @@ Reading variants_reading(std::string name, const std::vector<Variant>& all, cons
 }
 
 Series distribution(const NoiseLevel& level, std::uint64_t seed) {
-    Series series{level.name, {}};
+    Series series{level.name, {{0, 0}}};
     Study result = study(measure_transients(level.noise, thesis_way().usable, seeds, seed), thesis_way(), seed);
     for (std::size_t i = 1; i <= seeds; ++i) {
-        double share = static_cast<double>(i) / seeds;
-        series.points.push_back({share_below(result.error_percent, share), 100 * share});
+        double error = share_below(result.error_percent, static_cast<double>(i) / seeds);
+        series.points.push_back({error, series.points.back().y});
+        series.points.push_back({error, 100 * static_cast<double>(i) / seeds});
     }
     return series;
 }
