@@ -145,6 +145,8 @@ Reading blind_reading(std::uint64_t seed) {
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
         reading.cells.push_back(plain_cell("by the voltage", column, "psi", volts.rms_psi, 1));
         reading.cells.push_back(plain_cell("by the spool", column, "psi", spool.rms_psi, 1));
+        reading.cells.push_back(
+            plain_cell("by the voltage, of the rise", column, "%", 100 * volts.rms_psi / volts.rise_psi, 1));
     }
     return reading;
 }
