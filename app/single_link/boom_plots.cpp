@@ -24,11 +24,11 @@ const std::vector<double>& of(const BoomData& data, Sensor sensor) { return data
 
 Axis time_axis(double until_s) { return {"time [s]", 0, until_s}; }
 
-Panel panel_over_time(std::string title, std::string label, double until_s, std::vector<Series> series) {
+Panel panel_over_time(std::string title, Axis y, double until_s, std::vector<Series> series) {
     Panel panel;
     panel.title = std::move(title);
     panel.x = time_axis(until_s);
-    panel.y.label = std::move(label);
+    panel.y = std::move(y);
     panel.series = std::move(series);
     return panel;
 }
@@ -117,9 +117,9 @@ Plot plot_of_record(std::string title, const BoomData& data, double until_s) {
     auto angle = over_time("measured", data.record, of(data, Sensor::angle), until_s);
     return {std::move(title),
             {pressure_panel("a: line pressures", data, until_s),
-             panel_over_time("b: servo-valve's voltage", "voltage [V]", until_s, {volts}),
-             panel_over_time("c: spool", "spool [in]", until_s, {spool, lagged}),
-             panel_over_time("d: boom's angle", "angle [deg]", until_s, {angle})}};
+             panel_over_time("b: servo-valve's voltage", {"voltage [V]", 0, 0.4}, until_s, {volts}),
+             panel_over_time("c: spool", {"spool [in]", 0.12, 0.28}, until_s, {spool, lagged}),
+             panel_over_time("d: boom's angle", {"angle [deg]"}, until_s, {angle})}};
 }
 
 Plot plot_of_identification(const WatchedIdentification& watched, double until_s) {

@@ -204,7 +204,7 @@ Reading both_reading(std::uint64_t seed) {
     auto found = [&](const std::vector<BoomData>& data, const BoomModel& model) {
         return median(found_in(data, model, seed));
     };
-    std::string wrong_lag = fmt::format("true C .005, a_0 8 taken for {:.1f}", lag);
+    std::string wrong_lag = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
     add(wrong_lag, ways[0], by_spool_in3_per_psi, found(softer, model_of(clean, AreasFrom::spool)), Origin::outcome);
     add(wrong_lag, ways[1], by_voltage_in3_per_psi, found(softer, {AreasFrom::servo, lag, 0}), Origin::calibrated);
     std::string wrong_spool = fmt::format("true C .0086, spool reads {:.4f} in low", -low);

@@ -123,7 +123,7 @@ Reading other_reading(BoomPlant plant, std::uint64_t seed) {
                     "thesis",
                     true};
     for (std::size_t i = 0; i < other_speeds.size(); ++i)
-        add_motion(reading, other_speeds[i], other_motion(plant, i, seed), identified, simple ? 12 : 40);
+        add_motion(reading, other_speeds[i], other_motion(plant, i, seed), identified, simple ? 18 : 40);
     reading.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
     return reading;
 }
@@ -145,6 +145,8 @@ Reading blind_reading(std::uint64_t seed) {
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
         reading.cells.push_back(plain_cell("by the voltage", column, "psi", volts.rms_psi, 1));
         reading.cells.push_back(plain_cell("by the spool", column, "psi", spool.rms_psi, 1));
+        reading.cells.push_back(
+            plain_cell("by the voltage, of the rise", column, "%", 100 * volts.rms_psi / volts.rise_psi, 1));
     }
     return reading;
 }

@@ -103,17 +103,20 @@ std::vector<Variant> variants() {
 
 void add_variant(Reading& reading, const Variant& variant, const Transients& transients, std::uint64_t seed) {
     Study result = study(transients, variant.way, seed);
-    const std::string& row = variant.name;
-    reading.cells.push_back(plain_cell(row, "error, median", "%", result.median_percent(), 1));
-    reading.cells.push_back(plain_cell(row, "90th percentile", "%", result.ninetieth_percent(), 1));
+    auto add = [&](const char* column, double value, int decimals) {
+        reading.cells.push_back(plain_cell(variant.name, column, "", value, decimals)); // the columns' units differ
+    };
+    add("error, median [%]", result.median_percent(), 1);
+    add("90th percentile [%]", result.ninetieth_percent(), 1);
+    const char* within = "seeds within 10 % [%]";
     // 50 seeds of a share p scatter by sqrt(p (1 - p) / 50): 7 points at one half.
-    reading.cells.push_back(
-        variant.known_within_ten
-            ? judged_cell(row, "seeds within 10 %", "%", *variant.known_within_ten, result.within_ten_percent(), 20, 0)
-            : plain_cell(row, "seeds within 10 %", "%", result.within_ten_percent(), 0));
-    if (result.codes_from_optimum.size() == seeds)
+    if (variant.known_within_ten)
         reading.cells.push_back(
-            plain_cell(row, "codes off, 90th", "%", share_below(result.codes_from_optimum, 0.9), 0));
+            judged_cell(variant.name, within, "", *variant.known_within_ten, result.within_ten_percent(), 20, 0));
+    else
+        add(within, result.within_ten_percent(), 0);
+    if (result.codes_from_optimum.size() == seeds)
+        add("codes off, 90th", share_below(result.codes_from_optimum, 0.9), 0);
 }
 
 Reading variants_reading(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
@@ -127,11 +130,12 @@ Reading variants_reading(std::string name, const std::vector<Variant>& all, cons
 }
 
 Series distribution(const NoiseLevel& level, std::uint64_t seed) {
-    Series series{level.name, {}};
+    Series series{level.name, {{0, 0}}};
     Study result = study(measure_transients(level.noise, thesis_way().usable, seeds, seed), thesis_way(), seed);
     for (std::size_t i = 1; i <= seeds; ++i) {
-        double share = static_cast<double>(i) / seeds;
-        series.points.push_back({share_below(result.error_percent, share), 100 * share});
+        double error = share_below(result.error_percent, static_cast<double>(i) / seeds);
+        series.points.push_back({error, series.points.back().y});
+        series.points.push_back({error, 100 * static_cast<double>(i) / seeds});
     }
     return series;
 }
