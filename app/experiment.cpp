@@ -10,6 +10,13 @@ const std::vector<Experiment>& experiments() {
         {"figure-2-3", "the bulk modulus of oil with air in it, over pressure", replay_figure_2_3},
         {"figures-2-8-2-9", "a P-D loop's step response, and what a greater compliance does to it",
          replay_figures_2_8_2_9},
+        {"experiments-1-2", "the boom's compliance identified from the spool and from the servo-valve's voltage",
+         replay_experiments_1_2},
+        {"first-attempt", "the thesis's failed identification: an offset of the spool, flagged, calibrated and cured",
+         replay_first_attempt},
+        {"figure-3-8", "the identified compliance simulates the pressure of other motions", replay_figure_3_8},
+        {"identification-study", "50 seeds at four levels of noise: how well the boom's compliance is identified",
+         replay_identification_study},
         {"table-e1", "what a generation costs on one cluster with 0 to 3 slaves", replay_table_e1},
         {"table-e2", "the speedup of algorithms B, A, and A + B on the machine of Figure E.2", replay_table_e2},
     };

@@ -39,8 +39,12 @@ struct Experiment {
 
 const std::vector<Experiment>& experiments();
 
+Replay replay_experiments_1_2(const ReplayContext&);
 Replay replay_figure_2_3(const ReplayContext&);
+Replay replay_figure_3_8(const ReplayContext&);
 Replay replay_figures_2_8_2_9(const ReplayContext&);
+Replay replay_first_attempt(const ReplayContext&);
+Replay replay_identification_study(const ReplayContext&);
 Replay replay_table_2_6(const ReplayContext&);
 Replay replay_table_e1(const ReplayContext&);
 Replay replay_table_e2(const ReplayContext&);

@@ -2,6 +2,7 @@
 
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <utility>
 #include <vector>
@@ -20,9 +21,9 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// behind it, so that its order holds with them, too.
 ///
 /// A step is clean when all its stages and its end see the mode of its beginning. An unclean one is cut down,
-/// by bisection, to the longest clean one; from there another is tried. When no clean step above the
-/// resolution is left, the event is less than that away, and a hop of the resolution crosses it. Hops double
-/// until a step is clean again, so that even events without end let time pass.
+/// by bisection, to a long clean one; from there another is tried. When a step of the resolution is not clean,
+/// the event is less than that away, and a hop of the resolution crosses it. Hops double until a step is clean
+/// again, so that even events without end let time pass.
 /// Events that undo each other between the stages of one step are not seen: choose the step accordingly.
 template <ModalSystem System>
 class EventStepper {
@@ -54,9 +55,8 @@ public:
                 accept(end_s, rest_s, event);
                 return;
             }
-            double longest_s = longest_clean(rest_s);
-            bool hopping = longest_s <= resolution_s;
-            double step_s = hopping ? hop_s : longest_s;
+            bool hopping = !clean(hop_s);
+            double step_s = hopping ? hop_s : long_clean(hop_s, rest_s);
             accept(time_s_ + step_s, step_s, event);
             hop_s = hopping ? 2 * hop_s : resolution_s;
         }
@@ -70,6 +70,7 @@ private:
 
     /// Tries a step from now; leaves its end in `next_`.
     bool clean(double step_s) {
+        tried_s_ = step_s;
         bool same = true;
         auto rate = [&](const State& state, State& derivative, double time_s) {
             same &= system_.rate(state, derivative, time_s) == now_.mode;
@@ -81,9 +82,9 @@ private:
         return same && next_.mode == now_.mode;
     }
 
-    double longest_clean(double unclean_s) {
-        double clean_s = 0;
-        while (unclean_s - clean_s > resolution_s) {
+    /// The longest clean step but for a thousandth, which is left to further ones.
+    double long_clean(double clean_s, double unclean_s) {
+        while (unclean_s - clean_s > std::max(resolution_s, unclean_s / 1024)) {
             double middle_s = clean_s + (unclean_s - clean_s) / 2;
             (clean(middle_s) ? clean_s : unclean_s) = middle_s;
         }
@@ -92,8 +93,10 @@ private:
 
     template <typename Event>
     void accept(double end_s, double step_s, Event& event) {
-        clean(step_s);
+        if (tried_s_ != step_s)
+            clean(step_s);
         time_s_ = end_s;
+        tried_s_ = 0;
         std::swap(now_, next_);
         if (now_.mode != next_.mode)
             event(time_s_, next_.mode, now_.mode);
@@ -103,6 +106,7 @@ private:
     boost::numeric::odeint::runge_kutta4<State> stepper_;
     Point now_, next_;
     double time_s_;
+    double tried_s_ = 0; // the step to `next_`; 0: none has been tried from now
 };
 
 } // namespace placedpar

@@ -18,12 +18,6 @@ namespace placedpar {
 
 namespace {
 
-/// What one search found.
-struct SearchRun {
-    std::vector<TransientEstimate> estimates;
-    std::uint64_t generations = 0;
-};
-
 /// Is there a link whose pressure moves too slowly, if its compliance is what it was last found to be?
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
@@ -33,31 +27,6 @@ bool is_unexcited(std::span<const CircuitSample> window, std::span<const double>
             return true;
     }
     return false;
-}
-
-/// One search over the samples, generation after generation, as run_traditional() but for the gate.
-SearchRun search_once(const SearchProblem& problem, std::span<const CircuitSample> samples,
-                      const IdentificationWay& way, RandomStream random) {
-    Search search(problem.bits(), way.search, std::move(random));
-    SlidingWindow window(way.search.window);
-    SearchRun run;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        window.push(samples[i].values());
-        if (!window.ready())
-            continue;
-        auto in_window = samples.subspan(i + 1 - window.samples().size(), window.samples().size());
-        bool frozen = way.gate && !run.estimates.empty() &&
-                      is_unexcited(in_window, run.estimates.back().compliance_in3_per_psi, *way.gate);
-        for (std::size_t trial = 0; !frozen && trial < way.search.window.trials; ++trial)
-            search.next_generation(evaluate(problem, search.population(), window.samples(), way.search.window.bias));
-        double mean_square =
-            way.search.window.bias - search.best().fitness / static_cast<double>(window.samples().size());
-        run.estimates.push_back({samples[i].index, samples[i].time_s, frozen,
-                                 frozen ? run.estimates.back().error_in3_per_s : std::sqrt(std::max(mean_square, 0.0)),
-                                 problem.decode(search.best().genome)});
-    }
-    run.generations = search.generation();
-    return run;
 }
 
 /// The value below which a share of the values lies, between neighbours as far as that.
@@ -130,6 +99,33 @@ void compare_with_optimum(Identified& result, std::span<const SearchRun> runs, c
 
 } // namespace
 
+SearchRun search_transient(const CircuitProblem& circuit_problem, std::span<const CircuitSample> samples,
+                           const IdentificationWay& way, RandomStream random) {
+    require_samples(samples, way);
+    auto search_problem = make_search_problem(circuit_problem, way.coding);
+    const SearchProblem& problem = *search_problem;
+    Search search(problem.bits(), way.search, std::move(random));
+    SlidingWindow window(way.search.window);
+    SearchRun run;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        window.push(samples[i].values());
+        if (!window.ready())
+            continue;
+        auto in_window = samples.subspan(i + 1 - window.samples().size(), window.samples().size());
+        bool frozen = way.gate && !run.estimates.empty() &&
+                      is_unexcited(in_window, run.estimates.back().compliance_in3_per_psi, *way.gate);
+        for (std::size_t trial = 0; !frozen && trial < way.search.window.trials; ++trial)
+            search.next_generation(evaluate(problem, search.population(), window.samples(), way.search.window.bias));
+        double mean_square =
+            way.search.window.bias - search.best().fitness / static_cast<double>(window.samples().size());
+        run.estimates.push_back({samples[i].index, samples[i].time_s, frozen,
+                                 frozen ? run.estimates.back().error_in3_per_s : std::sqrt(std::max(mean_square, 0.0)),
+                                 problem.decode(search.best().genome)});
+    }
+    run.generations = search.generation();
+    return run;
+}
+
 IdentificationWay thesis_way() { return {}; }
 
 IdentificationWay service_way() {
@@ -144,12 +140,10 @@ IdentificationWay service_way() {
 
 Identified identify(const CircuitProblem& problem, const FlowConstants& flow, std::span<const CircuitSample> samples,
                     const IdentificationWay& way, std::uint64_t seed) {
-    require_samples(samples, way);
-    auto search_problem = make_search_problem(problem, way.coding);
     std::vector<SearchRun> runs;
     for (std::size_t i = 0; i < way.searches; ++i)
-        runs.push_back(search_once(*search_problem, samples, way,
-                                   RandomStream(seed, i == 0 ? "master" : fmt::format("search {}", i))));
+        runs.push_back(search_transient(problem, samples, way,
+                                        RandomStream(seed, i == 0 ? "master" : fmt::format("search {}", i))));
     Identified result{problem.circuit(), {}, runs.front().estimates, 0};
     for (const SearchRun& run : runs)
         result.generations += run.generations;

@@ -4,6 +4,7 @@
 #include "gaprocs/settings.hpp"
 #include "hydraulics/circuit_problem.hpp"
 #include "hydraulics/circuit_sample.hpp"
+#include "runtime/random.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -46,6 +47,17 @@ struct TransientEstimate {
     double error_in3_per_s; // rms over the window, of the best individual
     std::vector<double> compliance_in3_per_psi;
 };
+
+/// What one search found.
+struct SearchRun {
+    std::vector<TransientEstimate> estimates;
+    std::uint64_t generations = 0;
+};
+
+/// One search over the samples, generation after generation, as run_traditional() but for the gate: what identify()
+/// does `searches` times. Throws std::invalid_argument when there are not enough samples for the first generation.
+SearchRun search_transient(const CircuitProblem& problem, std::span<const CircuitSample> samples,
+                           const IdentificationWay& way, RandomStream random);
 
 /// One compliance, identified.
 struct LinkIdentified {

@@ -107,3 +107,12 @@ TEST_CASE("wherever the only positive one stands, it is everybody's parent") {
                 CHECK(wheel.sectors(count, turn) == Indices(count, place));
     }
 }
+
+TEST_CASE("a last ball that rounding puts on the very end of the wheel lies in the last sector") {
+    constexpr std::size_t balls = std::size_t{1} << 23; // from here on balls - 2^-32 rounds to balls
+    RouletteWheel wheel(std::array<double, 4>{1, 0, 1, 0});
+    auto found = wheel.sectors(balls, 1 - 0x1p-32);
+    CHECK(found.back() == 2);
+    CHECK(found[balls / 4] == 0);
+    CHECK(found[balls / 2 + 1] == 2);
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/reading.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A figure that is judged by how far it is from the known one, in the cell's unit.
+Cell judged_cell(std::string row, std::string column, std::string unit, double known, double value, double tolerance,
+                 int decimals);
+/// A figure that is printed, beside a known one or alone.
+Cell compared_cell(std::string row, std::string column, std::string unit, double known, double value, int decimals);
+Cell plain_cell(std::string row, std::string column, std::string unit, double value, int decimals);
+
+/// The value that the given share of the sample does not exceed. REQUIRES: not empty.
+double share_below(std::vector<double> values, double share);
+double median(std::vector<double> values);
+/// Standard deviation of a sample. REQUIRES: two values at least.
+double deviation(const std::vector<double>& values);
+double mean(const std::vector<double>& values);
+/// How many of the values are at most `limit`, in percent.
+double percent_within(const std::vector<double>& values, double limit);
+
+} // namespace placedpar

@@ -1,0 +1,167 @@
+#include "app/experiment.hpp"
+#include "app/single_link/cells.hpp"
+#include "app/single_link/study.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t seeds = 50;
+
+/// A figure of an independent prototype, and how far from it the program's may be: up to the figure that a sound
+/// identification must meet.
+struct Bound {
+    double known, tolerance;
+};
+
+struct NoiseLevel {
+    const char* name;
+    MeasurementNoise noise;
+    Bound median_percent, ninetieth_percent;
+    double within_ten_percent;
+    Bound rising_median_percent;
+};
+
+// No noise must stay below 1.5 and 4 %, low noise below 3.5 and 8, mid noise below 6 and 13; high noise must be too
+// much for the thesis's "within 10 %" (90th percentile above 10).
+constexpr std::array<NoiseLevel, 4> levels{{{"no noise", no_noise, {0.07, 1.43}, {2.2, 1.8}, 100, {1.06, 1.2}},
+                                            {"low", low_noise, {1.7, 1.8}, {4.5, 3.5}, 100, {1.1, 1.2}},
+                                            {"mid", mid_noise, {3.5, 2.5}, {7.9, 5.1}, 96, {1.7, 1.5}},
+                                            {"high", high_noise, {6.9, 4}, {18, 8}, 66, {3.3, 2}}}};
+
+using Progress = std::function<void(const std::string&)>;
+
+IdentificationWay rising_way() {
+    IdentificationWay way = thesis_way();
+    way.usable.rising = true;
+    return way;
+}
+
+void add_level(Reading& reading, const NoiseLevel& level, std::uint64_t seed) {
+    auto add = [&](const char* row, const char* unit, Bound bound, double value, int decimals) {
+        reading.cells.push_back(judged_cell(row, level.name, unit, bound.known, value, bound.tolerance, decimals));
+    };
+    Study all = study(measure_transients(level.noise, thesis_way().usable, seeds, seed), thesis_way(), seed);
+    add("error, median", "%", level.median_percent, all.median_percent(), 2);
+    add("  90th percentile", "%", level.ninetieth_percent, all.ninetieth_percent(), 2);
+    reading.cells.push_back(
+        compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
+    add("codes from the best of all, 90th percentile", "", {0, 3}, share_below(all.codes_from_optimum, 0.9), 0);
+    add("codes from that to the best in SI, greatest", "", {0, 1}, share_below(all.si_codes, 1), 0);
+    Study rising = study(measure_transients(level.noise, rising_way().usable, seeds, seed), rising_way(), seed);
+    add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
+    reading.cells.push_back(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
+}
+
+/// A way to identify, and what is known of it: the share of seeds within 10 %.
+struct Variant {
+    std::string name;
+    IdentificationWay way;
+    std::optional<double> known_within_ten;
+};
+
+IdentificationWay changed(const std::function<void(IdentificationWay&)>& change) {
+    IdentificationWay way = thesis_way();
+    change(way);
+    return way;
+}
+
+std::vector<Variant> populations() {
+    std::vector<Variant> all;
+    for (auto [size, known] : {std::pair(20, 54), {30, 66}, {60, 84}, {120, 96}, {240, 92}})
+        all.push_back({fmt::format("{} individuals", size),
+                       changed([size = size](auto& way) { way.search.population = static_cast<std::size_t>(size); }),
+                       known});
+    return all;
+}
+
+std::vector<Variant> variants() {
+    using Way = IdentificationWay;
+    std::vector<Variant> all{{"as the thesis describes it", thesis_way(), {}},
+                             {"Gray code", changed([](Way& way) { way.coding = Coding::gray; }), {}},
+                             {"one elite", changed([](Way& way) { way.search.elite = 1; }), {}},
+                             {"Gray code and elite",
+                              changed([](Way& way) {
+                                  way.coding = Coding::gray;
+                                  way.search.elite = 1;
+                              }),
+                              {}},
+                             {"window of 20", changed([](Way& way) { way.search.window.length = 20; }), {}},
+                             {"1 trial a sample", changed([](Way& way) { way.search.window.trials = 1; }), {}},
+                             {"7 bits", changed([](Way& way) { way.bits = 7; }), {}},
+                             {"16 bits", changed([](Way& way) { way.bits = 16; }), {}},
+                             {"no mutation", changed([](Way& way) { way.search.mutation_probability = 0; }), {}}};
+    return all;
+}
+
+void add_variant(Reading& reading, const Variant& variant, const Transients& transients, std::uint64_t seed) {
+    Study result = study(transients, variant.way, seed);
+    const std::string& row = variant.name;
+    reading.cells.push_back(plain_cell(row, "error, median", "%", result.median_percent(), 1));
+    reading.cells.push_back(plain_cell(row, "90th percentile", "%", result.ninetieth_percent(), 1));
+    // 50 seeds of a share p scatter by sqrt(p (1 - p) / 50): 7 points at one half.
+    reading.cells.push_back(
+        variant.known_within_ten
+            ? judged_cell(row, "seeds within 10 %", "%", *variant.known_within_ten, result.within_ten_percent(), 20, 0)
+            : plain_cell(row, "seeds within 10 %", "%", result.within_ten_percent(), 0));
+    if (result.codes_from_optimum.size() == seeds)
+        reading.cells.push_back(
+            plain_cell(row, "codes off, 90th", "%", share_below(result.codes_from_optimum, 0.9), 0));
+}
+
+Reading variants_reading(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
+    Reading reading{std::move(name), {}, "", "known", true};
+    Transients transients = measure_transients(mid_noise, thesis_way().usable, seeds, context.seed);
+    for (const Variant& variant : all) {
+        context.progress(variant.name);
+        add_variant(reading, variant, transients, context.seed);
+    }
+    return reading;
+}
+
+Series distribution(const NoiseLevel& level, std::uint64_t seed) {
+    Series series{level.name, {}};
+    Study result = study(measure_transients(level.noise, thesis_way().usable, seeds, seed), thesis_way(), seed);
+    for (std::size_t i = 1; i <= seeds; ++i) {
+        double share = static_cast<double>(i) / seeds;
+        series.points.push_back({share_below(result.error_percent, share), 100 * share});
+    }
+    return series;
+}
+
+Plot plot_of_study(std::uint64_t seed) {
+    Panel panel;
+    panel.title = "50 searches at each level of noise: how many end within an error";
+    panel.x = {"error of the compliance [%]", 0, 30};
+    panel.y = {"searches [%]", 0, 100};
+    for (const NoiseLevel& level : levels)
+        panel.series.push_back(distribution(level, seed));
+    panel.series.push_back({"10 %", {{10, 0}, {10, 100}}, Stroke::dashes, 6});
+    return {"Identification of the boom's compliance from scenario A", {panel}};
+}
+
+} // namespace
+
+Replay replay_identification_study(const ReplayContext& context) {
+    Replay replay;
+    Reading reading{"50 records of scenario A and as many searches, the thesis's way", {}, "", "known"};
+    for (const NoiseLevel& level : levels) {
+        context.progress(fmt::format("noise: {}", level.name));
+        add_level(reading, level, context.seed);
+    }
+    replay.readings.push_back(reading);
+    replay.readings.push_back(variants_reading("other populations, mid noise", populations(), context));
+    replay.readings.push_back(variants_reading("other ways, mid noise", variants(), context));
+    replay.fingerprint = fingerprint_of(replay.readings);
+    replay.plots = {{"identification-study", plot_of_study(context.seed)}};
+    return replay;
+}
+
+} // namespace placedpar

@@ -1,0 +1,154 @@
+#include "app/experiment.hpp"
+#include "app/single_link/cells.hpp"
+#include "app/two_links/two_link_plots.hpp"
+#include "app/two_links/two_link_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t seeds = 50;
+
+/// What 3.2 describes, and ways to make it surer.
+IdentificationWay with_elite() {
+    IdentificationWay way = thesis_way();
+    way.search.elite = 1;
+    way.usable.skipped = 2;
+    return way;
+}
+IdentificationWay with_gray_code() {
+    IdentificationWay way = with_elite();
+    way.coding = Coding::gray;
+    return way;
+}
+
+/// The steady state of scenario R2; known from an independent prototype.
+Reading steady_reading(const TwoLinkMotion& motion) {
+    const ExcavatorState& end = motion.motion.states.back();
+    InternalStates states = true_states(end);
+    Reading reading{"scenario R2, simulated (Figure 3.9): when it is steady", {}, "", "known", true};
+    auto add = [&](const char* row, const char* unit, double known, double value) {
+        reading.cells.push_back(judged_cell(row, "t = 4 s", unit, known, value, 0.005 * known, 1));
+    };
+    add("P_11", "psi", 2051, states.p11);
+    add("P_12", "psi", 1722, states.p12);
+    add("P_BUi", "psi", 2024, end.links[0].inlet_psi);
+    add("P_BOi", "psi", 1687, end.links[1].inlet_psi);
+    add("Q_11", "in^3/s", 123.2, states.q11);
+    add("Q_12", "in^3/s", 66.0, states.q12);
+    add("Q_BUi", "in^3/s", 51.9, states.q_bucket);
+    add("Q_BOi", "in^3/s", 57.2, states.q_boom);
+    return reading;
+}
+
+/// One way of searching at one noise level, and what is known of it.
+struct Study {
+    const char* name;
+    IdentificationWay way;
+    MeasurementNoise noise;
+    double known_percent, least_percent; ///< of seeds with both within 10 %: the prototype's, and what is asked for
+};
+
+/// Judged from below: the more seeds within 10 % the better.
+Cell at_least(const std::string& column, double known, double least, double value) {
+    Cell cell = compared_cell("both within 10 %", column, "% of seeds", known, value, 0);
+    cell.tolerance = value >= least ? std::abs(value - known) : 0.0;
+    return cell;
+}
+
+void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion, std::uint64_t seed) {
+    auto runs = search_many(motion, study.noise, study.way, seeds, seed);
+    std::vector<double> bucket, boom;
+    for (const SearchRun& run : runs) {
+        TwoErrors errors = errors_of(run.estimates.back().compliance_in3_per_psi);
+        bucket.push_back(errors.bucket);
+        boom.push_back(errors.boom);
+    }
+    std::size_t last = runs.front().estimates.size() * study.way.search.window.trials;
+    reading.cells.push_back(at_least(study.name, study.known_percent, study.least_percent,
+                                     both_within_ten_percent(runs, last, study.way.search.window.trials)));
+    auto add = [&](const char* row, double value) {
+        reading.cells.push_back(plain_cell(row, study.name, "%", value, 1));
+    };
+    add("error of C_BUi, median", median(bucket));
+    add("  9 seeds of 10 below", share_below(bucket, 0.9));
+    add("error of C_BOi, median", median(boom));
+    add("  9 seeds of 10 below", share_below(boom, 0.9));
+}
+
+Reading study_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+    Reading reading{
+        fmt::format("C_BUi and C_BOi found together, {} seeds, 20 samples of 5 generations", seeds),
+        {},
+        "the percentages of seeds are judged from below: 55 as the thesis has it, 90 with an elite, 95 with "
+        "Gray code too\n",
+        "known"};
+    add_study(reading, {"as the thesis has it", thesis_way(), no_noise, 65, 55}, motion, seed);
+    add_study(reading, {"elite, 2 skipped", with_elite(), no_noise, 98, 90}, motion, seed);
+    add_study(reading, {"and Gray code", with_gray_code(), no_noise, 100, 95}, motion, seed);
+    return reading;
+}
+
+Reading noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+    Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known", true};
+    add_study(reading, {"as the thesis has it", thesis_way(), low_noise, 55, 40}, motion, seed);
+    add_study(reading, {"elite, 2 skipped", with_elite(), low_noise, 80, 65}, motion, seed);
+    add_study(reading, {"and Gray code", with_gray_code(), low_noise, 86, 75}, motion, seed);
+    return reading;
+}
+
+/// How far each state is off at the worst sample after the first window is full, over the range the state covers.
+Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+    constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
+    Reading reading{"internal states by the best individual (Figure 3.10): greatest error of 15 samples",
+                    {},
+                    "judged: within 10 % of the state itself\n",
+                    "at most",
+                    true};
+    IdentificationWay way = with_gray_code();
+    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
+    std::array<double, InternalStates::count> worst{};
+    for (const TransientEstimate& estimate : run.estimates) {
+        if (estimate.time_s < prepared.samples.front().time_s + 0.099)
+            continue; // five generations on five samples: still searching
+        auto sample = std::ranges::find(prepared.samples, estimate.index, &CircuitSample::index);
+        auto found = estimated_states(*sample, estimate.compliance_in3_per_psi, prepared.flow).values();
+        auto state =
+            std::ranges::lower_bound(motion.motion.states, estimate.time_s - 1e-9, {}, &ExcavatorState::time_s);
+        auto truth = true_states(*state).values();
+        for (std::size_t i = 0; i < found.size(); ++i)
+            worst[i] = std::max(worst[i], 100 * std::abs(found[i] / truth[i] - 1));
+    }
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+        Cell cell = compared_cell(names[i], "greatest error", "%", 10, worst[i], 1);
+        cell.tolerance = worst[i] <= 10 ? 10.0 : 0.0;
+        reading.cells.push_back(cell);
+    }
+    return reading;
+}
+
+} // namespace
+
+Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
+    context.progress("bucket and boom, simulated");
+    TwoLinkMotion motion = simulate_two_links();
+    Replay replay;
+    context.progress("bucket and boom, identified");
+    replay.readings = {study_reading(motion, context.seed), steady_reading(motion),
+                       states_reading(motion, context.seed), noise_reading(motion, context.seed)};
+    IdentificationWay way = with_gray_code();
+    RecordProblem prepared = measure_two_links(motion, no_noise, way, context.seed);
+    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(context.seed, "master"));
+    replay.plots = {{"figure-3-9", plot_of_states(motion)},
+                    {"figure-3-10", plot_of_estimated_states(motion, prepared, run)}};
+    replay.fingerprint = fingerprint_of(replay.readings);
+    return replay;
+}
+
+} // namespace placedpar

@@ -1,0 +1,111 @@
+#include "app/two_links/two_link_plots.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t states_a_point = 10; // of 1 ms each
+
+using Value = double (*)(const ExcavatorState&);
+
+Series over_time(const TwoLinkMotion& motion, const char* name, Value value) {
+    Series series{name, {}};
+    for (std::size_t i = 0; i < motion.motion.states.size(); i += states_a_point)
+        series.points.push_back({motion.motion.states[i].time_s, value(motion.motion.states[i])});
+    return series;
+}
+
+Panel over_time(const char* title, const char* axis, std::vector<Series> series) {
+    Panel panel;
+    panel.title = title;
+    panel.x.label = "time [s]";
+    panel.y.label = axis;
+    panel.series = std::move(series);
+    return panel;
+}
+
+/// The state at a sample's instant.
+const ExcavatorState& state_at(const TwoLinkMotion& motion, double time_s) {
+    auto next = std::ranges::lower_bound(motion.motion.states, time_s - 1e-9, {}, &ExcavatorState::time_s);
+    return *next;
+}
+
+constexpr std::array<const char*, InternalStates::count> state_names{"P11", "P12", "Q11", "Q12", "Q bucket", "Q boom"};
+
+/// One state as simulated, and as estimated at the samples.
+void add_state(Panel& panel, std::size_t which, const TwoLinkMotion& motion, const RecordProblem& prepared,
+               const SearchRun& run, int colour) {
+    Series truth{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
+    Series found{std::string(state_names[which]) + " identified", {}, Stroke::points, colour};
+    for (const TransientEstimate& estimate : run.estimates) {
+        auto sample = std::ranges::find(prepared.samples, estimate.index, &CircuitSample::index);
+        truth.points.push_back({estimate.time_s, true_states(state_at(motion, estimate.time_s)).values()[which]});
+        found.points.push_back(
+            {estimate.time_s,
+             estimated_states(*sample, estimate.compliance_in3_per_psi, prepared.flow).values()[which]});
+    }
+    panel.series.push_back(std::move(truth));
+    panel.series.push_back(std::move(found));
+}
+
+} // namespace
+
+Plot plot_of_states(const TwoLinkMotion& motion) {
+    auto pressures =
+        over_time("Pressures", "pressure [psi]",
+                  {over_time(motion, "P11", [](const ExcavatorState& s) { return s.links[0].flow.psi; }),
+                   over_time(motion, "P12", [](const ExcavatorState& s) { return s.links[1].flow.psi; }),
+                   over_time(motion, "P bucket", [](const ExcavatorState& s) { return s.links[0].inlet_psi; }),
+                   over_time(motion, "P boom", [](const ExcavatorState& s) { return s.links[1].inlet_psi; })});
+    auto flows = over_time(
+        "Flows", "flow [in³/s]",
+        {over_time(motion, "Q11", [](const ExcavatorState& s) { return s.links[0].flow.bypass_in3_per_s; }),
+         over_time(motion, "Q12", [](const ExcavatorState& s) { return s.links[1].flow.bypass_in3_per_s; }),
+         over_time(motion, "Q bucket", [](const ExcavatorState& s) { return s.links[0].flow.inlet_in3_per_s; }),
+         over_time(motion, "Q boom", [](const ExcavatorState& s) { return s.links[1].flow.inlet_in3_per_s; })});
+    auto velocities =
+        over_time("Velocities", "velocity [in/s]",
+                  {over_time(motion, "bucket", [](const ExcavatorState& s) { return s.links[0].velocity_in_per_s; }),
+                   over_time(motion, "boom", [](const ExcavatorState& s) { return s.links[1].velocity_in_per_s; })});
+    return {"Bucket and boom together, simulated (Figure 3.9)", {pressures, flows, velocities}};
+}
+
+Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& prepared, const SearchRun& run) {
+    Panel pressures = over_time("Pressures at the junctions", "pressure [psi]", {});
+    Panel flows = over_time("Flows", "flow [in³/s]", {});
+    for (int which = 0; which < 2; ++which)
+        add_state(pressures, static_cast<std::size_t>(which), motion, prepared, run, which);
+    for (int which = 2; which < 6; ++which)
+        add_state(flows, static_cast<std::size_t>(which), motion, prepared, run, which);
+    return {"Internal states by the best individual (Figure 3.10)", {pressures, flows}};
+}
+
+Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& run, std::size_t trials) {
+    Panel found, excitation;
+    found.title = "Estimated compliances";
+    found.y.label = "compliance [0.001 in³/psi]";
+    found.series = {{"C bucket", {}}, {"C boom", {}}};
+    found.marks = {{"true bucket", 1000 * Parameters::excavator()["bucket.inlet_compliance"]},
+                   {"true boom", 1000 * Parameters::excavator()["boom.inlet_compliance"]}};
+    found.y.from = 0;
+    found.y.to = 20;
+    excitation.title = "What the samples tell of them";
+    excitation.y.label = "slope of pressure [psi/s]";
+    excitation.series = {{"bucket", {}}, {"boom", {}}};
+    for (std::size_t i = 0; i < run.estimates.size(); ++i) {
+        const TransientEstimate& estimate = run.estimates[i];
+        auto sample = std::ranges::find(prepared.samples, estimate.index, &CircuitSample::index);
+        double generation = static_cast<double>((i + 1) * trials);
+        for (std::size_t j = 0; j < 2; ++j) {
+            found.series[j].points.push_back({generation, 1000 * estimate.compliance_in3_per_psi[j]});
+            excitation.series[j].points.push_back({generation, sample->links[j].inlet_slope_psi_per_s});
+        }
+    }
+    for (Panel* panel : {&found, &excitation})
+        panel->x.label = "generation (5 a sample of 20 ms)";
+    return {"Two compliances found, and lost again when the motion is steady (Figure 3.11)", {found, excitation}};
+}
+
+} // namespace placedpar

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/plot.hpp"
+#include "app/two_links/two_link_study.hpp"
+
+namespace placedpar {
+
+/// Figure 3.9: all states of the simulated circuit over time.
+Plot plot_of_states(const TwoLinkMotion& motion);
+
+/// Figure 3.10: the internal states that the best individuals give, over those simulated.
+Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& prepared, const SearchRun& run);
+
+/// Figure 3.11: the estimated compliances over the generations, with what moves the pressures.
+Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& run, std::size_t trials);
+
+} // namespace placedpar
