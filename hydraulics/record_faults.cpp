@@ -75,8 +75,9 @@ std::optional<TextFault> fault_of_step(double step_s, double period_s, const Tex
                      fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
                                  period_s, 100 * sampling_tolerance));
     if (periods > 1)
-        return fault(false, fmt::format("{:.0f} samples are missing before this one", periods - 1),
-                     "no window and no slope reaches over the gap");
+        return fault(
+            false, fmt::format("{:.0f} sample{} missing before this one", periods - 1, periods == 2 ? " is" : "s are"),
+            "no window and no slope reaches over the gap");
     return std::nullopt;
 }
 
