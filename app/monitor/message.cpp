@@ -13,9 +13,11 @@ namespace placedpar::monitor {
 
 PerLink<LinkParameters> default_link_parameters() {
     const Parameters& excavator = Parameters::excavator();
-    double lag = excavator["boom.spool_lag"];
-    double boom = excavator["boom.inlet_area"] * excavator["boom.moment_arm"];
-    return {{{20 * 12, lag}, {boom, lag}, {24 * 18, lag}, {16 * 12, lag}}};
+    auto of = [&](MachineLink link, const char* name) { return excavator[fmt::format("{}.{}", name_of(link), name)]; };
+    PerLink<LinkParameters> parameters;
+    for (MachineLink link : all_links)
+        parameters[index_of(link)] = {of(link, "inlet_area") * of(link, "moment_arm"), of(link, "spool_lag")};
+    return parameters;
 }
 
 bool operator==(const MachineParameters& a, const MachineParameters& b) {

@@ -28,8 +28,7 @@ struct LinkParameters {
     friend bool operator==(const LinkParameters&, const LinkParameters&) = default;
 };
 
-/// The boom's are the excavator's; bucket 20 in^2 at 12 in, stick 24 in^2 at 18 in, swing 16 in^2 at 12 in, which
-/// stand for a motor of 192 in^3/rad. All ours: the thesis prints none.
+/// Those of the excavator (hydraulics/excavator.csv).
 PerLink<LinkParameters> default_link_parameters();
 
 /// What the diagnosis has to know of a machine.
