@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ namespace {
 class Check {
 public:
     Check(const Network& network, std::size_t process, const ProblemRegistry& problems)
-        : network_(network), process_(process) {
+        : network_(network), process_(process), problems_(problems) {
         try {
             recorded_ = &problems.find(text("problem"));
         } catch (const std::invalid_argument& unknown) {
@@ -88,8 +89,11 @@ private:
         }
     }
 
+    /// An unknown one is its own process's complaint.
     void check_problem(std::size_t process, std::size_t other) {
-        if (text_of(process, "problem") != text_of(other, "problem"))
+        auto known = problems_.names();
+        if (text_of(process, "problem") != text_of(other, "problem") &&
+            std::ranges::count(known, text_of(process, "problem")) > 0)
             refuse_of(process, "problem",
                       fmt::format("\"{}\" works on the problem \"{}\", but \"{}\" on \"{}\"", name(process),
                                   text_of(process, "problem"), name(other), text_of(other, "problem")));
@@ -126,6 +130,7 @@ private:
 
     const Network& network_;
     std::size_t process_;
+    const ProblemRegistry& problems_;
     const RecordedProblem* recorded_ = nullptr;
     std::vector<Complaint> complaints_;
 };
