@@ -2,9 +2,12 @@
 
 #include "app/examples_folder.hpp"
 #include "app/experiment.hpp"
+#include "app/experiment_runs.hpp"
 #include "app/manifest.hpp"
+#include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/progress.hpp"
+#include "app/run_report.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -76,8 +79,16 @@ ExitCode replay(const std::string& name, std::uint64_t seed, const std::filesyst
     const Experiment& experiment = find_experiment(name);
     if (!json.empty())
         require_writable(json);
+    InterruptGuard guard;
     Progress progress;
-    Replay result = experiment.run({examples_folder(), seed, [&](const std::string& what) { progress.show(what); }});
+    Replay result;
+    try {
+        result = experiment.run({examples_folder(), seed, [&](const std::string& what) { progress.show(what); }});
+    } catch (const UnfinishedRun& unfinished) {
+        progress.clear();
+        fmt::print(stderr, "placedpar: {}\n", unfinished.what());
+        return exit_code_of(unfinished.ending);
+    }
     progress.clear();
     for (const Reading& reading : result.readings)
         fmt::print("{}\n", print_reading(reading));
