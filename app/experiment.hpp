@@ -1,49 +1,29 @@
 #pragma once
 
-#include "runtime/fingerprint.hpp"
+#include "app/plot.hpp"
+#include "app/reading.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace placedpar {
 
-/// Where the figure in a cell comes from.
-enum class Origin {
-    outcome,    ///< of the simulation, nothing was fitted to it
-    calibrated, ///< one constant was fitted to this cell
-    workload    ///< a constant of the program's own cost was read off this cell
-};
-
-/// One figure of a table of the thesis beside the simulated one.
-struct Cell {
-    std::string row, column, unit;
-    std::optional<double> thesis;
-    double simulated;
-    std::optional<double> tolerance_percent; ///< none: printed, not judged
-    Origin origin = Origin::outcome;
-
-    /// Of the thesis's figure; 0 where both are 0. None without a figure to compare with.
-    std::optional<double> error_percent() const;
-    bool within_tolerance() const;
-};
-
-/// One way of reading an experiment, run.
-struct Reading {
-    std::string name;
-    std::vector<Cell> cells;
-    std::string notes; ///< for people, below the table
-};
-
-/// An experiment of the thesis, run. The first reading is the default one, by which it is judged.
+/// An experiment of the thesis, run. The first reading is the default one; it is judged by that, and by those others
+/// that say so.
 struct Replay {
     std::vector<Reading> readings;
     std::string constants; ///< for people: which were published, stated as workload, calibrated
     std::uint64_t fingerprint = 0;
+    std::vector<NamedPlot> plots = {}; ///< --plots draws them
+
+    bool within_tolerance() const;
 };
+
+/// For an experiment that runs no processes: of its tables as printed, so that it does not depend on the last bits.
+std::uint64_t fingerprint_of(const std::vector<Reading>&);
 
 struct ReplayContext {
     std::filesystem::path examples;
@@ -59,11 +39,10 @@ struct Experiment {
 
 const std::vector<Experiment>& experiments();
 
+Replay replay_figure_2_3(const ReplayContext&);
+Replay replay_figures_2_8_2_9(const ReplayContext&);
+Replay replay_table_2_6(const ReplayContext&);
 Replay replay_table_e1(const ReplayContext&);
 Replay replay_table_e2(const ReplayContext&);
-
-/// A table for people: each cell as simulated, thesis and error.
-std::string print_reading(const Reading&);
-const char* name_of(Origin);
 
 } // namespace placedpar

@@ -15,31 +15,36 @@ double true_compliance() { return known_problems(0).find("boom").problem->true_p
 
 } // namespace
 
+void end_if_interrupted() {
+    if (InterruptGuard::interrupted())
+        throw UnfinishedRun("interrupted: the experiment is not complete, and nothing was written",
+                            Ending::interrupted);
+}
+
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides& overrides, std::uint64_t seed) {
     RunReport report = run_netlist(load_network(netlist, overrides), seed);
-    Ending ending = report.result.ending;
-    if (ending == Ending::interrupted)
-        throw UnfinishedRun("interrupted: the experiment is not complete, and nothing was written", ending);
-    if (ending != Ending::completed)
+    end_if_interrupted();
+    if (Ending ending = report.result.ending; ending != Ending::completed)
         throw UnfinishedRun(
             fmt::format("{} did not come to its end: placedpar run shows where it stands", netlist.string()), ending);
     return report;
 }
 
 Cell compliance_cell(const std::string& column, const RunReport& report, const std::string& process) {
-    return {compliance,
-            column,
-            "in^3/kpsi", // thousandths of in^3/psi, which have digits to show
-            1000 * true_compliance(),
-            1000 * report.measured(process, compliance),
-            compliance_tolerance_percent,
-            Origin::outcome};
+    Cell cell{compliance,
+              column,
+              "in^3/psi",
+              true_compliance(),
+              report.measured(process, compliance),
+              compliance_tolerance_percent};
+    cell.decimals = 5;
+    return cell;
 }
 
 std::string print_compliance_note() {
     return fmt::format(
-        "{}: the compliance identified, beside the {} in^3/psi that the record was made with; judged at {:.0f} %, "
-        "for it depends on the noise and the draws of the seed\n",
+        "{}: the compliance identified, beside the {} in^3/psi that the record was made with; it depends on the noise\n"
+        "and the draws of the seed, and is judged at {:.0f} %\n",
         compliance, true_compliance(), compliance_tolerance_percent);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/experiment.hpp"
+#include "app/reading.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 
@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace placedpar {
 
@@ -19,6 +18,8 @@ public:
     Ending ending;
 };
 
+/// Throws UnfinishedRun when a signal asked for the end of an experiment: see InterruptGuard.
+void end_if_interrupted();
 /// Reads a netlist of the examples and runs it to its end. Throws RefusedInput and UnfinishedRun.
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, std::uint64_t seed);
 

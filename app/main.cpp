@@ -2,10 +2,12 @@
 #include "app/identify_command.hpp"
 #include "app/kinds_command.hpp"
 #include "app/manifest.hpp"
+#include "app/monitor/monitor_command.hpp"
 #include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
 #include "app/perfetto_trace.hpp"
+#include "app/record_command.hpp"
 #include "app/refused_input.hpp"
 #include "app/replay_command.hpp"
 #include "app/run_report.hpp"
@@ -25,7 +27,7 @@ namespace {
 
 /// What the command line may say, of all commands.
 struct Options {
-    std::string file, format = "cfs", json, trace, kind, experiment;
+    std::string file, format = "cfs", json, trace, kind, experiment, plots;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
     std::string command; ///< as typed
@@ -109,15 +111,20 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     add("kinds", "Lists the process kinds that a netlist can use", kinds)
         ->add_option("NAME", options.kind, "everything about this kind");
 
-    auto* replay_sub = add("replay", "Runs an experiment of the thesis beside the thesis's figures",
-                           [](const Options& o) { return replay(o.experiment, o.seed, o.json, o.command); });
+    auto* replay_sub =
+        add("replay", "Runs an experiment of the thesis beside the thesis's figures", [](const Options& o) {
+            return replay(o.experiment, o.seed, {o.json, o.plots}, o.command);
+        });
     replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
     add_seed(*replay_sub, options);
     replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
+    replay_sub->add_option("--plots", options.plots, "writes the experiment's plots, SVG")->type_name("FOLDER");
     replay_sub->footer("experiments:\n" + list_experiments());
 
     declare_identify(app, chosen, options.command);
+    declare_record(app, chosen);
     add("parameters", "Prints the constants of the excavator, as a file for --machine", parameters);
+    monitor::declare(app, chosen);
 }
 
 bool is_command(const CLI::App& app, std::string_view name) {

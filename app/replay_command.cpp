@@ -3,6 +3,7 @@
 #include "app/examples_folder.hpp"
 #include "app/experiment.hpp"
 #include "app/experiment_runs.hpp"
+#include "app/gnuplot.hpp"
 #include "app/manifest.hpp"
 #include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
@@ -31,21 +32,28 @@ boost::json::value or_null(std::optional<double> number) {
     return number ? boost::json::value(*number) : boost::json::value(nullptr);
 }
 
+boost::json::object cell_json(const Cell& cell, const std::string& against) {
+    boost::json::object json{{"row", cell.row},
+                             {"column", cell.column},
+                             {"unit", cell.unit},
+                             {"thesis", against == "thesis" ? or_null(cell.thesis) : nullptr},
+                             {"simulated", cell.simulated},
+                             {"error_percent", or_null(cell.error_percent())},
+                             {"tolerance_percent", or_null(cell.tolerance_in_percent())},
+                             {"origin", name_of(cell.origin)}};
+    if (against != "thesis")
+        json[against] = or_null(cell.thesis);
+    if (cell.tolerance)
+        json["tolerance"] = *cell.tolerance; // in the cell's unit
+    return json;
+}
+
 boost::json::array cells_json(const Reading& reading) {
     boost::json::array cells;
     for (const Cell& cell : reading.cells)
-        cells.push_back(boost::json::object{{"row", cell.row},
-                                            {"column", cell.column},
-                                            {"unit", cell.unit},
-                                            {"thesis", or_null(cell.thesis)},
-                                            {"simulated", cell.simulated},
-                                            {"error_percent", or_null(cell.error_percent())},
-                                            {"tolerance_percent", or_null(cell.tolerance_percent)},
-                                            {"origin", name_of(cell.origin)}});
+        cells.push_back(cell_json(cell, reading.against));
     return cells;
 }
-
-bool within_tolerance(const Reading& reading) { return std::ranges::all_of(reading.cells, &Cell::within_tolerance); }
 
 boost::json::object replay_json(const Replay& replay, const std::string& experiment, std::uint64_t seed,
                                 const std::string& command) {
@@ -53,6 +61,7 @@ boost::json::object replay_json(const Replay& replay, const std::string& experim
     for (std::size_t i = 1; i < replay.readings.size(); ++i)
         others.push_back(boost::json::object{{"reading", replay.readings[i].name},
                                              {"cells", cells_json(replay.readings[i])},
+                                             {"judged", replay.readings[i].judged},
                                              {"within_tolerance", within_tolerance(replay.readings[i])}});
     return {{"experiment", experiment},
             {"version", version},
@@ -61,8 +70,32 @@ boost::json::object replay_json(const Replay& replay, const std::string& experim
             {"command", command},
             {"reading", replay.readings.front().name},
             {"cells", cells_json(replay.readings.front())},
-            {"within_tolerance", within_tolerance(replay.readings.front())},
+            {"within_tolerance", replay.within_tolerance()},
             {"other_readings", std::move(others)}};
+}
+
+std::string print_verdict(const Replay& replay) {
+    bool others = std::ranges::any_of(replay.readings, &Reading::judged);
+    return fmt::format("{} cell{} {}\n", replay.within_tolerance() ? "every judged" : "a",
+                       others ? "" : " of the first reading",
+                       replay.within_tolerance() ? "is within its tolerance" : "misses its tolerance");
+}
+
+void require_folder_for_plots(const std::filesystem::path& folder) {
+    require_gnuplot();
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    require_writable(folder / "plot.svg");
+}
+
+void write_plots(const Replay& replay, const std::filesystem::path& folder) {
+    if (replay.plots.empty())
+        fmt::print("this experiment has no plots\n");
+    for (const NamedPlot& plot : replay.plots) {
+        std::filesystem::path path = folder / (plot.name + ".svg");
+        write_whole(path, draw_svg(plot.plot));
+        fmt::print("plot: {}\n", path.string());
+    }
 }
 
 } // namespace
@@ -70,20 +103,25 @@ boost::json::object replay_json(const Replay& replay, const std::string& experim
 std::string list_experiments() {
     std::string out;
     for (const Experiment& experiment : experiments())
-        out += fmt::format("  {:<10} {}\n", experiment.name, experiment.about);
+        out += fmt::format("  {:<15} {}\n", experiment.name, experiment.about);
     return out;
 }
 
-ExitCode replay(const std::string& name, std::uint64_t seed, const std::filesystem::path& json,
-                const std::string& command) {
+ExitCode replay(const std::string& name, std::uint64_t seed, const ReplayOutput& output, const std::string& command) {
     const Experiment& experiment = find_experiment(name);
-    if (!json.empty())
-        require_writable(json);
+    if (!output.json.empty())
+        require_writable(output.json);
+    if (!output.plots.empty())
+        require_folder_for_plots(output.plots);
     InterruptGuard guard;
     Progress progress;
     Replay result;
     try {
-        result = experiment.run({examples_folder(), seed, [&](const std::string& what) { progress.show(what); }});
+        result = experiment.run({examples_folder(), seed, [&](const std::string& what) {
+                                     end_if_interrupted();
+                                     progress.show(what);
+                                 }});
+        end_if_interrupted();
     } catch (const UnfinishedRun& unfinished) {
         progress.clear();
         fmt::print(stderr, "placedpar: {}\n", unfinished.what());
@@ -92,13 +130,12 @@ ExitCode replay(const std::string& name, std::uint64_t seed, const std::filesyst
     progress.clear();
     for (const Reading& reading : result.readings)
         fmt::print("{}\n", print_reading(reading));
-    fmt::print("{}fingerprint: {:016x}\n", result.constants, result.fingerprint);
-    bool good = within_tolerance(result.readings.front());
-    fmt::print("{}\n", good ? "every judged cell of the first reading is within its tolerance"
-                            : "a cell of the first reading misses its tolerance");
-    if (!json.empty())
-        write_whole(json, print_pretty(replay_json(result, name, seed, command)));
-    return good ? ExitCode::success : ExitCode::missed_tolerance;
+    fmt::print("{}fingerprint: {:016x}\n{}", result.constants, result.fingerprint, print_verdict(result));
+    if (!output.json.empty())
+        write_whole(output.json, print_pretty(replay_json(result, name, seed, command)));
+    if (!output.plots.empty())
+        write_plots(result, output.plots);
+    return result.within_tolerance() ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
 } // namespace placedpar

@@ -8,9 +8,15 @@
 
 namespace placedpar {
 
-/// `placedpar replay`. An empty path writes no JSON. Throws std::runtime_error for an unknown experiment and
-/// for examples that are not found.
-ExitCode replay(const std::string& experiment, std::uint64_t seed, const std::filesystem::path& json,
+/// What the run leaves behind; nothing where a path is empty.
+struct ReplayOutput {
+    std::filesystem::path json;
+    std::filesystem::path plots; ///< a folder, made when it is not there
+};
+
+/// `placedpar replay`. Throws std::runtime_error for an unknown experiment, for examples that are not found, and for
+/// output that cannot be written.
+ExitCode replay(const std::string& experiment, std::uint64_t seed, const ReplayOutput& output,
                 const std::string& command);
 
 /// The names of the experiments, one a line, with what they are.

@@ -20,6 +20,8 @@ function(placedpar_room name)
     target_include_directories(placedpar_${name} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/placedpar>)
     target_compile_features(placedpar_${name} PUBLIC cxx_std_20)
+    # Else Eigen's square root with AVX-512 is an approximation: see gaprocs/population_fitness.hpp.
+    target_compile_definitions(placedpar_${name} PUBLIC EIGEN_FAST_MATH=0)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
 endfunction()
 

@@ -12,6 +12,10 @@
 
 namespace placedpar {
 
+static_assert(EIGEN_FAST_MATH == 0,
+              "Eigen's square root would be approximate with AVX-512, and a population evaluated at "
+              "once would differ from its individuals: compile with -DEIGEN_FAST_MATH=0");
+
 /// The same number of several individuals, side by side.
 using Lanes = Eigen::Array<double, 8, 1>;
 

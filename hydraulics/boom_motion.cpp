@@ -2,6 +2,7 @@
 
 #include "hydraulics/boom_orifices.hpp"
 #include "hydraulics/flow_split.hpp"
+#include "hydraulics/leakage.hpp"
 
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <fmt/format.h>
@@ -27,6 +28,12 @@ void require_positive(std::string_view name, double value) {
 void require_valid(const BoomScenario& scenario) {
     require_positive("the integration step", scenario.integration_step_s);
     require_positive("the duration", scenario.duration_s);
+    constexpr double most_steps = 2e6; // the motion is kept whole
+    if (scenario.duration_s > most_steps * scenario.integration_step_s)
+        throw std::invalid_argument(fmt::format("boom scenario: the duration is {}, expected at most {:g} steps",
+                                                scenario.duration_s, most_steps));
+    if (!(scenario.ramp_s >= 0))
+        throw std::invalid_argument(fmt::format("boom scenario: the ramp is {}, expected 0 or above", scenario.ramp_s));
     require_positive("the pump flow", scenario.flow.pump_in3_per_s);
     require_positive("the mass", scenario.machine.mass_lbf_s2_per_in);
     require_positive("the inlet area", scenario.machine.inlet_area_in2);
@@ -48,19 +55,36 @@ double piston_force_lbf(const State& state, const BoomMachine& machine) {
            machine.gravity_lbf - friction;
 }
 
-State derivative(const State& state, const BoomScenario& scenario, double desired_spool_in) {
+/// What holds within a step.
+struct Held {
+    double desired_spool_in;
+    double leak_in3_per_s_psi;
+};
+
+Held held_at(const BoomScenario& scenario, double time_s) {
+    double leak = time_s > scenario.leak_start_s ? scenario.leak_in3_per_s_psi : 0;
+    if (time_s <= scenario.step_time_s)
+        return {scenario.spool_at_rest_in, leak};
+    if (time_s >= scenario.step_time_s + scenario.ramp_s)
+        return {scenario.spool_desired_in, leak};
+    double gone = (time_s - scenario.step_time_s) / scenario.ramp_s;
+    return {scenario.spool_at_rest_in + gone * (scenario.spool_desired_in - scenario.spool_at_rest_in), leak};
+}
+
+State derivative(const State& state, const BoomScenario& scenario, const Held& held) {
     const BoomMachine& machine = scenario.machine;
     OrificeAreas areas = boom_orifices(state[spool_in]);
     FlowSplit flows = split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], scenario.flow);
     double drain = drain_in3_per_s(areas.outlet_in2, state[outlet_psi], scenario.flow);
     double velocity = state[velocity_in_per_s];
+    double leak = leakage_in3_per_s(held.leak_in3_per_s_psi, state[inlet_psi], state[outlet_psi]);
     State rate{};
     rate[inlet_psi] =
-        (flows.inlet_in3_per_s - machine.inlet_area_in2 * velocity) / machine.inlet_compliance_in3_per_psi;
-    rate[outlet_psi] = (machine.outlet_area_in2 * velocity - drain) / machine.outlet_compliance_in3_per_psi;
+        (flows.inlet_in3_per_s - machine.inlet_area_in2 * velocity - leak) / machine.inlet_compliance_in3_per_psi;
+    rate[outlet_psi] = (machine.outlet_area_in2 * velocity + leak - drain) / machine.outlet_compliance_in3_per_psi;
     rate[piston_in] = velocity;
     rate[velocity_in_per_s] = piston_force_lbf(state, machine) / machine.mass_lbf_s2_per_in;
-    rate[spool_in] = machine.spool_lag_per_s * (desired_spool_in - state[spool_in]);
+    rate[spool_in] = machine.spool_lag_per_s * (held.desired_spool_in - state[spool_in]);
     return rate;
 }
 
@@ -90,9 +114,8 @@ std::vector<BoomState> simulate_boom(const BoomScenario& scenario) {
             {time_s, state[inlet_psi], state[outlet_psi], state[piston_in], state[velocity_in_per_s], state[spool_in]});
         if (i == steps)
             return motion;
-        bool stepped = time_s + step_s / 2 > scenario.step_time_s;
-        double desired = stepped ? scenario.spool_desired_in : scenario.spool_at_rest_in;
-        auto system = [&](const State& at, State& rate, double) { rate = derivative(at, scenario, desired); };
+        Held held = held_at(scenario, time_s + step_s / 2);
+        auto system = [&](const State& at, State& rate, double) { rate = derivative(at, scenario, held); };
         stepper.do_step(system, state, time_s, step_s);
     }
 }

@@ -19,7 +19,7 @@ struct BoomState {
 /// Forward simulation of equations 3.1 to 3.4 with the load check, the mass on the cylinder and a first-order
 /// spool, by the classical Runge-Kutta method of order 4 with a fixed step (Boost.Odeint). One state a step,
 /// the first at time 0: at rest, the load held, the drain side at tank pressure.
-/// The desired spool is constant within a step.
+/// The desired spool and the leak are constant within a step.
 /// Throws std::invalid_argument when a step, duration, mass or compliance is not positive.
 std::vector<BoomState> simulate_boom(const BoomScenario& scenario);
 

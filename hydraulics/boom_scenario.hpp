@@ -3,6 +3,8 @@
 #include "hydraulics/flow_constants.hpp"
 #include "hydraulics/parameters.hpp"
 
+#include <string>
+
 namespace placedpar {
 
 /// The boom as a mass on a cylinder. The thesis prints the compliance and the sampling only; excavator.csv says
@@ -30,22 +32,28 @@ struct BoomMachine {
     double spool_lag_per_s;               // a_0 of A.2
 };
 
-/// Scenario A: the boom is held, then the operator asks for 4 deg/s.
+/// The boom is held, then the operator asks for 4 deg/s. Scenario A at once; other scenarios by the rows of another
+/// name.
 struct BoomScenario {
-    explicit BoomScenario(const Parameters& parameters = Parameters::excavator())
-        : flow(flow_constants(parameters)), machine(parameters),
-          spool_at_rest_in(parameters["scenario_a.spool_at_rest"]),
-          spool_desired_in(parameters["scenario_a.spool_desired"]), step_time_s(parameters["scenario_a.step_time"]),
-          duration_s(parameters["scenario_a.duration"]), integration_step_s(parameters["scenario_a.integration_step"]) {
+    explicit BoomScenario(const Parameters& parameters = Parameters::excavator(),
+                          const std::string& scenario = "scenario_a")
+        : flow(flow_constants(parameters)), machine(parameters), leak_in3_per_s_psi(parameters["fault.leak"]),
+          leak_start_s(parameters["fault.leak_start"]), spool_at_rest_in(parameters[scenario + ".spool_at_rest"]),
+          spool_desired_in(parameters[scenario + ".spool_desired"]), step_time_s(parameters[scenario + ".step_time"]),
+          duration_s(parameters[scenario + ".duration"]),
+          integration_step_s(parameters[scenario + ".integration_step"]), ramp_s(parameters[scenario + ".spool_ramp"]) {
     }
 
     FlowConstants flow;
     BoomMachine machine;
+    double leak_in3_per_s_psi; // k_l across the piston, from leak_start_s on
+    double leak_start_s;
     double spool_at_rest_in;
     double spool_desired_in;
     double step_time_s;
     double duration_s;
     double integration_step_s;
+    double ramp_s; // in which the spool's command goes from rest to desired; 0: a step
 };
 
 } // namespace placedpar

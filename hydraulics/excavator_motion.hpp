@@ -23,7 +23,8 @@ struct ExcavatorState {
     std::vector<LinkState> links; // in the scenario's order
 };
 
-/// A load check valve has opened or shut.
+/// A load check valve has opened or shut: to the integration's accuracy, but no better than some 10 ns, before
+/// which the pressure over the inlet is lost in its rounding.
 struct CheckEvent {
     double time_s;
     MachineLink link;

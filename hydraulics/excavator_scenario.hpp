@@ -19,11 +19,11 @@ struct ActiveLink {
 
 /// What excavator_motion.hpp simulates: any set of links in any configuration of the main valve.
 struct ExcavatorScenario {
-    FlowConstants flow;
-    Configuration configuration;
+    FlowConstants flow{};
+    Configuration configuration{};
     std::vector<ActiveLink> links; // each link at most once
-    double duration_s;
-    double integration_step_s;
+    double duration_s = 0;         // > 0
+    double integration_step_s = 0; // > 0; also how often the motion is noted
 };
 
 /// Throws std::invalid_argument that says which value cannot be simulated, and what would do.

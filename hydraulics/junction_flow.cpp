@@ -39,6 +39,11 @@ private:
             return std::min(inlet.coefficient > 0 ? inlet.psi : infinity,
                             bypass.coefficient > 0 ? bypass.psi : infinity);
         }
+        /// Of the outlets that lead there.
+        double lowest_coefficient() const {
+            double lowest = lowest_psi();
+            return (inlet.psi == lowest ? inlet.coefficient : 0) + (bypass.psi == lowest ? bypass.coefficient : 0);
+        }
         double flow(double psi) const { return flow_through(inlet, psi) + flow_through(bypass, psi); }
     };
 
@@ -79,57 +84,52 @@ private:
         if (fed_by_pumps_alone(junction)) {
             FlowSplit split = split_flow(outlets.inlet, outlets.bypass, pumped(junction), constants_.relief_psi);
             flows_[junction] = {split.pump_psi, split.inlet_in3_per_s, split.bypass_in3_per_s, split.relief_in3_per_s};
-        } else if (!relieved(junction, outlets) && !unreached(junction, outlets))
-            balance(junction, outlets);
-    }
-
-    /// Settles a junction whose relief valve has to open.
-    bool relieved(std::size_t junction, const Outlets& outlets) const {
-        double psi = constants_.relief_psi;
-        if (circuit_[junction].pumps == 0)
-            return false;
-        double in = flow_through(outlets.inlet, psi), by = flow_through(outlets.bypass, psi);
-        double rest = inflow(junction, psi) - in - by;
-        if (rest < 0)
-            return false;
-        flows_[junction] = {psi, in, by, rest};
-        return true;
+            return;
+        }
+        double most = inflow(junction, std::min(outlets.lowest_psi(), constants_.relief_psi));
+        if (most <= 0)
+            leave_unreached(junction, outlets);
+        else
+            balance(junction, outlets, most);
     }
 
     /// Settles a junction to which no flow comes even at the lowest pressure that it can have.
-    bool unreached(std::size_t junction, const Outlets& outlets) const {
-        if (inflow(junction, std::min(outlets.lowest_psi(), constants_.relief_psi)) > 0)
-            return false;
+    void leave_unreached(std::size_t junction, const Outlets& outlets) const {
         double before = -infinity;
         for (std::size_t i = 0; i < junction; ++i)
             if (leads_to(i, junction) && openings_[i].bypass_in2 > 0)
                 before = std::max(before, flows_[i].psi);
         double drained = outlets.lowest_psi() < infinity ? outlets.lowest_psi() : constants_.tank_psi;
         flows_[junction] = {before > -infinity ? before : drained, 0, 0, 0};
-        return true;
     }
 
-    /// Finds the pressure at which as much leaves as comes. REQUIRES: something comes at the lowest pressure,
-    /// and no more than leaves at the relief pressure.
-    void balance(std::size_t junction, const Outlets& outlets) const {
-        double psi = balanced_psi(junction, outlets);
+    /// Finds the pressure at which as much leaves as comes, or the relief pressure. `most` comes at the lowest.
+    void balance(std::size_t junction, const Outlets& outlets, double most) const {
+        double psi = balanced_psi(junction, outlets, most);
         double in = flow_through(outlets.inlet, psi), by = flow_through(outlets.bypass, psi);
-        give_rest(outlets, inflow(junction, psi) - in - by, in, by);
-        flows_[junction] = {psi, in, by, 0};
+        double rest = inflow(junction, psi) - in - by;
+        bool relieving = psi == constants_.relief_psi && circuit_[junction].pumps > 0 && rest >= 0;
+        if (!relieving)
+            give_rest(outlets, rest, in, by);
+        flows_[junction] = {psi, in, by, relieving ? rest : 0};
     }
 
-    /// The unknown is u, of lowest + u^2: flows are smooth in it where they begin.
-    double balanced_psi(std::size_t junction, const Outlets& outlets) const {
+    /// The unknown is u, of lowest + u^2: flows are smooth in it where they begin. At the greatest u the lowest
+    /// outlet alone takes all that comes, or the relief pressure is reached.
+    double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
         double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;
-        double top = std::sqrt(highest - lowest);
-        auto psi_at = [=](double u) { return u < top ? std::min(lowest + u * u, highest) : highest; };
+        if (lowest >= highest)
+            return highest;
+        double relieved = std::sqrt(highest - lowest),
+               greatest = std::min(most / outlets.lowest_coefficient(), relieved);
+        auto psi_at = [=](double u) { return u < relieved ? std::min(lowest + u * u, highest) : highest; };
         auto excess = [&](double u) { return inflow(junction, psi_at(u)) - outlets.flow(psi_at(u)); };
-        double most = excess(0), least = excess(top);
-        if (most <= 0 || least >= 0) // a rounding from either end
-            return psi_at(most <= 0 ? 0 : top);
+        double least = excess(greatest);
+        if (least >= 0) // relieving; or a rounding
+            return psi_at(greatest);
         std::uintmax_t iterations = 200;
         auto [below, above] = boost::math::tools::toms748_solve(
-            excess, 0.0, top, most, least, boost::math::tools::eps_tolerance<double>(), iterations);
+            excess, 0.0, greatest, most, least, boost::math::tools::eps_tolerance<double>(), iterations);
         return psi_at(below + (above - below) / 2);
     }
 

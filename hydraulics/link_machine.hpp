@@ -3,7 +3,7 @@
 namespace placedpar {
 
 /// A link as a mass on a cylinder (or, for the swing, on a motor: area times moment arm is then its
-/// displacement a radian). No value has a default: they come from one place, excavator_values.hpp.
+/// displacement a radian). No value has a default: they come from excavator.csv.
 struct LinkMachine {
     double inlet_area_in2;                // A_i, pump side of the piston
     double outlet_area_in2;               // A_o, drain side; 0: the drain side is left out of the simulation

@@ -13,13 +13,14 @@ struct MeasurementNoise {
     double pressure_psi = 0;
     double angle_deg = 0;
     double spool_in = 0;
+    double area_share = 0; // of an orifice area, where that is what is measured
 };
 
 /// Noise levels of the identification studies (ours).
 inline constexpr MeasurementNoise no_noise{};
-inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003};
-inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005};
-inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001};
+inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003, 0.001};
+inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005, 0.002};
+inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001, 0.004};
 
 /// Numbers uniform in [0, 1), drawn by the caller so that the record is a function of the caller's seed.
 using UniformSource = std::function<double()>;
@@ -35,6 +36,7 @@ inline constexpr double sampling_period_s = 0.020;
 inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
+inline constexpr double area_resolution_in2 = 0x1p-30;
 
 /// Samples a motion every `period_s`, from its first state on: the boom's inlet pressure, angle and spool. Draws three
 /// normal numbers a sample in the order pressure, angle, spool, whatever the noise, so that two levels see the same

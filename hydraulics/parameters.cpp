@@ -72,6 +72,13 @@ void Parameters::set(std::string_view name, double value) {
     parameter->value = value;
 }
 
+void Parameters::put(Parameter parameter) {
+    Parameter* place = entry(parameter.name);
+    if (!place)
+        throw std::invalid_argument(fmt::format("the machine has no parameter {}", parameter.name));
+    *place = std::move(parameter);
+}
+
 void Parameters::read(std::string_view text, std::vector<TextFault>& faults) {
     TextTable table = split_table(text, faults);
     if (!header_is_right(table.header)) {

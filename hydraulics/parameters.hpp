@@ -31,6 +31,8 @@ public:
     const Parameter* find(std::string_view name) const;
     const std::vector<Parameter>& all() const { return parameters_; }
     void set(std::string_view name, double value);
+    /// In place of the parameter of the same name. Throws std::invalid_argument when there is none.
+    void put(Parameter parameter);
 
     /// Reads a text whose rows take the place of those of the same name; all units of a quantity are converted.
     /// Faults: a name that is not there, a unit of another quantity, no number, a mark that is none.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace placedpar {
@@ -17,15 +18,30 @@ struct Ordinary {
     double least, most;
 };
 
-std::optional<Ordinary> ordinary(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::pressure: return Ordinary{60, 9000}; // the relief valve of such a machine opens at 4500 psi
-    case Quantity::length: return Ordinary{0.05, 1.2};  // a spool's travel
-    case Quantity::angle: return Ordinary{0, 400};
-    case Quantity::voltage: return Ordinary{0, 15};
-    case Quantity::area: return Ordinary{0, 3};
-    default: return std::nullopt;
+constexpr Ordinary ordinary_period_s{0.0005, 1};
+
+Ordinary ordinary(Sensor sensor) {
+    switch (sensor) {
+    case Sensor::inlet_pressure: return {300, 9000}; // the relief valve of such a machine opens at 4500 psi
+    case Sensor::outlet_pressure: return {5, 9000};
+    case Sensor::angle: return {0, 400};
+    case Sensor::spool: return {0.05, 1.2};
+    case Sensor::servo: return {0, 15};
+    case Sensor::inlet_area:
+    case Sensor::bypass_area: return {0, 3};
     }
+    return {0, std::numeric_limits<double>::infinity()};
+}
+
+bool within(double value, const Ordinary& usual) { return value >= usual.least && value <= usual.most; }
+
+/// The units in which the number that stands in the text would be ordinary.
+std::string likely_units(Quantity quantity, double number, const Ordinary& usual) {
+    std::string likely;
+    for (const Unit& unit : units_of(quantity))
+        if (within(number * unit.factor, usual))
+            likely += (likely.empty() ? "it would be ordinary in " : ", ") + std::string(unit.name);
+    return likely;
 }
 
 bool same_text(const TextRow& a, const TextRow& b) {
@@ -42,9 +58,10 @@ double median_step(std::span<const double> time_s) {
 }
 
 /// The fault between two neighbouring samples, if there is one.
-std::optional<TextFault> fault_of_step(double step_s, double period_s, const TextRow& row, std::size_t line_before) {
+std::optional<TextFault> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
+                                       std::size_t line_before) {
     auto fault = [&](bool refused, std::string message, std::string hint) {
-        return TextFault{refused, row.line, row.cells.front().column, std::move(message), std::move(hint)};
+        return TextFault{refused, line, time.column, std::move(message), std::move(hint)};
     };
     if (step_s == 0)
         return fault(true, fmt::format("the same time as on line {}, with other readings", line_before),
@@ -76,7 +93,7 @@ void drop_repeated_rows(TextTable& table, std::vector<TextFault>& faults) {
     table.rows = std::move(kept);
 }
 
-void check_times(Record& record, const TextTable& table, std::vector<TextFault>& faults) {
+void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<TextFault>& faults) {
     if (record.size() < fewest_samples) {
         faults.push_back(
             {true, 0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""});
@@ -84,17 +101,22 @@ void check_times(Record& record, const TextTable& table, std::vector<TextFault>&
     }
     record.period_s = median_step(record.time_s);
     if (!(record.period_s > 0)) {
-        faults.push_back({true, table.rows[1].line, 1, "most times do not rise", "rows must be in order of time"});
+        faults.push_back({true, table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",
+                          "rows must be in order of time"});
         return;
     }
     for (std::size_t i = 1; i < record.size(); ++i)
-        if (auto fault = fault_of_step(record.time_s[i] - record.time_s[i - 1], record.period_s, table.rows[i],
-                                       table.rows[i - 1].line))
+        if (auto fault = fault_of_step(record.time_s[i] - record.time_s[i - 1], record.period_s,
+                                       table.rows[i].cells[time.index], table.rows[i].line, table.rows[i - 1].line))
             faults.push_back(std::move(*fault));
+    if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
+        faults.push_back({false, time.place.line, time.place.column,
+                          fmt::format("samples are {:.6g} {} apart, which is unusual", number, time.unit.name),
+                          likely_units(Quantity::time, number, ordinary_period_s)});
 }
 
-void check_channel(std::string_view name, const Unit& unit, std::span<const double> values, HeaderPlace place,
-                   std::vector<TextFault>& faults) {
+void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
+                   HeaderPlace place, std::vector<TextFault>& faults) {
     auto warn = [&](std::string message, std::string hint) {
         faults.push_back({false, place.line, place.column, std::move(message), std::move(hint)});
     };
@@ -102,16 +124,11 @@ void check_channel(std::string_view name, const Unit& unit, std::span<const doub
     if (least == most)
         warn(fmt::format("{} is {:.6g} {} in every sample", name, least / unit.factor, unit.name),
              "a sensor that is not connected, or a link that was not moved");
-    auto usual = ordinary(unit.quantity);
-    double greatest = std::max(std::abs(least), std::abs(most));
-    if (!usual || greatest == 0 || (greatest >= usual->least && greatest <= usual->most))
-        return;
-    std::string likely;
-    for (const Unit& other : units_of(unit.quantity))
-        if (double meant = greatest / unit.factor * other.factor; meant >= usual->least && meant <= usual->most)
-            likely += (likely.empty() ? "" : ", ") + std::string(other.name);
-    warn(fmt::format("{} reaches {:.6g} {}, which is unusual", name, greatest / unit.factor, unit.name),
-         likely.empty() ? "" : fmt::format("it would be ordinary in {}", likely));
+    double greatest = std::max(std::abs(least), std::abs(most)), number = greatest / unit.factor;
+    Ordinary usual = ordinary(sensor);
+    if (greatest > 0 && !within(greatest, usual))
+        warn(fmt::format("{} reaches {:.6g} {}, which is unusual", name, number, unit.name),
+             likely_units(unit.quantity, number, usual));
 }
 
 } // namespace placedpar

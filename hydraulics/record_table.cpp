@@ -17,8 +17,12 @@ struct Column {
     std::size_t at; ///< column of its name in the header's line
     std::string name;
     const Unit* unit;
-    std::vector<double>* values; ///< in the record
+    std::vector<double>* values;  ///< in the record
+    std::optional<Sensor> sensor; ///< none: the time
 };
+
+/// Beyond what is ever measured, in any unit of this room; slopes and squares of such values are finite.
+constexpr double largest_value = 1e12;
 
 /// "boom.spool [in]" in its two parts; the unit is empty where there are no brackets.
 std::pair<std::string, std::string> name_and_unit(const std::string& header) {
@@ -33,18 +37,20 @@ std::pair<std::string, std::string> name_and_unit(const std::string& header) {
 /// Where a column's values go and what they measure; no values when there is no such column.
 struct Destination {
     std::vector<double>* values = nullptr;
-    Quantity quantity = Quantity::number;
+    std::optional<Sensor> sensor = std::nullopt;
+
+    Quantity quantity() const { return sensor ? quantity_of(*sensor) : Quantity::time; }
 };
 
 Destination destination_of(const std::string& name, Record& record) {
     if (name == "time")
-        return {&record.time_s, Quantity::time};
+        return {&record.time_s};
     std::size_t dot = name.find('.');
     auto link = link_named(name.substr(0, dot));
     auto sensor = dot == std::string::npos ? std::nullopt : sensor_named(std::string_view(name).substr(dot + 1));
     if (!link || !sensor)
         return {};
-    return {&record.of(*link, *sensor), quantity_of(*sensor)};
+    return {&record.of(*link, *sensor), sensor};
 }
 
 std::vector<Column> read_header(const TextRow& header, Record& record, std::vector<TextFault>& faults) {
@@ -60,19 +66,62 @@ std::vector<Column> read_header(const TextRow& header, Record& record, std::vect
         if (!destination.values)
             faults.push_back({false, header.line, cell.column, fmt::format("column \"{}\" is not used", name),
                               "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"});
-        else if (!unit || unit->quantity != destination.quantity)
+        else if (!unit || unit->quantity != destination.quantity())
             refuse(unit_name.empty()
                        ? fmt::format("column \"{}\" has no unit", name)
-                       : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(destination.quantity)),
-                   fmt::format("{} [UNIT] with {}", name, list_units(destination.quantity)));
-        else if (std::ranges::find(columns, name, &Column::name) != columns.end())
-            refuse(fmt::format("column \"{}\" is there twice", name), "");
+                       : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(destination.quantity())),
+                   fmt::format("{} [UNIT] with {}", name, list_units(destination.quantity())));
+        else if (auto before = std::ranges::find(columns, destination.values, &Column::values); before != columns.end())
+            refuse(fmt::format("column \"{}\" is there twice", name),
+                   fmt::format("the first is column {} of the table", before->index + 1));
         else
-            columns.push_back({i, cell.column, name, unit, destination.values});
+            columns.push_back({i, cell.column, name, unit, destination.values, destination.sensor});
     }
-    if (std::ranges::find(columns, "time", &Column::name) == columns.end() && !refuses(faults))
+    if (refuses(faults))
+        return columns;
+    if (std::ranges::find(columns, "time", &Column::name) == columns.end())
         faults.push_back({true, header.line, 1, "there is no column \"time\"", "the first column is mostly time [s]"});
+    else if (columns.size() == 1)
+        faults.push_back(
+            {true, header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"});
     return columns;
+}
+
+/// In this room's unit.
+double value_in(const TextRow& row, const Column& column, std::vector<TextFault>& faults) {
+    const TextCell& cell = row.cells[column.index];
+    double value = number_in(cell, row.line, faults) * column.unit->factor;
+    if (std::abs(value) <= largest_value)
+        return value;
+    faults.push_back({true, row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
+                      "leave a row out where a reading is missing"});
+    return 0;
+}
+
+void check(Record& record, const TextTable& table, const std::vector<Column>& columns, std::vector<TextFault>& faults) {
+    for (const Column& column : columns)
+        if (HeaderPlace place{table.header.line, column.at}; column.sensor)
+            check_channel(column.name, *column.sensor, *column.unit, *column.values, place, faults);
+        else
+            check_times(record, table, {column.index, place, *column.unit}, faults);
+}
+
+/// Decimals that tell all times apart, as far as they were given.
+int time_decimals(const Record& record) {
+    int decimals = 3;
+    for (double scale = 1e3; decimals < 9; ++decimals, scale *= 10)
+        if (std::ranges::all_of(record.time_s, [scale](double time_s) {
+                return std::abs(time_s * scale - std::round(time_s * scale)) < 1e-3;
+            }))
+            break;
+    return decimals;
+}
+
+/// No "-0.000", whose sign could hang on a last bit.
+std::string print_number(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    bool zero = text.find_first_not_of("-0.") == std::string::npos;
+    return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
 } // namespace
@@ -80,25 +129,26 @@ std::vector<Column> read_header(const TextRow& header, Record& record, std::vect
 ReadRecord read_record(std::string_view text) {
     ReadRecord read;
     TextTable table = split_table(text, read.faults);
+    if (table.rows.empty() && refuses(read.faults))
+        return read;
     if (table.header.cells.empty()) {
         read.faults.push_back({true, 0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"});
         return read;
     }
     Record record;
     record.description = table.description;
-    std::vector<Column> columns = read_header(table.header, record, read.faults);
-    if (refuses(read.faults))
+    std::vector<TextFault> of_header;
+    std::vector<Column> columns = read_header(table.header, record, of_header);
+    read.faults.insert(read.faults.end(), of_header.begin(), of_header.end());
+    if (refuses(of_header))
         return read;
     drop_repeated_rows(table, read.faults);
     for (const TextRow& row : table.rows)
         for (const Column& column : columns)
-            column.values->push_back(number_in(row.cells[column.index], row.line, read.faults) * column.unit->factor);
-    if (refuses(read.faults))
-        return read;
-    check_times(record, table, read.faults);
-    for (const Column& column : columns)
-        if (column.values != &record.time_s)
-            check_channel(column.name, *column.unit, *column.values, {table.header.line, column.at}, read.faults);
+            column.values->push_back(value_in(row, column, read.faults));
+    if (!refuses(read.faults))
+        check(record, table, columns, read.faults);
+    std::ranges::stable_sort(read.faults, {}, &TextFault::line);
     if (!refuses(read.faults))
         read.record = std::move(record);
     return read;
@@ -116,7 +166,7 @@ std::string print_record(const Record& record) {
     }
     if (!text.empty() && text.back() != '\n')
         text += '\n';
-    std::vector<Printed> channels{{&record.time_s, 3}};
+    std::vector<Printed> channels{{&record.time_s, time_decimals(record)}};
     text += "time [s]";
     for (MachineLink link : all_links)
         for (Sensor sensor : all_sensors)
@@ -128,8 +178,8 @@ std::string print_record(const Record& record) {
     text += '\n';
     for (std::size_t i = 0; i < record.size(); ++i)
         for (std::size_t c = 0; c < channels.size(); ++c)
-            text += fmt::format("{:.{}f}{}", (*channels[c].values)[i], channels[c].decimals,
-                                c + 1 == channels.size() ? '\n' : ',');
+            text +=
+                print_number((*channels[c].values)[i], channels[c].decimals) + (c + 1 == channels.size() ? '\n' : ',');
     return text;
 }
 

@@ -24,10 +24,11 @@ struct ReadRecord {
 /// Columns: time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity
 /// is converted. A column of another name is warned of and left out.
 ///
-/// Refused: a column or its unit missing, wrong or repeated; no number; times that go back, repeat with other
-/// readings, or are no whole number of periods apart; fewer than `fewest_samples` rows. Warned of: rows
-/// repeated to the letter (used once), gaps, channels that never change, channels whose values would be
-/// ordinary in another unit.
+/// Refused: a column or its unit missing, wrong or repeated; no column of a sensor; no number, or one larger than
+/// anything measured; times that go back, repeat with other readings, or are no whole number of periods apart;
+/// fewer than `fewest_samples` rows; what split_table refuses. Warned of: rows repeated to the letter (used once),
+/// gaps, channels that never change, channels and periods that would be ordinary in another unit. Faults come in
+/// the order of their lines.
 ReadRecord read_record(std::string_view text);
 
 /// The sensors' line fit needs 5 samples.

@@ -26,14 +26,17 @@ struct TextRow {
 };
 
 /// A table of comma-separated values: lines that start with '#' before the header describe it, elsewhere they
-/// are comments; blank lines mean nothing; a cell in double quotes may hold commas. The first row is the header.
+/// are comments; blank lines mean nothing; a cell in double quotes may hold commas, and quotes written twice. Lines end
+/// in LF or CR LF; a byte order mark is skipped. The first row is the header.
 struct TextTable {
     std::string description; ///< the lines before the header, without their "# "
     TextRow header;
     std::vector<TextRow> rows; ///< INVARIANT: each as long as the header
 };
 
-/// Splits a text into a table; a row longer or shorter than the header is a fault and left out.
+/// Splits a text into a table. Faults: a row longer or shorter than the header, which is left out; a quote that is not
+/// closed, a carriage return within a line, a header whose columns are separated by semicolons or tabs. Of the rows
+/// below a faulty header nothing is said.
 TextTable split_table(std::string_view text, std::vector<TextFault>& faults);
 
 /// The cell as a finite number; a fault, and 0, when it is none.

@@ -59,6 +59,17 @@ constexpr std::array all{
     Unit{"m^3/(s m^2 Pa^0.5)", Quantity::orifice, inch_per_metre* sqrt_pascal_per_psi},
     Unit{"in^3/(s psi)", Quantity::leakage, 1},
     Unit{"m^3/(s Pa)", Quantity::leakage, in3_per_m3 / psi_per_pascal},
+    Unit{"in^3", Quantity::volume, 1},
+    Unit{"cm^3", Quantity::volume, 1e-6 * in3_per_m3},
+    Unit{"L", Quantity::volume, 1e-3 * in3_per_m3},
+    Unit{"m^3", Quantity::volume, in3_per_m3},
+    Unit{"V/s", Quantity::voltage_rate, 1},
+    Unit{"lbf/in", Quantity::stiffness, 1},
+    Unit{"N/m", Quantity::stiffness, lbf_per_newton / inch_per_metre},
+    Unit{"psi s^2/in^3", Quantity::inertance, 1},
+    Unit{"Pa s^2/m^3", Quantity::inertance, psi_per_pascal / in3_per_m3},
+    Unit{"psi s/in^3", Quantity::resistance, 1},
+    Unit{"Pa s/m^3", Quantity::resistance, psi_per_pascal / in3_per_m3},
 };
 
 } // namespace
@@ -85,10 +96,12 @@ std::string list_units(Quantity quantity) {
 }
 
 std::string_view name_of(Quantity quantity) {
-    constexpr std::array<std::string_view, 17> names{
-        "number",     "time",  "pressure", "length",  "angle", "voltage", "area",          "flow",
-        "compliance", "force", "mass",     "damping", "speed", "rate",    "pressure rate", "orifice constant",
-        "leakage"};
+    constexpr std::array<std::string_view, 22> names{"number",     "time",      "pressure",      "length",
+                                                     "angle",      "voltage",   "area",          "flow",
+                                                     "compliance", "force",     "mass",          "damping",
+                                                     "speed",      "rate",      "pressure rate", "orifice constant",
+                                                     "leakage",    "volume",    "voltage rate",  "stiffness",
+                                                     "inertance",  "resistance"};
     return names[static_cast<std::size_t>(quantity)];
 }
 

@@ -24,7 +24,12 @@ enum class Quantity : unsigned char {
     rate,          // 1/s
     pressure_rate, // psi/s
     orifice,       // in^3/(s in^2 psi^0.5): k = Cd sqrt(2 / density)
-    leakage        // in^3/(s psi)
+    leakage,       // in^3/(s psi)
+    volume,        // in^3
+    voltage_rate,  // V/s
+    stiffness,     // lbf/in
+    inertance,     // psi s^2/in^3: pressure that speeds a line's flow up
+    resistance     // psi s/in^3: pressure that a line's flow loses
 };
 
 /// A unit, and what one of it is in this room's unit of the same quantity.

@@ -8,15 +8,23 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+#include <string>
+
 using namespace placedpar;
 
 namespace {
 
-/// A hash of every population of the traditional algorithm, run as the plain library function runs it.
-std::string populations_of_traditional(int population, std::uint64_t seed) {
+SearchSettings settings_for(std::size_t population) {
     SearchSettings settings;
-    settings.population = static_cast<std::size_t>(population);
-    auto problem = make_search_problem(LineProblem{});
+    settings.population = population;
+    return settings;
+}
+
+/// A hash of every population of the traditional algorithm, run as the plain library function runs it.
+std::string populations_of_traditional(const SearchSettings& settings, std::uint64_t seed,
+                                       Coding coding = Coding::natural) {
+    auto problem = make_search_problem(LineProblem{}, coding);
     Search search(problem->bits(), settings, RandomStream(seed, "one stream"));
     SlidingWindow window(settings.window);
     Fingerprint populations;
@@ -30,6 +38,10 @@ std::string populations_of_traditional(int population, std::uint64_t seed) {
         }
     }
     return fmt::format("{:016x}", populations.value());
+}
+
+std::string populations_of_traditional(std::size_t population, std::uint64_t seed) {
+    return populations_of_traditional(settings_for(population), seed);
 }
 
 } // namespace
@@ -60,6 +72,42 @@ TEST_CASE("... and for every timing of the machine") {
     Cluster every_generation{.slaves = 3, .measurements = "generation"};
     for (const Cluster& cluster : {slow_neighbours, slow_master, slow_links, no_work, every_generation})
         CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);
+}
+
+TEST_CASE("... and with an elite, Gray code and universal sampling, each by itself and all at once") {
+    std::set<std::string> different{populations_of_traditional(30, 1)};
+    for (std::size_t elite : {0u, 3u})
+        for (Coding coding : {Coding::natural, Coding::gray})
+            for (bool universal : {false, true}) {
+                SearchSettings settings = settings_for(30);
+                settings.elite = elite;
+                settings.reproduction = universal ? Reproduction::universal : Reproduction::roulette;
+                std::string traditional = populations_of_traditional(settings, 1, coding);
+                different.insert(traditional);
+                std::string parameters =
+                    fmt::format("rehearsals = 1, elite = {}, coding = \"{}\", reproduction = \"{}\"", elite,
+                                name_of(coding), universal ? "universal" : "roulette");
+                CAPTURE(parameters);
+                for (const char* split : {"individuals", "demand", "evaluations"})
+                    for (int slaves : {0, 1, 4}) {
+                        CAPTURE(split);
+                        CAPTURE(slaves);
+                        Cluster cluster{.slaves = slaves, .split = split, .master_parameters = parameters};
+                        CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);
+                    }
+            }
+    CHECK(different.size() == 8); // no option goes unheard
+}
+
+TEST_CASE("an elite as large as the population is refused, naming what would be right") {
+    Cluster cluster{.master_parameters = "rehearsals = 1, elite = 30"};
+    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("expected at most 28"),
+                         std::invalid_argument);
+}
+
+TEST_CASE("a coding that is none is refused by the netlist's checker") {
+    Cluster cluster{.master_parameters = "rehearsals = 1, coding = \"grey\""};
+    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("gray"), std::runtime_error);
 }
 
 TEST_CASE("... and another seed gives other generations") {

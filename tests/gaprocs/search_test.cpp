@@ -50,10 +50,12 @@ struct PlainSearch {
     RandomStream random;
     std::size_t bits;
     Texts population;
+    std::size_t elite = 0;
+    bool universal = false;
 
-    void draw(std::size_t count) {
-        population.assign(count, "");
-        for (std::string& text : population) {
+    Texts draw(std::size_t count) {
+        Texts drawn(count);
+        for (std::string& text : drawn) {
             std::uint32_t number = 0;
             for (std::size_t i = 0; i < bits; ++i) {
                 if (i % 32 == 0)
@@ -61,16 +63,27 @@ struct PlainSearch {
                 text += (number >> (31 - i % 32)) & 1u ? '1' : '0';
             }
         }
+        return drawn;
     }
 
     void next_generation() {
+        Texts ranked = population;
+        std::stable_sort(ranked.begin(), ranked.end(),
+                         [](const std::string& a, const std::string& b) { return more_ones(a) > more_ones(b); });
+        ranked.resize(elite);
+        Texts offspring = breed(population.size() - elite);
+        population = ranked;
+        population.insert(population.end(), offspring.begin(), offspring.end());
+    }
+
+    Texts breed(std::size_t count) {
         double total = 0;
         for (const std::string& text : population)
             total += std::max(more_ones(text), 0.0);
         if (total == 0)
-            return draw(population.size());
-        Texts offspring;
-        for (std::size_t i = 0; i < population.size(); ++i)
+            return draw(count);
+        Texts offspring = universal ? spin_once(count, total) : Texts{};
+        while (offspring.size() < count)
             offspring.push_back(spin(random.uniform() * total));
         for (std::size_t i = 0; i + 1 < offspring.size(); i += 2)
             if (bits > 1 && random.uniform() < 0.8) {
@@ -82,7 +95,17 @@ struct PlainSearch {
             for (char& c : text)
                 if (random.uniform() < 0.01)
                     c = c == '0' ? '1' : '0';
-        population = offspring;
+        return offspring;
+    }
+
+    Texts spin_once(std::size_t count, double total) {
+        double turn = random.uniform();
+        Texts parents;
+        for (std::size_t i = 0; i < count; ++i)
+            parents.push_back(spin((static_cast<double>(i) + turn) / static_cast<double>(count) * total));
+        for (std::size_t left = count; left > 1; --left)
+            std::swap(parents[left - 1], parents[random.below(static_cast<std::uint32_t>(left))]);
+        return parents;
     }
 
     const std::string& spin(double ball) const {
@@ -96,23 +119,32 @@ struct PlainSearch {
 
 } // namespace
 
-TEST_CASE("the search is the plainly written algorithm, for every size of string and population") {
+TEST_CASE("the search is the plainly written algorithm, for every size of string and population, and every option") {
     std::uint64_t redraws = 0;
     for (std::size_t bits : {1u, 2u, 3u, 10u, 33u, 64u, 65u, 130u})
-        for (std::size_t population : {2u, 3u, 4u, 7u, 30u}) {
-            CAPTURE(bits);
-            CAPTURE(population);
-            RandomStream random(bits, "plain");
-            PlainSearch plain{random, bits, {}};
-            plain.draw(population);
-            Search search(bits, small(population), random);
-            for (int generation = 0; generation < 40; ++generation) {
-                REQUIRE(texts_of(search) == plain.population);
-                search.next_generation(fitness_of(plain.population));
-                plain.next_generation();
-            }
-            redraws += search.redraws();
-        }
+        for (std::size_t population : {2u, 3u, 4u, 7u, 30u})
+            for (std::size_t elite : {0u, 1u, 2u})
+                for (bool universal : {false, true}) {
+                    if (elite + 2 > population)
+                        continue;
+                    CAPTURE(bits);
+                    CAPTURE(population);
+                    CAPTURE(elite);
+                    CAPTURE(universal);
+                    RandomStream random(bits, "plain");
+                    PlainSearch plain{random, bits, {}, elite, universal};
+                    plain.population = plain.draw(population);
+                    SearchSettings settings = small(population);
+                    settings.elite = elite;
+                    settings.reproduction = universal ? Reproduction::universal : Reproduction::roulette;
+                    Search search(bits, settings, random);
+                    for (int generation = 0; generation < 40; ++generation) {
+                        REQUIRE(texts_of(search) == plain.population);
+                        search.next_generation(fitness_of(plain.population));
+                        plain.next_generation();
+                    }
+                    redraws += search.redraws();
+                }
     CHECK(redraws > 0); // this way has been gone too
 }
 

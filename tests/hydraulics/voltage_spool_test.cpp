@@ -12,15 +12,10 @@ TEST_CASE("A.1 and its inverse at the thesis's knees and spools") {
     struct Pair {
         double spool_in, volts;
     };
-    for (auto [spool_in, volts] : std::initializer_list<Pair>{{0.188, 0.1786},
-                                                              {0.2007, 0.2117},
-                                                              {0.2427, 0.3110},
-                                                              {0.2650, 0.3586},
-                                                              {0.2741, 0.3771},
-                                                              {0.376, 0.5588},
-                                                              {0.5, 0.7362},
-                                                              {0.1297, 0},
-                                                              {0.7356, 1}}) {
+    constexpr Pair pairs[] = {{0.188, 0.1786}, {0.2007, 0.2117}, {0.2427, 0.3110}, {0.2650, 0.3586}, {0.2741, 0.3771},
+                              {0.376, 0.5588}, {0.5, 0.7362},    {0.1297, 0},      {0.7356, 1}};
+    for (const Pair& pair : pairs) {
+        double spool_in = pair.spool_in, volts = pair.volts;
         CAPTURE(spool_in);
         CHECK(std::abs(servo_volts(spool_in) - volts) < 1e-4);
         CHECK(std::abs(desired_spool_in(volts) - spool_in) < 1e-4);

@@ -24,6 +24,20 @@ TEST_CASE("Philox 4x32-10 gives the known answer of Random123's kat_vectors for 
     CHECK(block[3] == 0x9b00dbd8);
 }
 
+TEST_CASE("filling takes the numbers that so many calls would give, from any place in a block") {
+    for (std::size_t before = 0; before < 5; ++before)
+        for (std::size_t count = 0; count < 14; ++count) {
+            RandomStream one(3, "fill"), all(3, "fill");
+            std::array<std::uint32_t, 14> numbers{};
+            for (std::size_t i = 0; i < before; ++i)
+                CHECK(one() == all());
+            all.fill(std::span(numbers).first(count));
+            for (std::size_t i = 0; i < count; ++i)
+                REQUIRE(numbers.at(i) == one());
+            REQUIRE(all() == one());
+        }
+}
+
 TEST_CASE("below(n) is uniform over 0 ... n - 1") {
     RandomStream stream(7, "dice");
     std::array<int, 6> seen{};

@@ -1,0 +1,175 @@
+#include "app/monitor/dispatcher.hpp"
+
+#include "app/monitor/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace placedpar::monitor {
+
+void Dispatcher::leave(Client& client) {
+    clients_.erase(&client);
+    if (!client.hello)
+        return;
+    const std::string& machine = client.hello->machine;
+    of_machine_[machine].erase(&client);
+    if (of_machine_[machine].empty())
+        of_machine_.erase(machine);
+    if (auto found = control_.find(machine); found != control_.end() && found->second == &client)
+        control_.erase(found);
+}
+
+void Dispatcher::take(Client& client, std::string_view line) {
+    auto begin = LoadMeter::Clock::now();
+    try {
+        Message message = parse_message(line);
+        std::visit([&](const auto& each) { answer(client, each, line); }, message);
+    } catch (const BadMessage& bad) {
+        client.send(error_line(client.lines(), bad));
+    }
+    meter_.count_work(LoadMeter::Clock::now() - begin);
+}
+
+Machine& Dispatcher::machine_of(Client& client) const {
+    if (!client.hello)
+        throw BadMessage("type", "no hello yet", "first {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}");
+    return machines_.named(client.hello->machine);
+}
+
+Machine& Dispatcher::controlled_by(Client& client) const {
+    Machine& machine = machine_of(client);
+    if (client.hello->role != Role::control)
+        throw BadMessage("type", "a watcher may ask, not tell",
+                         "status, load, ping or bye; \"role\":\"control\" in hello");
+    return machine;
+}
+
+void Dispatcher::answer(Client& client, const Hello& hello, std::string_view line) {
+    if (client.hello)
+        throw BadMessage("type", fmt::format("this connection is about \"{}\" already", client.hello->machine),
+                         "another connection");
+    Machine& machine = machines_.greet(hello);
+    client.hello = hello;
+    client.greeted();
+    of_machine_[hello.machine].insert(&client);
+    if (hello.role == Role::control) {
+        record(hello.machine, line, 0);
+        // The old connection may be half open, its control system long gone.
+        if (Client* other = std::exchange(control_[hello.machine], &client)) {
+            other->send(plain_line("closing", "another control system has said hello for this machine"));
+            other->finish();
+        }
+    }
+    client.send(welcome_line(machine, machines_.seed()));
+}
+
+void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
+    Machine& machine = controlled_by(client);
+    machine.change(change);
+    record(machine.name(), line, 0);
+    tell_watchers(machine.name(), configured_line(machine), [](const Hello&) { return true; });
+}
+
+void Dispatcher::answer(Client& client, const SampleMessage& sample, std::string_view line) {
+    Machine& machine = controlled_by(client);
+    SampleOutcome outcome = machine.take(sample);
+    meter_.count_sample(outcome.generations);
+    record(machine.name(), line, outcome.generations);
+    tell_watchers(machine.name(), estimates_line(machine, outcome, machines_.settings()), [&](const Hello& hello) {
+        return hello.answers == Answers::all || (hello.answers == Answers::moved && outcome.generations > 0);
+    });
+    tell_alarms(machine, outcome);
+}
+
+void Dispatcher::answer(Client& client, const BaselineMessage& baseline, std::string_view line) {
+    Machine& machine = controlled_by(client);
+    SampleOutcome outcome = machine.set_baseline(baseline);
+    record(machine.name(), line, 0);
+    client.send(status_line(machine, machines_.settings()));
+    tell_alarms(machine, outcome);
+}
+
+void Dispatcher::answer(Client& client, const StatusRequest&, std::string_view) {
+    client.send(status_line(machine_of(client), machines_.settings()));
+}
+
+void Dispatcher::answer(Client& client, const LoadRequest&, std::string_view) {
+    client.greeted();
+    client.send(load());
+}
+
+void Dispatcher::answer(Client& client, const Ping&, std::string_view) {
+    client.greeted();
+    client.send(plain_line("pong"));
+}
+
+void Dispatcher::answer(Client& client, const Bye&, std::string_view) {
+    client.send(plain_line("closing", "bye"));
+    client.finish();
+}
+
+void Dispatcher::tell_watchers(const std::string& machine, std::string_view line,
+                               const std::function<bool(const Hello&)>& to) {
+    for (Client* client : of_machine_[machine])
+        if (to(*client->hello))
+            client->send(line);
+}
+
+void Dispatcher::tell_alarms(const Machine& machine, const SampleOutcome& outcome) {
+    auto everybody = [](const Hello&) { return true; };
+    for (const Alarm& alarm : outcome.raised)
+        tell_watchers(machine.name(), alarm_line(machine, alarm, true), everybody);
+    for (const Alarm& alarm : outcome.cleared)
+        tell_watchers(machine.name(), alarm_line(machine, alarm, false), everybody);
+}
+
+void Dispatcher::record(const std::string& machine, std::string_view line, std::size_t generations) {
+    if (!store_)
+        return;
+    try {
+        store_->record(machine, line, generations);
+        recorded_ = true;
+        if (store_->long_enough())
+            store_->write(machines_);
+        complained_ = false;
+    } catch (const std::exception& error) {
+        // The diagnosis goes on: it is worth more than its memory.
+        if (!std::exchange(complained_, true))
+            complain_(fmt::format("{}; going on, but a restart would forget", error.what()));
+    }
+}
+
+std::size_t Dispatcher::clients() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(clients_, [](const Client* client) { return !client->finishing(); }));
+}
+
+std::string Dispatcher::load() const {
+    std::size_t queued = 0;
+    for (const Client* client : clients_)
+        queued += client->queued_bytes();
+    return load_line(meter_, clients(), machines_.all().size(), queued);
+}
+
+void Dispatcher::tick() {
+    meter_.tick();
+    auto now = LoadMeter::Clock::now();
+    for (Client* client : clients_)
+        if (client->hello && client->hello->load_every_s > 0 &&
+            std::chrono::duration<double>(now - client->last_load).count() >= client->hello->load_every_s) {
+            client->last_load = now;
+            client->send(load());
+        }
+}
+
+void Dispatcher::say_goodbye() {
+    for (Client* client : clients_) {
+        client->send(plain_line("closing", "the monitor stops"));
+        client->finish();
+    }
+}
+
+} // namespace placedpar::monitor

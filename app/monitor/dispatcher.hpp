@@ -1,0 +1,87 @@
+#pragma once
+
+#include "app/monitor/load_meter.hpp"
+#include "app/monitor/machines.hpp"
+#include "app/monitor/message.hpp"
+#include "app/monitor/state_store.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace placedpar::monitor {
+
+/// One who is connected, as the dispatcher sees him.
+class Client {
+public:
+    virtual ~Client() = default;
+    virtual void send(std::string_view line) = 0;
+    /// Sends what is waiting and closes.
+    virtual void finish() = 0;
+    virtual void greeted() = 0;
+    virtual bool finishing() const = 0;
+    /// Lines that came from him, the present one included.
+    virtual std::size_t lines() const = 0;
+    virtual std::size_t queued_bytes() const = 0;
+
+    std::optional<Hello> hello; // that he said
+    std::chrono::steady_clock::time_point last_load;
+};
+
+/// Takes the clients' messages to the machines and the answers back. Knows nothing of sockets.
+class Dispatcher {
+public:
+    /// `store` may be null: nothing is kept. `complain` is given sentences for the operator.
+    Dispatcher(Machines& machines, StateStore* store, std::function<void(const std::string&)> complain)
+        : machines_(machines), store_(store), complain_(std::move(complain)) {}
+
+    void enter(Client& client) { clients_.insert(&client); }
+    void leave(Client& client);
+    /// A line of the client; answers go to whom they concern.
+    void take(Client& client, std::string_view line);
+    /// Loads that are due. To be called a few times a second.
+    void tick();
+    /// To all, who are then closed.
+    void say_goodbye();
+    /// Has anything been recorded since this was asked last?
+    bool anything_recorded() { return std::exchange(recorded_, false); }
+
+    /// Without those who are about to be closed.
+    std::size_t clients() const;
+    const LoadMeter& meter() const { return meter_; }
+
+private:
+    void answer(Client&, const Hello&, std::string_view line);
+    void answer(Client&, const ConfigurationChange&, std::string_view line);
+    void answer(Client&, const SampleMessage&, std::string_view line);
+    void answer(Client&, const BaselineMessage&, std::string_view line);
+    void answer(Client&, const StatusRequest&, std::string_view line);
+    void answer(Client&, const LoadRequest&, std::string_view line);
+    void answer(Client&, const Ping&, std::string_view line);
+    void answer(Client&, const Bye&, std::string_view line);
+
+    Machine& machine_of(Client& client) const;
+    Machine& controlled_by(Client& client) const;
+    void record(const std::string& machine, std::string_view line, std::size_t generations);
+    void tell_watchers(const std::string& machine, std::string_view line, const std::function<bool(const Hello&)>& to);
+    void tell_alarms(const Machine& machine, const SampleOutcome& outcome);
+    std::string load() const;
+
+    Machines& machines_;
+    StateStore* store_;
+    std::function<void(const std::string&)> complain_;
+    LoadMeter meter_;
+    std::set<Client*> clients_;
+    std::map<std::string, std::set<Client*>> of_machine_;
+    std::map<std::string, Client*> control_;
+    bool recorded_ = false;
+    bool complained_ = false; // of the state; once until it is well again
+};
+
+} // namespace placedpar::monitor

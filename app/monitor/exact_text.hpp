@@ -1,0 +1,25 @@
+#pragma once
+
+#include "gaprocs/genome.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::monitor {
+
+/// Numbers and strings as text that gives back the same bits, which a JSON parser's doubles need not.
+
+/// Separated by blanks, each as short as it can be.
+std::string exact_text(std::span<const double> numbers);
+/// Throws std::runtime_error.
+std::vector<double> numbers_from(std::string_view text);
+
+/// In hexadecimal, separated by blanks. REQUIRES: all of one size up to 64.
+std::string exact_text(std::span<const Genome> strings);
+/// Throws std::runtime_error.
+std::vector<Genome> genomes_from(std::string_view text, std::size_t bits);
+
+} // namespace placedpar::monitor

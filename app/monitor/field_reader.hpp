@@ -1,0 +1,49 @@
+#pragma once
+
+#include <boost/json.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::monitor {
+
+/// A range that a number has to be in, ends included.
+struct Range {
+    double least, greatest;
+    const char* unit; // may be ""
+};
+
+/// Reads the fields of a JSON object and remembers which were asked for, so that what is left over, most likely
+/// misspelt, can be refused. Every function throws BadMessage naming the field by its path.
+class FieldReader {
+public:
+    FieldReader(const boost::json::object& object, std::string path) : object_(object), path_(std::move(path)) {}
+
+    bool has(std::string_view name);
+    double number(std::string_view name, const Range& range);
+    double number_or(std::string_view name, const Range& range, double otherwise);
+    std::string text(std::string_view name);
+    std::string text_or(std::string_view name, std::string otherwise);
+    bool flag_or(std::string_view name, bool otherwise);
+    const boost::json::array& array(std::string_view name);
+    /// A reader of the object in this field.
+    FieldReader object(std::string_view name);
+
+    /// All names, in the order of the line.
+    std::vector<std::string> names() const;
+    /// Throws when a field was never asked for.
+    void finish() const;
+    /// The path of a field.
+    std::string path_of(std::string_view name) const;
+
+private:
+    const boost::json::value& require(std::string_view name, const char* right);
+
+    const boost::json::object& object_;
+    std::string path_;
+    std::vector<std::string> asked_;
+};
+
+} // namespace placedpar::monitor

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::monitor {
+
+/// What is left of a journal after whatever happened to its writer.
+struct JournalContent {
+    std::uint64_t epoch = 0;          // of the state file that the records come after
+    std::vector<std::string> records; // those before the first damage
+    std::size_t good_bytes = 0;       // from the start, whole records
+    std::size_t damaged_bytes = 0;    // after those: the torn last record of a killed writer, or worse
+};
+
+/// An append-only file of records, a line each: CRC-32 in hexadecimal, a blank, the record. The first line
+/// names the epoch. A record is written by one system call before anything is answered, so that a kill of the
+/// program loses none that was answered and tears at most the last; a loss of power loses what was appended
+/// since the last sync(). One program at a time may have a journal open.
+class Journal {
+public:
+    /// Opens or makes the file and takes its lock. Throws std::runtime_error naming the file and the reason,
+    /// also when another program has it.
+    explicit Journal(std::filesystem::path path);
+    ~Journal();
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    JournalContent read() const;
+    /// Cuts the damage off.
+    void truncate(std::size_t good_bytes);
+    /// Empties it: from now on, records come after the state file of this epoch.
+    void begin(std::uint64_t epoch);
+
+    /// REQUIRES: no newline in the record. Throws std::runtime_error, having appended nothing.
+    void append(std::string_view record);
+    std::size_t bytes() const { return bytes_; }
+    /// To the disk itself. Safe to call from another thread. Throws std::runtime_error.
+    void sync() const;
+
+private:
+    [[noreturn]] void fail(const char* what) const;
+
+    std::filesystem::path path_;
+    int file_;
+    std::size_t bytes_ = 0;
+};
+
+} // namespace placedpar::monitor

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+struct Point {
+    double x, y;
+};
+
+enum class Stroke { line, dashes, points };
+
+/// Texts are plain: "in³/s", not "in^3/s".
+struct Series {
+    std::string name; ///< in the legend; empty: not there
+    std::vector<Point> points;
+    Stroke stroke = Stroke::line;
+    std::optional<int> colour = std::nullopt; ///< which of the eight; none: that of its place among the panel's series
+};
+
+/// A horizontal line over the whole width.
+struct Mark {
+    std::string name;
+    double y;
+};
+
+struct Axis {
+    std::string label; ///< with unit: "pressure [psi]"
+    std::optional<double> from = std::nullopt, to = std::nullopt;
+    bool logarithmic = false;
+};
+
+/// One diagram. Its legend stands to the right of it.
+struct Panel {
+    std::string title;
+    Axis x, y;
+    std::vector<Series> series;
+    std::vector<Mark> marks = {};
+};
+
+/// Panels, one below the other.
+struct Plot {
+    std::string title;
+    std::vector<Panel> panels;
+};
+
+/// A plot and the name of its file, without .svg.
+struct NamedPlot {
+    std::string name;
+    Plot plot;
+};
+
+/// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series and
+/// a series without points, std::runtime_error when gnuplot is not there or refuses the plot.
+std::string draw_svg(const Plot&);
+
+} // namespace placedpar

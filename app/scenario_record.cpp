@@ -1,0 +1,131 @@
+#include "app/scenario_record.hpp"
+
+#include "hydraulics/units.hpp"
+#include "netlist/nearest.hpp"
+#include "runtime/random.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// A number, and perhaps a unit behind it.
+double value_of(const Parameter& parameter, const std::string& text) {
+    auto refuse = [&](const std::string& why) {
+        throw std::runtime_error(fmt::format("--set {}={}: {}", parameter.name, text, why));
+    };
+    double number = 0;
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || !std::isfinite(number))
+        refuse(fmt::format("it takes a number, of {} where no unit is named",
+                           parameter.unit.empty() ? "no unit" : parameter.unit));
+    std::string_view rest(end, text.data() + text.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    if (rest.empty())
+        return number;
+    Quantity quantity = unit_named(parameter.unit)->quantity;
+    const Unit* unit = unit_named(rest);
+    if (!unit || unit->quantity != quantity)
+        refuse(quantity == Quantity::number ? std::string("it has no unit")
+                                            : fmt::format("\"{}\" is not a unit of {}; it takes {}", rest,
+                                                          name_of(quantity), list_units(quantity)));
+    return number * unit->factor;
+}
+
+const Parameter& parameter_called(const RecordScenario& scenario, const Parameters& parameters,
+                                  const std::string& name) {
+    const Parameter* parameter = parameters.find(name);
+    if (parameter && scenario.uses(name))
+        return *parameter;
+    std::vector<std::string> names;
+    for (const Parameter& each : parameters.all())
+        if (scenario.uses(each.name))
+            names.push_back(each.name);
+    std::string nearest = did_you_mean(name, names);
+    throw std::runtime_error(fmt::format(
+        "--set {}: {} has no such parameter; {}", name, scenario.name,
+        nearest.empty() ? fmt::format("placedpar record {} --list shows those there are", scenario.name) : nearest));
+}
+
+/// In quotes where it holds what separates cells.
+std::string cell(const std::string& text) {
+    return text.find_first_of(",\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
+}
+
+std::string description_of(const RecordScenario& scenario, const Parameters& parameters, std::uint64_t seed) {
+    const Parameters own = scenario.parameters(Parameters::excavator());
+    std::string command = fmt::format("placedpar record {} --seed {}", scenario.name, seed), changed;
+    for (const Parameter& parameter : parameters.all()) {
+        const Parameter& before = *own.find(parameter.name);
+        if (!scenario.uses(parameter.name) || parameter.value == before.value)
+            continue;
+        command += fmt::format(" --set {}={}", parameter.name, parameter.value);
+        changed += fmt::format("{} = {} {}, not {}\n", parameter.name, parameter.value, parameter.unit, before.value);
+    }
+    std::string truth;
+    for (const Parameter& parameter : parameters.all())
+        if (scenario.uses(parameter.name) && parameter.name.ends_with("let_compliance"))
+            truth += fmt::format("{}true {} {} {}", truth.empty() ? "" : ", ", parameter.name, parameter.value,
+                                 parameter.unit);
+    return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
+                       changed.empty() ? "every parameter is the program's own" : "parameters that were set:", changed,
+                       truth);
+}
+
+} // namespace
+
+const RecordScenario& scenario_called(std::string_view name) {
+    if (const RecordScenario* scenario = record_scenario_named(name))
+        return *scenario;
+    std::vector<std::string> names;
+    for (const RecordScenario& scenario : record_scenarios())
+        names.emplace_back(scenario.name);
+    throw std::runtime_error(fmt::format("there is no scenario \"{}\"; there are {}, {} and {}", name, names.at(0),
+                                         names.at(1), names.at(2)));
+}
+
+Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,
+                               const Overrides& overrides) {
+    Parameters parameters = scenario.parameters(machine);
+    if (!noise.empty()) {
+        std::vector<Parameter> rows = noise_rows(machine, noise);
+        if (rows.empty())
+            throw std::runtime_error(fmt::format("--noise {}: it takes none, low, mid or high", noise));
+        for (Parameter& row : rows)
+            parameters.put(std::move(row));
+    }
+    for (const auto& [name, text] : overrides)
+        parameters.set(name, value_of(parameter_called(scenario, parameters, name), text));
+    return parameters;
+}
+
+Record scenario_record(const RecordScenario& scenario, const Parameters& parameters, std::uint64_t seed) {
+    RandomStream noise(seed, "sensors");
+    Record record = scenario.make(parameters, [&] { return noise.uniform(); });
+    record.description = description_of(scenario, parameters, seed);
+    return record;
+}
+
+std::string list_parameters(const RecordScenario& scenario, const Parameters& parameters) {
+    std::string text = "name,value,unit,mark,source\n";
+    for (const Parameter& parameter : parameters.all())
+        if (scenario.uses(parameter.name))
+            text += fmt::format("{},{},{},{},{}\n", parameter.name, parameter.value, cell(parameter.unit),
+                                parameter.mark, cell(parameter.source));
+    return text;
+}
+
+std::string list_record_scenarios() {
+    std::string text;
+    for (const RecordScenario& scenario : record_scenarios())
+        text += fmt::format("  {:<12} {}\n", scenario.name, scenario.about);
+    return text;
+}
+
+} // namespace placedpar

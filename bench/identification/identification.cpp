@@ -1,0 +1,201 @@
+// How fast a compliance is identified natively, by us and by others, on the same records with the same budget, and how
+// good the answers are. The machine of the thesis took 0.8 s for such a transient on sixteen T800s, 10 s on one.
+//
+// usage: identification [SEEDS]
+
+#include "bench/identification/contest.hpp"
+#include "gaprocs/operators.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "hydraulics/boom_record.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/random.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+using namespace placedpar;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+Transient transient_of(std::uint64_t seed) {
+    BoomScenario scenario;
+    RandomStream sensors(seed, "sensors");
+    Transient transient{{}, scenario.flow, seed};
+    for (const auto& values : boom_record(scenario, low_noise, [&] { return sensors.uniform(); }))
+        transient.record.push_back(BoomSample::from(values));
+    return transient;
+}
+
+/// The value that the given share of the errors does not exceed.
+double quantile(std::vector<double> errors, double share) {
+    std::sort(errors.begin(), errors.end());
+    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size())));
+    return errors.at(std::max<std::size_t>(rank, 1) - 1);
+}
+
+struct Result {
+    Contestant contestant;
+    double seconds = std::numeric_limits<double>::infinity(); // for all transients, the fastest round
+    std::uint64_t error_evaluations = 0;
+    std::vector<double> compliances;
+
+    void run(std::span<const Transient> transients) {
+        compliances.clear();
+        error_evaluations = 0;
+        auto start = Clock::now();
+        for (const Transient& transient : transients) {
+            Answer answer = contestant.identify(transient);
+            compliances.push_back(answer.compliance);
+            error_evaluations += answer.error_evaluations;
+        }
+        seconds = std::min(seconds, seconds_since(start));
+    }
+};
+
+/// The compliance of greatest fitness in the last window: 65536 are tried.
+double optimum(const Transient& transient) {
+    constexpr int codes = 1 << 16;
+    auto window = transient.window_at(transient.windows() - 1);
+    double best = 0, greatest = -std::numeric_limits<double>::infinity();
+    for (int code = 0; code < codes; ++code) {
+        double compliance = Transient::largest * code / codes;
+        if (double fitness = transient.fitness(compliance, window); fitness > greatest) {
+            greatest = fitness;
+            best = compliance;
+        }
+    }
+    return best;
+}
+
+/// By how much compliances miss what they should be, in percent.
+std::vector<double> percent_missed(std::span<const double> compliances, std::span<const double> right) {
+    std::vector<double> missed;
+    for (std::size_t i = 0; i < compliances.size(); ++i)
+        missed.push_back(100 * std::abs(compliances[i] / right[i] - 1));
+    return missed;
+}
+
+void print_head() {
+    fmt::print("{:57}{:^25}{:^20}{:^18}\n", "", "error evaluations", "error, %", "from optimum, %");
+    fmt::print("{:<28}{:>14}{:>14}{:>14}{:>10}{:>11}{:>9}{:>10}{:>8}\n", "", "generations/s", "ms/transient", "in each",
+               "ns*", "median", "P90", "median", "P90");
+}
+
+void print(const Result& result, std::span<const Transient> transients, std::span<const double> optima) {
+    std::vector<double> truth(transients.size(), BoomScenario{}.machine.inlet_compliance_in3_per_psi);
+    auto errors = percent_missed(result.compliances, truth), distances = percent_missed(result.compliances, optima);
+    std::size_t generations = 0;
+    for (const Transient& transient : transients)
+        generations += transient.windows() * Transient::trials;
+    auto count = static_cast<double>(transients.size()), evaluations = static_cast<double>(result.error_evaluations);
+    fmt::print("{:<28}{:>14.0f}{:>14.3f}{:>14.0f}{:>10.1f}{:>11.2f}{:>9.2f}{:>10.2f}{:>8.2f}\n", result.contestant.name,
+               static_cast<double>(generations) / result.seconds, 1e3 * result.seconds / count, evaluations / count,
+               1e9 * result.seconds / evaluations, quantile(errors, 0.5), quantile(errors, 0.9),
+               quantile(distances, 0.5), quantile(distances, 0.9));
+}
+
+/// Nanoseconds of one error evaluation by `evaluate`, which fills in the fitness of a population: the fastest of
+/// several goes.
+template <typename Evaluate>
+double nanoseconds_of(std::size_t evaluations, int goes, Evaluate evaluate) {
+    double fastest = std::numeric_limits<double>::infinity();
+    for (int go = 0; go < goes; ++go) {
+        constexpr int times = 100;
+        auto start = Clock::now();
+        for (int i = 0; i < times; ++i)
+            evaluate();
+        fastest = std::min(fastest, seconds_since(start) / times);
+    }
+    return 1e9 * fastest / static_cast<double>(evaluations);
+}
+
+/// False if one by one and all at once do not give the same bits.
+bool time_evaluations(const Transient& transient, int goes) {
+    auto problem = make_search_problem(BoomProblem(transient.flow));
+    RandomStream random(1, "evaluations");
+    auto population = random_population(Transient::population, problem->bits(), random);
+    std::vector<Sample> window;
+    for (const BoomSample& each : transient.window_at(transient.windows() - 1))
+        window.push_back(
+            {each.inlet_psi, each.inlet_slope_psi_per_s, each.piston_flow_in3_per_s, each.inlet_in2, each.bypass_in2});
+    std::vector<double> alone(population.size()), together(population.size());
+    std::size_t evaluations = population.size() * window.size();
+    double one_by_one = nanoseconds_of(evaluations, goes, [&] {
+        for (std::size_t i = 0; i < population.size(); ++i)
+            alone[i] = problem->fitness(population[i], window, Transient::bias);
+    });
+    double vectorised =
+        nanoseconds_of(evaluations, goes, [&] { problem->fitness_of(population, window, Transient::bias, together); });
+    fmt::print("one error evaluation: {:.2f} ns one by one, {:.2f} ns vectorised ({})\n\n", one_by_one, vectorised,
+               Eigen::SimdInstructionSetsInUse());
+    return alone == together;
+}
+
+std::vector<Result> contest(std::span<const Transient> transients, int rounds) {
+    std::vector<Result> results;
+    for (const auto& group : {ours(), galib(), pagmo()})
+        for (const Contestant& contestant : group)
+            results.push_back({contestant, std::numeric_limits<double>::infinity(), 0, {}});
+    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine meets everybody
+        for (Result& result : results)
+            result.run(transients);
+    return results;
+}
+
+std::uint64_t fingerprint(std::span<const Result> results) {
+    Fingerprint all;
+    for (const Result& result : results.first(ours().size()))
+        for (double compliance : result.compliances)
+            all.mix(std::bit_cast<std::uint64_t>(compliance));
+    return all.value();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    long seeds = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 50;
+    if (argc > 2 || seeds < 1) {
+        fmt::print(stderr, "usage: identification [SEEDS, at least 1]\n");
+        return 1;
+    }
+    const int rounds = seeds < 10 ? 1 : 5;
+    std::vector<Transient> transients;
+    for (long seed = 1; seed <= seeds; ++seed)
+        transients.push_back(transient_of(static_cast<std::uint64_t>(seed)));
+    fmt::print(
+        "The boom's compliance from a transient of 0.4 s: {} samples, {} generations of {}, window {}; {} seeds\n",
+        transients.front().record.size(), transients.front().windows() * Transient::trials, Transient::population,
+        Transient::window, seeds);
+    bool same_bits = time_evaluations(transients.front(), 20 * rounds);
+
+    auto results = contest(transients, rounds);
+    std::vector<double> optima;
+    for (const Transient& transient : transients)
+        optima.push_back(optimum(transient));
+    print_head();
+    for (const Result& result : results)
+        print(result, transients, optima);
+    fmt::print(
+        "* all of a transient's time over its error evaluations. The optimum is that of the last window; codes of 10 "
+        "bits are {:.2f} % apart.\n",
+        100 * Transient::largest / 1024 / BoomScenario{}.machine.inlet_compliance_in3_per_psi);
+    for (auto [rival, missing] : {std::pair("GAlib", galib().empty()), std::pair("pagmo", pagmo().empty())})
+        if (missing)
+            fmt::print("{} is missing: tools/rivals.sh fetches it, then configure again\n", rival);
+    for (std::size_t i : {1u, 2u}) // one algorithm, one stream of random numbers
+        same_bits = same_bits && results[i].compliances == results[0].compliances;
+    fmt::print("fingerprint {:016x}\n", fingerprint(results));
+    if (!same_bits)
+        fmt::print(stderr, "the plain loop, one by one and vectorised should have given the same answers\n");
+    return same_bits ? 0 : 1;
+}

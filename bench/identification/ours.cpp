@@ -1,0 +1,133 @@
+#include "bench/identification/contest.hpp"
+
+#include "gaprocs/traditional.hpp"
+#include "gaprocs/window.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace placedpar {
+
+namespace {
+
+constexpr const char* stream = "search"; // of the random numbers: one stream, so that the answers must agree
+
+std::uint64_t all_evaluations(const Transient& transient) {
+    std::uint64_t samples = 0;
+    for (std::size_t i = 0; i < transient.windows(); ++i)
+        samples += transient.window_at(i).size();
+    return samples * Transient::trials * Transient::population;
+}
+
+/// The same algorithm as somebody would write it for this problem alone: whole numbers, loops, nothing else.
+class PlainLoop {
+public:
+    explicit PlainLoop(const Transient& transient) : transient_(transient), random_(transient.seed, stream) {}
+
+    Answer identify() {
+        draw_all();
+        for (std::size_t window = 0; window < transient_.windows(); ++window)
+            for (std::size_t trial = 0; trial < Transient::trials; ++trial) {
+                for (std::size_t i = 0; i < count; ++i)
+                    fitness_[i] = transient_.fitness(compliance(codes_[i]), transient_.window_at(window));
+                best_ = codes_[static_cast<std::size_t>(std::max_element(fitness_.begin(), fitness_.end()) -
+                                                        fitness_.begin())];
+                next_generation();
+            }
+        return {compliance(best_), all_evaluations(transient_)};
+    }
+
+private:
+    static constexpr std::size_t count = Transient::population;
+    static constexpr std::uint32_t length = Transient::bits;
+
+    static double compliance(std::uint32_t code) { return Transient::largest * code / (1u << length); }
+    void draw_all() {
+        for (std::uint32_t& code : codes_)
+            code = random_() >> (32 - length);
+    }
+    void next_generation() {
+        double sum = 0;
+        for (double each : fitness_)
+            sum += std::max(each, 0.0);
+        if (!(sum > 0))
+            return draw_all();
+        std::array<std::uint32_t, count> parents = codes_;
+        for (std::uint32_t& code : codes_) {
+            double ball = random_.uniform() * sum, end = 0;
+            std::size_t i = 0;
+            while ((end += std::max(fitness_[i], 0.0)) <= ball)
+                ++i;
+            code = parents[i];
+        }
+        for (std::size_t i = 0; i + 1 < count; i += 2)
+            if (random_.chance(Transient::crossover)) {
+                std::uint32_t cut = 1 + random_.below(length - 1);
+                std::uint32_t difference = (codes_[i] ^ codes_[i + 1]) >> (length - cut) << (length - cut);
+                codes_[i] ^= difference;
+                codes_[i + 1] ^= difference;
+            }
+        for (std::uint32_t& code : codes_)
+            for (std::uint32_t bit = 0; bit < length; ++bit)
+                if (random_.chance(Transient::mutation))
+                    code ^= 1u << (length - 1 - bit);
+    }
+
+    const Transient& transient_;
+    RandomStream random_;
+    std::array<std::uint32_t, count> codes_{};
+    std::array<double, count> fitness_{};
+    std::uint32_t best_ = 0;
+};
+
+std::vector<Sample> plain_numbers(const Transient& transient) {
+    std::vector<Sample> record;
+    for (const BoomSample& each : transient.record)
+        record.push_back(
+            {each.inlet_psi, each.inlet_slope_psi_per_s, each.piston_flow_in3_per_s, each.inlet_in2, each.bypass_in2});
+    return record;
+}
+
+/// The library, but with the virtual function for one individual.
+Answer one_by_one(const Transient& transient) {
+    auto problem = make_search_problem(BoomProblem(transient.flow));
+    Search search(problem->bits(), {}, RandomStream(transient.seed, stream));
+    SlidingWindow window{WindowSettings{}};
+    std::vector<double> fitness(search.population().size());
+    for (const Sample& sample : plain_numbers(transient)) {
+        window.push(sample);
+        for (std::size_t trial = 0; window.ready() && trial < Transient::trials; ++trial) {
+            for (std::size_t i = 0; i < fitness.size(); ++i)
+                fitness[i] = problem->fitness(search.population()[i], window.samples(), Transient::bias);
+            search.next_generation(fitness);
+        }
+    }
+    return {problem->decode(search.best().genome).at(0), all_evaluations(transient)};
+}
+
+Answer with(const Transient& transient, const SearchSettings& settings, Coding coding) {
+    auto problem = make_search_problem(BoomProblem(transient.flow), coding);
+    SearchResult result =
+        run_traditional(*problem, plain_numbers(transient), settings, RandomStream(transient.seed, stream));
+    return {result.estimates.back().parameters.at(0), all_evaluations(transient)};
+}
+
+Answer thesis_way(const Transient& transient) { return with(transient, {}, Coding::natural); }
+
+Answer service_way(const Transient& transient) {
+    SearchSettings settings;
+    settings.elite = 1;
+    settings.reproduction = Reproduction::universal;
+    return with(transient, settings, Coding::gray);
+}
+
+} // namespace
+
+std::vector<Contestant> ours() {
+    return {{"plain scalar loop", [](const Transient& transient) { return PlainLoop(transient).identify(); }},
+            {"PlacedPar, one by one", one_by_one},
+            {"PlacedPar, vectorised", thesis_way},
+            {"... Gray, elite, universal", service_way}};
+}
+
+} // namespace placedpar

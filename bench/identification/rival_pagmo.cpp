@@ -1,0 +1,59 @@
+// pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and differential evolution. Debian's is built
+// with Boost 1.74, whose headers this file alone sees: it becomes a shared library that shows nothing else.
+
+#include "bench/identification/contest.hpp"
+
+#include <pagmo/algorithms/de.hpp>
+#include <pagmo/algorithms/sga.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// pagmo minimises. A problem is copied into every population, so that a moved window makes a new one.
+struct WindowProblem {
+    const Transient* transient = nullptr;
+    std::span<const BoomSample> window;
+
+    pagmo::vector_double fitness(const pagmo::vector_double& x) const { return {-transient->fitness(x[0], window)}; }
+    std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const { return {{0.0}, {Transient::largest}}; }
+};
+
+template <typename Algorithm>
+Answer identify(const Transient& transient, Algorithm algorithm) {
+    auto seed = static_cast<unsigned>(transient.seed);
+    algorithm.set_seed(seed);
+    std::uint64_t evaluations = 0;
+    pagmo::population population;
+    for (std::size_t number = 0; number < transient.windows(); ++number) {
+        pagmo::problem problem(WindowProblem{&transient, transient.window_at(number)});
+        pagmo::population next(problem, number == 0 ? Transient::population : 0, seed);
+        for (const pagmo::vector_double& x : population.get_x())
+            next.push_back(x); // evaluated again, in the new window: the first of the sample's generations
+        population = algorithm.evolve(std::move(next));
+        evaluations += population.get_problem().get_fevals() * transient.window_at(number).size();
+    }
+    return {population.champion_x()[0], evaluations};
+}
+
+constexpr unsigned generations = Transient::trials - 1;
+
+Answer genetic(const Transient& transient) {
+    return identify(transient, pagmo::sga(generations, 0.8, 10, 0.1, 20, 2, "sbx", "polynomial", "tournament"));
+}
+
+Answer differential_evolution(const Transient& transient) {
+    return identify(transient, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end: the same budget
+}
+
+} // namespace
+
+#pragma GCC visibility push(default)
+std::vector<Contestant> pagmo() { return {{"pagmo sga", genetic}, {"pagmo de", differential_evolution}}; }
+#pragma GCC visibility pop
+
+} // namespace placedpar

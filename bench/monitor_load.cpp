@@ -1,0 +1,231 @@
+// The on-line diagnosis under load: four links of one machine at 50 samples a second, then many machines at once,
+// first at that pace and then as fast as they are answered. The service runs in a thread of its own and is talked to
+// over TCP, as control systems do. Every pressure moves all the time, so that every sample gets its generations: a real
+// machine's transients are a small part of its day.
+//
+//     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the second and third part
+
+#include "app/monitor/load_meter.hpp"
+#include "app/monitor/service.hpp"
+#include "runtime/fingerprint.hpp"
+#include "tests/monitor/transient.hpp"
+
+#include <boost/asio.hpp>
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace asio = boost::asio;
+namespace json = boost::json;
+using asio::ip::tcp;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds period{20};
+
+struct Part {
+    const char* name;
+    const char* configuration;
+    const char* active; // as JSON
+    std::vector<const char*> links;
+    std::size_t clients;
+    bool paced;
+};
+
+/// Pressures that swing by 300 psi at .8 Hz, 1066 psi/s rms, of a machine whose compliances are those below.
+std::string sample_line(const Part& part, std::size_t index) {
+    using namespace placedpar;
+    static constexpr std::array<double, 4> compliances{0.0150, 0.0086, 0.0200, 0.0300};
+    LinkSet active;
+    for (const char* symbol : part.links)
+        active.insert(*link_named(symbol));
+    monitor::Transient transient(*configuration_named(part.configuration), active, compliances);
+    transient.slope_psi_per_s.fill(0);
+    transient.curvature_psi_per_s2 = 0;
+    transient.swing_psi = 300;
+    transient.swing_rad_per_s = 5;
+    monitor::SampleMessage sample = transient.sample(0, index);
+    std::string links;
+    for (MachineLink link : monitor::links_of(active)) {
+        const monitor::Reading& reading = *sample.links[index_of(link)];
+        const auto& areas = std::get<monitor::AreaReading>(reading.valve);
+        links += fmt::format(R"({}"{}":{{"inlet_psi":{:.6f},"angle_deg":{:.8f},"inlet_in2":{},"bypass_in2":{:.8f}}})",
+                             links.empty() ? "" : ",", symbol_of(link), reading.inlet_psi, reading.angle_deg,
+                             areas.inlet_in2, areas.bypass_in2);
+    }
+    return fmt::format("{{\"type\":\"sample\",\"time_s\":{:.2f},\"links\":{{{}}}}}\n", sample.time_s, links);
+}
+
+/// A control system: says hello, then samples, by the clock or when the last one is answered.
+class ControlSystem : public std::enable_shared_from_this<ControlSystem> {
+public:
+    ControlSystem(asio::io_context& io, const Part& part, std::size_t number, std::size_t samples)
+        : socket_(io), timer_(io), part_(part), name_(fmt::format("{}-{}", part.name, number)), samples_(samples) {}
+
+    void start(const tcp::endpoint& service) {
+        socket_.connect(service);
+        socket_.set_option(tcp::no_delay(true));
+        say(fmt::format("{{\"type\":\"hello\",\"version\":1,\"machine\":\"{}\"}}\n", name_));
+        say(fmt::format("{{\"type\":\"configuration\",\"configuration\":\"{}\",\"active\":{}}}\n", part_.configuration,
+                        part_.active));
+        due_ = Clock::now();
+        listen();
+        next();
+    }
+
+    std::vector<double> latencies_ms;
+    std::string last_answer, load;
+
+private:
+    void say(std::string line) {
+        outgoing_.push_back(std::move(line));
+        if (outgoing_.size() == 1)
+            write();
+    }
+    void write() {
+        asio::async_write(socket_, asio::buffer(outgoing_.front()),
+                          [self = shared_from_this()](const boost::system::error_code& error, std::size_t) {
+                              if (error)
+                                  return;
+                              self->outgoing_.pop_front();
+                              if (!self->outgoing_.empty())
+                                  self->write();
+                          });
+    }
+    void next() {
+        if (sent_ == samples_)
+            return;
+        sent_at_.push_back(Clock::now());
+        say(sample_line(part_, sent_++));
+        if (!part_.paced)
+            return;
+        due_ += period;
+        timer_.expires_at(due_);
+        timer_.async_wait([self = shared_from_this()](const boost::system::error_code&) { self->next(); });
+    }
+    void listen() {
+        asio::async_read_until(socket_, incoming_, '\n',
+                               [self = shared_from_this()](const boost::system::error_code& error, std::size_t) {
+                                   if (error)
+                                       return;
+                                   std::istream in(&self->incoming_);
+                                   std::string line;
+                                   std::getline(in, line);
+                                   self->hear(line);
+                               });
+    }
+    void hear(const std::string& line) {
+        if (line.starts_with("{\"type\":\"error\"")) {
+            fmt::print(stderr, "{}\n", line);
+            std::exit(1);
+        }
+        if (line.starts_with("{\"type\":\"estimates\"")) {
+            latencies_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - sent_at_.front()).count());
+            sent_at_.pop_front();
+            last_answer = line;
+            if (!part_.paced)
+                next();
+            if (latencies_ms.size() == samples_)
+                say("{\"type\":\"load\"}\n");
+        } else if (line.starts_with("{\"type\":\"load\"")) {
+            load = line;
+            socket_.close();
+            return;
+        }
+        listen();
+    }
+
+    tcp::socket socket_;
+    asio::steady_timer timer_;
+    asio::streambuf incoming_;
+    std::deque<std::string> outgoing_;
+    std::deque<Clock::time_point> sent_at_;
+    const Part& part_;
+    std::string name_;
+    std::size_t samples_, sent_ = 0;
+    Clock::time_point due_;
+};
+
+double quantile(std::vector<double>& sorted, double part) {
+    return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
+}
+
+double field(const std::string& line, const char* name) { return json::parse(line).at(name).to_number<double>(); }
+
+/// The compliances of an answer, to the bit.
+void mix(placedpar::Fingerprint& fingerprint, const std::string& answer) {
+    json::value value = json::parse(answer);
+    for (const auto& set : value.at("sets").as_object())
+        for (const auto& link : set.value().at("links").as_object())
+            if (const json::value& c = link.value().at("compliance_in3_per_psi"); c.is_number())
+                fingerprint.mix(std::bit_cast<std::uint64_t>(c.to_number<double>()));
+}
+
+/// What a part cost the service: its totals before and after.
+void run(const Part& part, std::size_t samples) {
+    placedpar::monitor::ServiceSettings settings;
+    settings.limits.clients = part.clients + 1;
+    placedpar::monitor::Service service(settings, [](const std::string&) {});
+    std::thread thread([&] { service.run(false); });
+    asio::io_context io;
+    std::vector<std::shared_ptr<ControlSystem>> systems;
+    auto begin = Clock::now();
+    for (std::size_t i = 0; i < part.clients; ++i) {
+        systems.push_back(std::make_shared<ControlSystem>(io, part, i, samples));
+        systems.back()->start({asio::ip::make_address("127.0.0.1"), service.port()});
+    }
+    io.run();
+    double took_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    service.stop();
+    thread.join();
+
+    std::vector<double> latencies_ms;
+    placedpar::Fingerprint fingerprint;
+    double work_s = 0, cpu_s = 0;
+    for (const auto& system : systems) {
+        latencies_ms.insert(latencies_ms.end(), system->latencies_ms.begin(), system->latencies_ms.end());
+        mix(fingerprint, system->last_answer);
+        work_s = std::max(work_s, field(system->load, "work_s"));
+        cpu_s = std::max(cpu_s, field(system->load, "cpu_s"));
+    }
+    std::sort(latencies_ms.begin(), latencies_ms.end());
+    double count = static_cast<double>(latencies_ms.size());
+    fmt::print("{:<22} {:>7} {:>10.0f} {:>9.1f} {:>9.1f} {:>11.1f} {:>9.2f} {:>9.2f} {:>9.2f}   {:016x}\n", part.name,
+               part.clients, count / took_s, 100 * work_s / took_s, 100 * cpu_s / took_s, 1e6 * cpu_s / count,
+               quantile(latencies_ms, 0.5), quantile(latencies_ms, 0.99), latencies_ms.back(), fingerprint.value());
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::size_t samples = argc > 1 ? std::stoul(argv[1]) : 250;
+    std::size_t clients = argc > 2 ? std::stoul(argv[2]) : 200;
+    const std::vector<Part> parts{
+        {"four-links", "d", R"(["BU","BO","ST","SW"])", {"BU", "BO", "ST", "SW"}, 1, true},
+        {"two-sets-of-two", "a", R"(["BU","BO","ST","SW"])", {"BU", "BO", "ST", "SW"}, 1, true},
+        {"booms-at-rest", "a", R"([])", {"BO"}, clients, true},
+        {"booms-at-50-per-s", "a", R"(["BO"])", {"BO"}, clients, true},
+        {"booms-flat-out", "a", R"(["BO"])", {"BO"}, clients, false},
+    };
+    fmt::print("{} samples each, 5 generations of 120 a sample; latencies from a sample to its answer\n", samples);
+    fmt::print("{:<22} {:>7} {:>10} {:>9} {:>9} {:>11} {:>9} {:>9} {:>9}   {}\n", "", "clients", "samples/s",
+               "work [%]", "cpu [%]", "us a sample", "p50 [ms]", "p99 [ms]", "max [ms]", "fingerprint");
+    for (const Part& part : parts)
+        run(part, samples);
+}

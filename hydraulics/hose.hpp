@@ -1,0 +1,41 @@
+#pragma once
+
+namespace placedpar {
+
+/// A hose as the second-order model has it: its fluid moves as one mass between the compliance at the valve's end and
+/// that at the cylinder's end. The thesis's first-order pipe model has their sum alone.
+struct Hose {
+    double inertance_psi_s2_per_in3; // I = density length / bore
+    double resistance_psi_s_per_in3; // R, laminar
+    double valve_share;              // of the compliance that is at the valve's end
+};
+
+/// The two compliances.
+struct HoseEnds {
+    double valve_in3_per_psi, cylinder_in3_per_psi;
+};
+
+/// REQUIRES: 0 < valve_share < 1, compliance > 0.
+inline HoseEnds ends_of(const Hose& hose, double compliance_in3_per_psi) {
+    double valve = hose.valve_share * compliance_in3_per_psi;
+    return {valve, compliance_in3_per_psi - valve};
+}
+
+/// The line's state, or the rate at which it changes. Flow counts from the first end to the second.
+struct HoseLine {
+    double first_psi, flow_in3_per_s, second_psi;
+};
+
+/// Rates of a line with compliances `first` and `second`, whose first end is fed and whose second end is drawn from.
+inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double second_in3_per_psi, const HoseLine& line,
+                         double fed_in3_per_s, double drawn_in3_per_s) {
+    return {(fed_in3_per_s - line.flow_in3_per_s) / first_in3_per_psi,
+            (line.first_psi - line.second_psi - hose.resistance_psi_s_per_in3 * line.flow_in3_per_s) /
+                hose.inertance_psi_s2_per_in3,
+            (line.flow_in3_per_s - drawn_in3_per_s) / second_in3_per_psi};
+}
+
+/// The undamped natural frequency of the fluid between the two ends, both shut: sqrt((1/C_1 + 1/C_2) / I).
+double natural_rad_per_s(const Hose& hose, const HoseEnds& ends);
+
+} // namespace placedpar

@@ -1,0 +1,131 @@
+"""Starts the service under test, which the environment's PLACEDPAR names, and talks to it."""
+
+import json
+import os
+import pathlib
+import re
+import resource
+import signal
+import socket
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["PLACEDPAR"]
+SECONDS = 60  # for anything that should take no time
+
+
+class Service:
+    """A running `placedpar monitor`; its port is any free one."""
+
+    def __init__(self, *arguments, file_bytes=None):
+        def limit_files():
+            if file_bytes:
+                resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
+
+        self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True, preexec_fn=limit_files)
+        first = self.process.stdout.readline()
+        found = re.fullmatch(r"placedpar monitor: listening on (\S+) port (\d+)\n", first)
+        if not found:
+            _, errors = self.process.communicate(timeout=SECONDS)
+            raise AssertionError(f"no port in {first!r}; {errors}")
+        self.address = found[1], int(found[2])
+
+    def stop(self, number=signal.SIGTERM):
+        """The exit code and what was said on standard error."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        _, errors = self.process.communicate(timeout=SECONDS)
+        return self.process.returncode, errors
+
+    def memory_kilobytes(self):
+        """What it occupies now."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text(encoding="ascii")
+        return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1])
+
+
+class Client:
+    """A connection to the service, a JSON object a line each way."""
+
+    def __init__(self, service, machine=None, **hello):
+        self.socket = socket.create_connection(service.address, timeout=SECONDS)
+        self.lines = self.socket.makefile("rb")
+        if machine is not None:
+            self.welcome = self.ask(type="hello", version=1, machine=machine, **hello)
+
+    def send(self, **message):
+        self.send_bytes(json.dumps(message).encode() + b"\n")
+
+    def send_bytes(self, data):
+        self.socket.sendall(data)
+
+    def receive(self):
+        """The next message; None when the service has closed the connection."""
+        line = self.lines.readline()
+        return json.loads(line) if line.endswith(b"\n") else None
+
+    def receive_type(self, wanted):
+        """The next message of a type, those before it left out."""
+        while True:
+            message = self.receive()
+            if message is None or message["type"] == wanted:
+                return message
+
+    def ask(self, **message):
+        self.send(**message)
+        return self.receive()
+
+    def close(self):
+        self.lines.close()
+        self.socket.close()
+
+
+# The constants of the excavator that the service takes when none are given.
+ORIFICE, PUMP, TANK = 99.83, 175.08, 16.2
+PISTON_IN3_PER_DEG = 32 * 22.4 * 3.141592653589793 / 180
+PERIOD_S = 0.020
+
+
+def boom(index, start_s=0.0, compliance=0.0086):
+    """A sample of a boom of this compliance whose pressure rises; 40 in^3/s flow in, the rest to the tank."""
+    t = index * PERIOD_S
+    psi = 1500 + 1800 * t - 300 * t * t
+    piston_in3 = 40 * t - compliance * (psi - 1500)
+    pump_psi = psi + (40 / (ORIFICE * 0.1)) ** 2
+    bypass_in2 = (PUMP - 40) / (ORIFICE * (pump_psi - TANK) ** 0.5)
+    return {"type": "sample", "time_s": round(start_s + t, 6),
+            "links": {"BO": {"inlet_psi": psi, "angle_deg": piston_in3 / PISTON_IN3_PER_DEG, "inlet_in2": 0.1,
+                             "bypass_in2": bypass_in2}}}
+
+
+CONFIGURATION = {"type": "configuration", "configuration": "a", "active": ["BO"]}
+
+
+class ServiceTest(unittest.TestCase):
+    """A test with services, clients and a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def service(self, *arguments, **limits):
+        service = Service(*arguments, **limits)
+        self.addCleanup(service.process.stderr.close)
+        self.addCleanup(service.process.stdout.close)
+        self.addCleanup(service.process.wait)
+        self.addCleanup(service.process.kill)
+        return service
+
+    def client(self, service, machine=None, **hello):
+        client = Client(service, machine, **hello)
+        self.addCleanup(client.close)
+        return client
+
+    def refusal(self, *arguments):
+        """What a service says that does not start."""
+        done = subprocess.run([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, timeout=SECONDS, check=False)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        return done.stderr
