@@ -106,8 +106,9 @@ ProblemRegistry problems_with(const RecordProblem& prepared) {
 
 /// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
 ExitCode run_on_machine(const Options& options, const RecordProblem& prepared, const Identified& native) {
-    Network network = load_network(options.netlist, overrides_of(options.set));
-    RunReport report = run_netlist(network, problems_with(prepared), options.seed);
+    ProblemRegistry problems = problems_with(prepared);
+    Network network = load_network(options.netlist, overrides_of(options.set), problems);
+    RunReport report = run_netlist(network, problems, options.seed);
     fmt::print("\n{}\n", print_report(report, network));
     for (std::size_t j = 0; j < native.links.size(); ++j) {
         double here = native.estimates.back().compliance_in3_per_psi[j];

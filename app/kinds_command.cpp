@@ -25,8 +25,8 @@ std::string print_range(const ParameterDescription& parameter) {
         return fmt::format("{}", fmt::join(parameter.choices, " | "));
     if (parameter.type == ParameterType::text)
         return "text";
-    std::string least = parameter.least ? fmt::format("{:g}", *parameter.least) : "";
-    std::string most = parameter.most ? fmt::format("{:g}", *parameter.most) : "";
+    std::string least = parameter.least ? fmt::format("{}", *parameter.least) : "";
+    std::string most = parameter.most ? fmt::format("{}", *parameter.most) : "";
     return least + " .. " + most;
 }
 

@@ -13,36 +13,56 @@ namespace placedpar {
 
 namespace {
 
+bool guarded = false;
+std::atomic<bool> signal_came{false};
 std::atomic<Machine*> machine_to_interrupt{nullptr};
 
 extern "C" void interrupt_machine(int) {
+    signal_came = true;
     if (Machine* machine = machine_to_interrupt.load())
         machine->interrupt();
 }
 
-/// While it exists, SIGINT and SIGTERM end the machine's run instead of the program.
-class SignalGuard {
+/// While it exists, the signal knows the machine.
+class Interruptible {
 public:
-    explicit SignalGuard(Machine& machine) {
+    explicit Interruptible(Machine& machine) {
         machine_to_interrupt = &machine;
-        before_int_ = std::signal(SIGINT, interrupt_machine);
-        before_term_ = std::signal(SIGTERM, interrupt_machine);
+        if (InterruptGuard::interrupted()) // before the signal knew it
+            machine.interrupt();
     }
-    ~SignalGuard() {
-        std::signal(SIGINT, before_int_);
-        std::signal(SIGTERM, before_term_);
-        machine_to_interrupt = nullptr;
-    }
+    ~Interruptible() { machine_to_interrupt = nullptr; }
 
 private:
-    void (*before_int_)(int);
-    void (*before_term_)(int);
+    InterruptGuard guard_;
 };
 
 } // namespace
 
+InterruptGuard::InterruptGuard() : outermost_(!guarded) {
+    if (!outermost_)
+        return;
+    guarded = true;
+    signal_came = false;
+    before_int_ = std::signal(SIGINT, interrupt_machine);
+    before_term_ = std::signal(SIGTERM, interrupt_machine);
+}
+
+InterruptGuard::~InterruptGuard() {
+    if (!outermost_)
+        return;
+    std::signal(SIGINT, before_int_);
+    std::signal(SIGTERM, before_term_);
+    guarded = false;
+}
+
+bool InterruptGuard::interrupted() { return signal_came; }
+
 Network load_network(const std::filesystem::path& path, const Overrides& overrides) {
-    ProblemRegistry problems = known_problems(0);
+    return load_network(path, overrides, known_problems(0));
+}
+
+Network load_network(const std::filesystem::path& path, const Overrides& overrides, const ProblemRegistry& problems) {
     Catalogue catalogue = known_kinds(problems);
     ReadResult read = read_netlist(path, catalogue, overrides);
     if (!read.network)
@@ -61,7 +81,7 @@ RunReport run_netlist(const Network& network, const ProblemRegistry& problems, s
     Machine machine(network, catalogue, seed);
     if (trace)
         machine.trace_to(*trace);
-    SignalGuard guard(machine);
+    Interruptible interruptible(machine);
     return machine.run(limit);
 }
 

@@ -2,10 +2,13 @@
 
 #include "app/examples_folder.hpp"
 #include "app/experiment.hpp"
+#include "app/experiment_runs.hpp"
 #include "app/gnuplot.hpp"
 #include "app/manifest.hpp"
+#include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/progress.hpp"
+#include "app/run_report.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -110,8 +113,20 @@ ExitCode replay(const std::string& name, std::uint64_t seed, const ReplayOutput&
         require_writable(output.json);
     if (!output.plots.empty())
         require_folder_for_plots(output.plots);
+    InterruptGuard guard;
     Progress progress;
-    Replay result = experiment.run({examples_folder(), seed, [&](const std::string& what) { progress.show(what); }});
+    Replay result;
+    try {
+        result = experiment.run({examples_folder(), seed, [&](const std::string& what) {
+                                     end_if_interrupted();
+                                     progress.show(what);
+                                 }});
+        end_if_interrupted();
+    } catch (const UnfinishedRun& unfinished) {
+        progress.clear();
+        fmt::print(stderr, "placedpar: {}\n", unfinished.what());
+        return exit_code_of(unfinished.ending);
+    }
     progress.clear();
     for (const Reading& reading : result.readings)
         fmt::print("{}\n", print_reading(reading));

@@ -1,6 +1,6 @@
 #include "app/experiment.hpp"
 
-#include "app/netlist_run.hpp"
+#include "app/experiment_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -31,8 +31,7 @@ const std::vector<Column>& columns() {
 }
 
 constexpr double tolerance_percent = 5;
-/// 97.0 ms of Table E.1 are 10.3 generations a second, 5.2 % more than Table E.2's 9.8: the thesis's own tables
-/// are that far apart.
+/// See the note that is printed.
 constexpr double rate_tolerance_percent = 6;
 
 RunReport run_column(const Column& column, const std::string& reading, const ReplayContext& context) {
@@ -41,7 +40,7 @@ RunReport run_column(const Column& column, const std::string& reading, const Rep
                         {"clusters", std::to_string(column.clusters)},
                         {"slaves", std::to_string(column.slaves)},
                         {"population", std::to_string(120 / column.clusters)}};
-    return run_netlist(load_network(context.examples / "04-figure-e2" / "figure-e2.cfs", overrides), context.seed);
+    return run_to_the_end(context.examples / "04-figure-e2" / "figure-e2.cfs", overrides, context.seed);
 }
 
 /// Where the time of a generation on sixteen transputers goes, against a sixteenth of the traditional one's.
@@ -63,7 +62,7 @@ std::string print_where_it_goes(const RunReport& traditional, const RunReport& c
 Reading run_reading(const std::string& name, const ReplayContext& context, Fingerprint& fingerprint) {
     Reading reading{fmt::format("reading {}: Table E.1 was measured with {} individuals", name, name), {}, ""};
     std::vector<RunReport> reports;
-    std::vector<Cell> rates, speedups, efficiencies;
+    std::vector<Cell> rates, speedups, efficiencies, compliances;
     for (const Column& column : columns()) {
         reports.push_back(run_column(column, name, context));
         fingerprint.mix(reports.back().result.fingerprint);
@@ -78,12 +77,11 @@ Reading run_reading(const std::string& name, const ReplayContext& context, Finge
         speedups.push_back({"speedup", column.name, "", column.thesis_speedup, speedup, tolerance, Origin::outcome});
         efficiencies.push_back({"efficiency", column.name, "", column.thesis_efficiency, speedup / column.processors(),
                                 tolerance, Origin::outcome});
+        compliances.push_back(compliance_cell(column.name, reports.back(), "master[0]"));
     }
-    for (auto* row : {&rates, &speedups, &efficiencies})
+    for (auto* row : {&rates, &speedups, &efficiencies, &compliances})
         reading.cells.insert(reading.cells.end(), row->begin(), row->end());
-    reading.notes = print_where_it_goes(reports.front(), reports.back()) +
-                    fmt::format("compliance identified by the sixteen: {:.5f} in^3/psi; true: 0.00860\n",
-                                reports.back().measured("master[0]", "C_BOi"));
+    reading.notes = print_where_it_goes(reports.front(), reports.back());
     return reading;
 }
 
@@ -94,8 +92,14 @@ Replay replay_table_e2(const ReplayContext& context) {
     Fingerprint fingerprint;
     for (const char* reading : {"120", "30"})
         replay.readings.push_back(run_reading(reading, context, fingerprint));
-    replay.constants = "   The thesis computed the combined speedup from the others (equation E.2: 117.6 is 12 x 9.8); "
-                       "it is printed, not judged.\n";
+    replay.readings.front().notes += print_compliance_note();
+    replay.constants =
+        fmt::format("   The thesis computed the combined speedup from the others (equation E.2: 117.6 is 12 x 9.8); it "
+                    "is printed,\n"
+                    "   not judged. The rest is judged at {} %, the GA's rate at {} %: the thesis's own tables are "
+                    "that far apart, for\n"
+                    "   the 97.0 ms of Table E.1 are 10.3 generations a second, 5.2 % more than Table E.2's 9.8.\n",
+                    tolerance_percent, rate_tolerance_percent);
     replay.fingerprint = fingerprint.value();
     return replay;
 }

@@ -39,9 +39,11 @@ void Farm::evaluate_dealt_out(std::span<const Genome> population, std::vector<do
 }
 
 void Farm::rehearse(std::span<const Genome> population) {
+    std::vector<double> fitness(population.size());
+    if (settings_.split == Split::demand)
+        return rehearse_on_demand(population, fitness);
     auto shares = deal(population.size(), window_->size(), settings_.slaves + 1, settings_.split);
     send_to_all(Task::Kind::rehearse, shares, population, true);
-    std::vector<double> fitness(population.size());
     for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
         take(from_slaves_.input(), fitness);
 }
@@ -71,11 +73,12 @@ Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std
     task.strings.assign(strings.begin(), strings.end());
     task.bias = settings_.bias;
     task.coding = problem_.coding();
-    task.bytes = static_cast<std::uint32_t>(strings.size()) * workload_.string_bytes;
+    task.results_in_order = settings_.results_in_order;
+    task.bytes = message_bytes(strings.size(), workload_.string_bytes);
     compute(block_move(task.bytes));
     if (measurements) {
         task.window = window_;
-        task.bytes += workload_.measurement_bytes;
+        task.bytes = message_bytes(strings.size(), workload_.string_bytes, workload_.measurement_bytes);
         compute((workload_.measurement_bytes + 3) / 4 * workload_.measurement_conversion);
     }
     return task;

@@ -21,6 +21,7 @@ public:
         std::size_t slaves = 0;
         Split split = Split::individuals;
         bool measurements_every_generation = false; ///< else only when they are new
+        bool results_in_order = false;              ///< of the chain, the farthest first; else as they come
         double bias = 0;
     };
 
@@ -32,7 +33,8 @@ public:
     /// The fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
     /// The communication of a whole generation, new measurements and all, with nothing evaluated: what the
-    /// thesis measured as C_time2. REQUIRES: slaves > 0.
+    /// thesis measured as C_time2. On demand, of as many individuals as are the slaves' when nobody is faster
+    /// than another. REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
     /// Ends the slaves.
     void end();
@@ -43,12 +45,16 @@ public:
     Stopwatch send_to_receive, own_evaluation;
 
 private:
+    class Dealer;
+
     Task make_task(Task::Kind, std::size_t slave, const Share&, std::span<const Genome> population, bool measurements);
     void send_to_all(Task::Kind, std::span<const Share>, std::span<const Genome> population, bool measurements);
     void take(const Fitnesses&, std::vector<double>& fitness);
     void evaluate_own(const Share&, std::span<const Genome> population, std::vector<double>& fitness);
     void evaluate_dealt_out(std::span<const Genome> population, std::vector<double>& fitness);
     void evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness);
+    void rehearse_on_demand(std::span<const Genome> population, std::vector<double>& fitness);
+    void deal_to_slave(std::size_t slave, Dealer&, Task::Kind, std::span<const Genome> population);
 
     const SearchProblem& problem_;
     Workload workload_;

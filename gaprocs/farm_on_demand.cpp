@@ -7,13 +7,12 @@
 
 namespace placedpar {
 
-namespace {
-
 /// Deals out individuals one by one, to whoever is idle: slaves by their tasks, the master's own evaluator,
 /// a process of low priority beside the dealer, over soft channels.
-class Dealer {
+class Farm::Dealer {
 public:
-    Dealer(std::size_t population, std::size_t window) : population_(population), window_(window) {}
+    Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
+        : population_(population), window_(window), lacks_measurements_(slaves, measurements_are_new) {}
 
     bool anything_left() const { return next_ < population_; }
     bool everything_in() const { return received_ == population_; }
@@ -22,28 +21,30 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
+    /// True for the first task of a slave that is to get the measurements.
+    bool owes_measurements(std::size_t slave) {
+        bool owed = lacks_measurements_[slave];
+        lacks_measurements_[slave] = false;
+        return owed;
+    }
 
 private:
     std::size_t population_, window_;
     std::size_t next_ = 0, received_ = 0;
+    std::vector<bool> lacks_measurements_;
 };
+
+namespace {
 
 struct Done {};
 
 } // namespace
 
 void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
-    Dealer dealer(population.size(), window_->size());
+    Dealer dealer(population.size(), window_->size(), settings_.slaves, measurements_are_new_);
     Channel<Share> work("own work");
     Channel<Done> done("own work done");
-    std::vector<bool> has_measurements(settings_.slaves, !measurements_are_new_);
-
-    auto send_to = [&](std::size_t slave) {
-        if (!dealer.anything_left())
-            return;
-        to_slaves_.output(make_task(Task::Kind::evaluate, slave, dealer.next(), population, !has_measurements[slave]));
-        has_measurements[slave] = true;
-    };
+    auto send_to = [&](std::size_t slave) { deal_to_slave(slave, dealer, Task::Kind::evaluate, population); };
     auto deal_out = [&] {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
             send_to(slave);
@@ -74,6 +75,27 @@ void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<do
         own_evaluation.stop();
     };
     pri_par(deal_out, evaluate_own_share);
+}
+
+void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
+    std::size_t own = population.size() / (settings_.slaves + 1);
+    Dealer dealer(population.size() - own, window_->size(), settings_.slaves, true);
+    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+        deal_to_slave(slave, dealer, Task::Kind::rehearse, population);
+    while (!dealer.everything_in()) {
+        Fitnesses result = from_slaves_.input();
+        take(result, fitness);
+        dealer.received();
+        deal_to_slave(result.slave, dealer, Task::Kind::rehearse, population);
+    }
+}
+
+/// Nothing when all are dealt out.
+void Farm::deal_to_slave(std::size_t slave, Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
+    if (!dealer.anything_left())
+        return;
+    Share next = dealer.next();
+    to_slaves_.output(make_task(kind, slave, next, population, dealer.owes_measurements(slave)));
 }
 
 } // namespace placedpar

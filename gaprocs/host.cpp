@@ -16,8 +16,8 @@ namespace {
 std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t recorded) {
     auto wanted = static_cast<std::size_t>(environment.integer("samples"));
     if (wanted > recorded)
-        throw std::invalid_argument(fmt::format("process {}: samples = {}, but the record of \"{}\" has {}",
-                                                environment.process(), wanted, environment.text("problem"), recorded));
+        throw std::invalid_argument(fmt::format("samples = {}, but the record of \"{}\" has {}", wanted,
+                                                environment.text("problem"), recorded));
     return wanted == 0 ? recorded : wanted;
 }
 

@@ -1,5 +1,7 @@
 #include "gaprocs/kinds.hpp"
 
+#include "gaprocs/fitness.hpp"
+#include "gaprocs/kind_checks.hpp"
 #include "gaprocs/messages.hpp"
 #include "netlist/catalogue.hpp"
 #include "runtime/channel.hpp"
@@ -57,9 +59,10 @@ Parameters search_parameters() {
         problem(),
         integer("population", "individuals", 120, 2, 1e6, "size of this process's population (thesis 4.3: 120 in all)"),
         integer("window", "samples", 10, 1, 1024, "samples that the fitness is summed over (eq. 3.9)"),
-        integer("first_window", "samples", 5, 1, 1024, "samples needed for the first generation"),
+        integer("first_window", "samples", 5, 1, 1024,
+                "samples needed for the first generation; a shorter window must only be full"),
         integer("trials", "generations", 5, 1, 1e6, "generations for each new sample (thesis 4.3)"),
-        real("bias", "(unit of the error)^2", 400, 1e-300, 1e300, "B of the fitness (eq. 3.9)"),
+        real("bias", "(unit of the error)^2", 400, 1e-300, fitness_term_limit, "B of the fitness (eq. 3.9)"),
         real("crossover", "", 0.8, 0, 1, "probability that a pair is crossed over"),
         real("mutation", "", 0.01, 0, 1, "probability that a bit is flipped"),
         integer("elite", "individuals", 0, 0, 1e6,
@@ -82,12 +85,15 @@ Parameters search_parameters() {
 
 Parameters farm_parameters() {
     return {
-        integer("slaves", "", 1, 1, 4096, "slaves in the chain, where one is connected"),
+        integer("slaves", "", 1, 1, 4096, "slaves in the chain, where one is connected: as many as there are"),
         text("split", "individuals", {"individuals", "demand", "evaluations"},
              "how the evaluations are dealt out: whole individuals, individuals to whoever is idle, or single error "
              "evaluations"),
         text("measurements", "sample", {"sample", "generation"},
              "when the slaves are sent the measurements: with each new sample, or in every generation"),
+        text("results", "chain", {"chain", "ready"},
+             "how results come back: in the order of the chain, the farthest first, or as they are ready; on demand "
+             "always as they are ready"),
         integer("rehearsals", "rounds", 100, 1, 1e6,
                 "rounds of communication with nothing to evaluate, to measure C_time2"),
     };
@@ -100,13 +106,14 @@ Parameters ring_parameters() {
 
 Measures search_measures() {
     return {
-        {"T_exe", "ms", "one generation, mean over those with a full window"},
+        {"T_exe", "ms", "one generation; like all times a mean over those with a full window, not there without one"},
         {"T_sr", "ms", "from the first send to the last receive"},
         {"P_time2", "ms", "the process's own share of the error evaluations"},
         {"C_time2", "ms", "the communication of a generation with new measurements and nothing to evaluate"},
         {"S_time2", "ms", "the genetic operators"},
         {"generations", "", "generations evaluated"},
-        {"generations_per_second", "1/s", "with everything that a generation and a new sample cost"},
+        {"generations_per_second", "1/s",
+         "with everything that a generation and a new sample cost; not there when they cost no time"},
         {"populations", "", "a hash of every population, in order: equal for equal generations"},
         {"best_fitness", "(unit of the error)^2", "of the last generation's best individual"},
         {"the problem's parameters", "", "as decoded from that individual"},
@@ -153,7 +160,8 @@ ProcessKind master_kind() {
         slave_ports(true),
         search_parameters() + farm_parameters(),
         search_measures(),
-        {}};
+        {},
+        {{"to_slaves", "from_slaves"}}};
     kind.ports.push_back(from_host());
     return kind;
 }
@@ -168,11 +176,10 @@ ProcessKind slave_kind() {
          port<Fitnesses>("from_next", Direction::input, "fitnesses", "from the slave beyond", true)},
         {problem(),
          integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
-         integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message"),
-         integer("beyond", "slaves", 0, 0, 4096,
-                 "slaves beyond this one whose results go before its own in every round; 0: results go as they come")},
+         integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message")},
         {},
-        {}};
+        {},
+        {{"to_next", "from_next"}}};
 }
 
 ProcessKind island_kind() {
@@ -183,7 +190,8 @@ ProcessKind island_kind() {
                      ring_ports(),
                      search_parameters() + farm_parameters() + ring_parameters(),
                      search_measures(),
-                     {}};
+                     {},
+                     {{"to_slaves", "from_slaves"}, {"ring_out", "ring_in"}}};
     kind.ports.push_back(from_host());
     for (PortDescription& each : slave_ports(true))
         kind.ports.push_back(std::move(each));
@@ -193,15 +201,20 @@ ProcessKind island_kind() {
 } // namespace
 
 void add_genetic_algorithm_kinds(Catalogue& catalogue, const ProblemRegistry& problems) {
-    auto add = [&](ProcessKind kind, void (*body)(ProcessEnvironment&, const ProblemRegistry&)) {
+    using Body = void(ProcessEnvironment&, const ProblemRegistry&);
+    using Check = std::vector<Complaint>(const Network&, std::size_t, const ProblemRegistry&);
+    auto add = [&](ProcessKind kind, Body* body, Check* check) {
         kind.body = [&problems, body](ProcessEnvironment& environment) { body(environment, problems); };
+        kind.check = [&problems, check](const Network& network, std::size_t process) {
+            return check(network, process, problems);
+        };
         catalogue.add(std::move(kind));
     };
-    add(host_kind(), run_host);
-    add(traditional_kind(), run_search);
-    add(master_kind(), run_search);
-    add(slave_kind(), run_slave);
-    add(island_kind(), run_search);
+    add(host_kind(), run_host, check_host);
+    add(traditional_kind(), run_search, check_search);
+    add(master_kind(), run_search, check_search);
+    add(slave_kind(), run_slave, check_slave);
+    add(island_kind(), run_search, check_search);
 }
 
 } // namespace placedpar

@@ -13,7 +13,13 @@ namespace placedpar {
 
 /// How many bytes of each message travel is stated by the netlist (thesis, appendix E: 148 bytes of
 /// measurements, 240 of strings, 240 of fitness), not by how this program keeps its data. A word before
-/// the bytes says what they are and how many: occam's counted array.
+/// the bytes says what they are and how many: occam's counted array, whose count is an INT.
+inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
+
+/// The length of a message of so many strings, or fitnesses, and of what else is in it. Throws
+/// std::invalid_argument where that is more than a message can be.
+std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
+
 struct Parcel {
     std::uint32_t bytes = 0;
     WireForm wire_form() const { return WireForm(4u, bytes); }
@@ -37,12 +43,14 @@ struct Task : Parcel {
     Window window;               ///< the measurements, when they are new; null when the slave has them
     double bias = 0;
     Coding coding = Coding::natural; ///< how the strings are to be read
+    bool results_in_order = false;   ///< in every round the farthest slave's result first; else as they come
 };
 
 /// From a slave to its master: what the share adds to the fitness of each individual that it touches.
 struct Fitnesses : Parcel {
     bool end = false; ///< the answer to Task::Kind::end
     std::size_t slave = 0;
+    std::size_t hops = 0; ///< slaves that have passed it on
     Share share;
     std::vector<double> terms;
 };

@@ -10,14 +10,6 @@ namespace placedpar {
 
 namespace {
 
-Split split_named(const std::string& name) {
-    if (name == "individuals")
-        return Split::individuals;
-    if (name == "demand")
-        return Split::demand;
-    return Split::evaluations;
-}
-
 std::uint32_t bytes(const ProcessEnvironment& environment, std::string_view parameter) {
     return static_cast<std::uint32_t>(environment.integer(parameter));
 }
@@ -27,6 +19,14 @@ std::size_t size(const ProcessEnvironment& environment, std::string_view paramet
 }
 
 } // namespace
+
+Split split_named(const std::string& name) {
+    if (name == "individuals")
+        return Split::individuals;
+    if (name == "demand")
+        return Split::demand;
+    return Split::evaluations; // the catalogue allows no other
+}
 
 Workload read_slave_workload(const ProcessEnvironment& environment) {
     Workload workload;
@@ -70,12 +70,12 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
         return settings;
     settings.slaves = size(environment, "slaves");
     settings.split = split_named(environment.text("split"));
+    settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
-        throw std::invalid_argument(fmt::format("process {}: slaves = {}, but a population of {} has work for {} "
+        throw std::invalid_argument(fmt::format("slaves = {}, but a population of {} has work for {} "
                                                 "slaves at the most, the master being an evaluator too",
-                                                environment.process(), settings.slaves,
-                                                environment.integer("population"),
+                                                settings.slaves, environment.integer("population"),
                                                 environment.integer("population") - 1));
     return settings;
 }

@@ -5,12 +5,15 @@
 #include "gaprocs/settings.hpp"
 #include "gaprocs/workload.hpp"
 
+#include <string>
+
 namespace placedpar {
 
 class ProcessEnvironment;
 
 // The parameters of the process kinds, as kinds.cpp describes them, in the form that the processes use.
 
+Split split_named(const std::string&); ///< as the parameter "split" names it
 Workload read_workload(const ProcessEnvironment&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< only what a slave uses
 Coding read_coding(const ProcessEnvironment&);

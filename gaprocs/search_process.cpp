@@ -39,9 +39,6 @@ public:
           farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.bits(), settings_, environment.random_stream(stream_name(environment))) {
-        if (environment.connected("ring_out") != environment.connected("ring_in"))
-            throw std::invalid_argument(fmt::format(
-                "process {}: a ring takes both ring_out and ring_in, only one is connected", environment.process()));
         if (environment.connected("ring_out")) {
             to_ring_ = environment.output<Emigrant>("ring_out");
             from_ring_ = environment.input<Emigrant>("ring_in");
@@ -111,19 +108,31 @@ private:
     }
 
     void report() {
+        if (timing_)
+            report_times();
+        environment_.measure("generations", static_cast<double>(search_.generation()));
+        if (timing_)
+            report_rate();
+        environment_.measure("populations", fmt::format("{:016x}", populations_.value()));
+        if (search_.generation() > 0)
+            report_estimate();
+    }
+
+    /// Of the generations with a full window.
+    void report_times() {
         environment_.measure("T_exe", execution_.mean_milliseconds(), "ms");
         environment_.measure("T_sr", farm_.send_to_receive.mean_milliseconds(), "ms");
         environment_.measure("P_time2", farm_.own_evaluation.mean_milliseconds(), "ms");
         environment_.measure(
             "C_time2", rehearsals_ > 0 ? rehearsal_.mean_milliseconds() / static_cast<double>(rehearsals_) : 0, "ms");
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
-        environment_.measure("generations", static_cast<double>(search_.generation()));
+    }
+
+    /// A run on a workstation costs no time, and has no rate.
+    void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
-        if (timing_)
-            environment_.measure("generations_per_second", timed / rate_.mean_milliseconds() * 1000, "1/s");
-        environment_.measure("populations", fmt::format("{:016x}", populations_.value()));
-        if (search_.generation() > 0)
-            report_estimate();
+        if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)
+            environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
     }
 
     void report_estimate() {

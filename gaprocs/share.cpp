@@ -18,6 +18,12 @@ std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t 
     return shares;
 }
 
+std::size_t most_individuals(std::size_t population, std::size_t evaluators, Split split) {
+    if (split == Split::demand)
+        return 1;
+    return (population + evaluators - 1) / evaluators + (split == Split::evaluations ? 1 : 0);
+}
+
 std::vector<double> evaluate_share(const SearchProblem& problem, const Share& share, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias) {
     std::vector<double> terms(share.individuals(), 0.0);

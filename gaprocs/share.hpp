@@ -31,6 +31,10 @@ enum class Split {
 /// Equal shares, in order. REQUIRES: evaluators > 0, window > 0. Split::demand deals as Split::individuals.
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t evaluators, Split);
 
+/// The individuals that one message is about, at the most and for any window: of the shares that deal() makes
+/// (a bound one too high at times for Split::evaluations); one on demand. REQUIRES: evaluators > 0.
+std::size_t most_individuals(std::size_t population, std::size_t evaluators, Split);
+
 /// What the share adds to the fitness of each individual that it touches. `strings` are those individuals.
 std::vector<double> evaluate_share(const SearchProblem&, const Share&, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias);

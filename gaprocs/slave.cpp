@@ -22,34 +22,42 @@ public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
         : problem_(std::move(problem)), workload_(read_slave_workload(environment)),
           has_next_(environment.connected("to_next")), from_master_(environment.input<Task>("from_master")),
-          to_master_(environment.output<Fitnesses>("to_master")), beyond_(environment.integer("beyond")) {
+          to_master_(environment.output<Fitnesses>("to_master")) {
         if (has_next_) {
             to_next_ = environment.output<Task>("to_next");
             from_next_ = environment.input<Fitnesses>("from_next");
         }
     }
 
+    /// The first task says in which order the results go, before any of them does.
     void run() {
-        pri_par([this] { par([this] { pass_tasks_on(); }, [this] { pass_results_on(); }); }, [this] { evaluate(); });
+        Task first = from_master_.input();
+        results_in_order_ = first.results_in_order;
+        pri_par([&] { par([&] { pass_tasks_on(std::move(first)); }, [this] { pass_results_on(); }); },
+                [this] { evaluate(); });
     }
 
 private:
-    void pass_tasks_on() {
-        for (bool ended = false; !ended;) {
-            Task task = from_master_.input();
-            ended = task.kind == Task::Kind::end;
-            if (has_next_ && (ended || task.hops_left > 0)) {
-                Task next = task;
-                --next.hops_left;
-                to_next_.output(std::move(next));
-            }
-            if (ended || task.hops_left == 0)
-                own_tasks_.out().output({std::move(task)});
+    void pass_tasks_on(Task task) {
+        while (pass_task_on(std::move(task)))
+            task = from_master_.input();
+    }
+
+    /// To the slave beyond, to the own evaluator, or to both. False at the end.
+    bool pass_task_on(Task task) {
+        bool ended = task.kind == Task::Kind::end;
+        if (has_next_ && (ended || task.hops_left > 0)) {
+            Task next = task;
+            --next.hops_left;
+            to_next_.output(std::move(next));
         }
+        if (ended || task.hops_left == 0)
+            own_tasks_.out().output({std::move(task)});
+        return !ended;
     }
 
     void pass_results_on() {
-        if (beyond_ > 0)
+        if (results_in_order_ && has_next_)
             while (pass_round_on()) {
             }
         else
@@ -60,19 +68,18 @@ private:
 
     /// The results of all slaves beyond, the farthest first, and then the own one. False at the end.
     bool pass_round_on() {
-        for (std::int64_t i = 0; i < beyond_; ++i) {
+        for (bool last = false; !last;) {
             Fitnesses result = from_next_.input();
-            if (result.end) // and so does the own evaluator
-                return pass_on(own_results_.in().input().message);
+            last = result.end || result.hops == 0; // the next slave's own is the last of a round
             pass_on(std::move(result));
         }
-        return pass_on(own_results_.in().input().message);
+        return send(own_results_.in().input().message);
     }
 
     /// Whichever result is ready. False at the end of all.
     bool pass_next_result_on() {
-        auto own = when(
-            own_open_, on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = pass_on(std::move(r.message)); }));
+        auto own = when(own_open_,
+                        on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = send(std::move(r.message)); }));
         if (has_next_)
             alt(when(next_open_, on(from_next_, [&](Fitnesses r) { next_open_ = pass_on(std::move(r)); })), own);
         else
@@ -81,6 +88,11 @@ private:
     }
 
     bool pass_on(Fitnesses result) {
+        ++result.hops;
+        return send(std::move(result));
+    }
+
+    bool send(Fitnesses result) {
         if (result.end)
             return false;
         to_master_.output(std::move(result));
@@ -113,7 +125,7 @@ private:
                 problem_ = problem_->coded(task.coding);
             result.terms = evaluate_share(*problem_, task.share, task.strings, *window_, task.bias);
         }
-        result.bytes = static_cast<std::uint32_t>(task.strings.size()) * workload_.fitness_bytes;
+        result.bytes = message_bytes(task.strings.size(), workload_.fitness_bytes);
         compute(block_move(result.bytes)); // pack
         return result;
     }
@@ -125,7 +137,7 @@ private:
     Output<Fitnesses> to_master_;
     Output<Task> to_next_;
     Input<Fitnesses> from_next_;
-    std::int64_t beyond_;
+    bool results_in_order_ = false;
     bool own_open_ = true, next_open_ = has_next_;
     Channel<InPlace<Task>> own_tasks_{"own tasks"};
     Channel<InPlace<Fitnesses>> own_results_{"own results"};

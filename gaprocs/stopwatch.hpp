@@ -10,21 +10,20 @@ namespace placedpar {
 /// and gives the mean. A low-priority process reads a clock of 64 us, so a single reading is that coarse.
 class Stopwatch {
 public:
-    void start() { started_ = timer_.read(); }
-    void stop() { add(timer_.read() - started_); }
-    void add(std::int64_t ticks) {
-        ticks_ += ticks;
+    void start() { started_ = read(); }
+    /// REQUIRES: the priority of start(), whose clock it was.
+    void stop() {
+        measured_ += read() - started_;
         ++times_;
     }
-    /// 0 if it was never stopped. REQUIRES: called by the process that did the measuring.
-    double mean_milliseconds() const {
-        return times_ ? static_cast<double>(ticks_) * in_milliseconds(timer_.tick()) / static_cast<double>(times_) : 0;
-    }
+    /// 0 if it was never stopped. Whoever asks, of whatever priority.
+    double mean_milliseconds() const { return times_ ? in_milliseconds(measured_) / static_cast<double>(times_) : 0; }
 
 private:
+    Time read() const { return timer_.read() * timer_.tick(); }
+
     Timer timer_;
-    std::int64_t started_ = 0;
-    std::int64_t ticks_ = 0;
+    Time started_{}, measured_{};
     std::int64_t times_ = 0;
 };
 

@@ -29,8 +29,4 @@ private:
     std::vector<Sample> samples_;
 };
 
-/// Generations that a record of that many samples gets: `trials` for every sample from the first full enough
-/// window on. Throws as WindowSettings::validate().
-std::size_t generations_over(std::size_t record_length, const WindowSettings& settings);
-
 } // namespace placedpar

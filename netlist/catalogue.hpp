@@ -15,6 +15,7 @@ namespace placedpar {
 
 class AnyChannel;         // runtime/channel.hpp: a channel of some protocol
 class ProcessEnvironment; // netlist/environment.hpp: what a running process sees of its netlist
+struct Network;           // netlist/network.hpp: a whole netlist, elaborated
 
 enum class Direction { input, output };
 
@@ -49,6 +50,13 @@ struct MeasureDescription {
     std::string about;
 };
 
+/// What is wrong with a process beyond what ranges and single ports can say.
+struct Complaint {
+    std::size_t process = 0; ///< whose; not always the one that was asked
+    std::string about;       ///< the parameter or the port that it is about, whose place is shown; "": the process
+    std::string message, hint;
+};
+
 /// A kind of process that a netlist can name in `use "kind" for process;`.
 struct ProcessKind {
     std::string name;  ///< such as "ga.master"
@@ -57,6 +65,10 @@ struct ProcessKind {
     std::vector<ParameterDescription> parameters;
     std::vector<MeasureDescription> measures;
     std::function<void(ProcessEnvironment&)> body;
+    /// Groups of ports of which a netlist connects all or none.
+    std::vector<std::vector<std::string>> together = {};
+    /// May be empty. Asked about each process of the kind, of a network in which everything else is right.
+    std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
 
     const PortDescription* port(std::string_view name) const;
     const ParameterDescription* parameter(std::string_view name) const;

@@ -9,6 +9,8 @@ Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter) {
     complete_channels(completion);
     complete_carriers(completion);
     completion.network.nodes = std::move(completion.draft.nodes);
+    if (!reporter.failed())
+        complete_checks(completion);
     return std::move(completion.network);
 }
 

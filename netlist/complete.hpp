@@ -40,5 +40,7 @@ void complete_parameters(Completion& completion, std::size_t process);
 void complete_channels(Completion& completion);
 /// complete_carriers.cpp: what carries each channel.
 void complete_carriers(Completion& completion);
+/// complete_checks.cpp: what the kinds themselves have to say. REQUIRES: nothing was refused.
+void complete_checks(Completion& completion);
 
 } // namespace placedpar

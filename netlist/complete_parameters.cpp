@@ -16,7 +16,7 @@ class Parameters {
 public:
     Parameters(Completion& c, std::size_t process)
         : c_(c), draft_(c.draft.processes[process]), kind_(c.kinds[process]),
-          result_(c.network.processes[process].parameters) {}
+          result_(c.network.processes[process].parameters), given_(c.network.processes[process].given) {}
 
     void run() {
         if (draft_.interface)
@@ -77,6 +77,7 @@ private:
         else
             check_range(setting, known, *value);
         result_[known.name] = *value;
+        given_[known.name] = setting.at;
     }
 
     void check_choice(const Setting& setting, const ParameterDescription& known, const std::string& text) {
@@ -185,6 +186,7 @@ private:
     DraftProcess& draft_;
     const ProcessKind* kind_;
     std::map<std::string, Value>& result_;
+    std::map<std::string, Location>& given_;
 };
 
 } // namespace

@@ -34,6 +34,18 @@ void mix_text(Fingerprint& fingerprint, std::string_view text) {
         fingerprint.mix(static_cast<unsigned char>(c));
 }
 
+/// A process's program. What it refuses to work with is said with the process, its kind and its place.
+void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
+              ProcessEnvironment& environment) {
+    try {
+        body(environment);
+    } catch (const std::invalid_argument& refused) {
+        auto place = process.declared.text();
+        throw std::invalid_argument(fmt::format("{}{}process {} ({}): {}", place, place.empty() ? "" : ": ",
+                                                process.name, process.kind, refused.what()));
+    }
+}
+
 /// The order of events, and with it what the processes found out.
 std::uint64_t fingerprint_of(std::uint64_t events, const std::vector<Measurement>& measurements) {
     Fingerprint fingerprint;
@@ -117,8 +129,8 @@ void Machine::make_processes(const Catalogue& catalogue) {
         ProcessEnvironment& environment =
             environments_.emplace_back(process.name, process.parameters, std::move(ports), seed_, measurements_);
         processes_.push_back(&simulation_.process(
-            process.name, [&environment, body = kind.body] { body(environment); }, processors_[process.node],
-            process.high_priority ? Priority::high : Priority::low));
+            process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
+            processors_[process.node], process.high_priority ? Priority::high : Priority::low));
     }
     for (std::size_t i = 0; i < channels_.size(); ++i)
         channels_[i]->expect(processes_[network_.channels[i].from.process],

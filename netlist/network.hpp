@@ -72,6 +72,7 @@ struct ProcessInstance {
     std::string kind;                        ///< from `use`; "" if nothing was said
     bool stand_in = false;                   ///< the kind is no kind of the catalogue: it cannot be run
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type the kind states
+    std::map<std::string, Location> given; ///< where the netlist gives a parameter; without those left to their default
     bool high_priority = false;
     std::size_t node = nowhere;
     std::vector<PortBinding> ports;     ///< in the order of the kind's ports; of the interface for a stand-in

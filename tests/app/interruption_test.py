@@ -1,13 +1,39 @@
 """A long run can be stopped, and says what it has."""
 
+import os
+import pathlib
+import shutil
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
 from program import EXAMPLES, PROGRAM
 
 LONG = ["run", str(EXAMPLES / "01-commstime" / "commstime.cfs"), "--set", "count=1000000000"]
+
+
+def wait_until_it_listens(process, number, seconds=20):
+    """Until the program has a handler for the signal (Linux says so)."""
+    for _ in range(seconds * 200):
+        status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+        caught = next(line.split()[1] for line in status.splitlines() if line.startswith("SigCgt"))
+        if int(caught, 16) >> (number - 1) & 1:
+            return
+        time.sleep(0.005)
+    raise AssertionError("it never listened to signals")
+
+
+def long_examples(folder):
+    """The examples with so many generations that an experiment takes its time."""
+    examples = pathlib.Path(folder) / "examples"
+    shutil.copytree(EXAMPLES, examples)
+    for name in ("03-table-e1/cluster.cfs", "04-figure-e2/figure-e2.cfs"):
+        text = (examples / name).read_text(encoding="utf-8")
+        assert text.count("(population = population,") == 1
+        (examples / name).write_text(text.replace("(population", "(trials = 20000, population"), encoding="utf-8")
+    return examples
 
 
 class Interruption(unittest.TestCase):
@@ -21,6 +47,24 @@ class Interruption(unittest.TestCase):
             self.assertEqual(run.returncode, 130)
             self.assertIn("interrupted at", output)
             self.assertIn("fingerprint: ", output)
+
+    def test_a_signal_ends_a_replay_with_nothing_printed_or_written(self):
+        # At once: before the first run has begun; later: in the middle of one.
+        for experiment, number, seconds in (("table-e1", signal.SIGINT, 0), ("table-e1", signal.SIGTERM, 0.3),
+                                            ("table-e2", signal.SIGTERM, 0), ("table-e2", signal.SIGINT, 0.3)):
+            with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as copy:
+                with subprocess.Popen([PROGRAM, "replay", experiment, "--json", os.path.join(folder, "cells.json")],
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                      env={**os.environ, "PLACEDPAR_EXAMPLES": str(long_examples(copy))}) as run:
+                    wait_until_it_listens(run, number)
+                    time.sleep(seconds)
+                    self.assertIsNone(run.poll(), "it should still be running")
+                    run.send_signal(number)
+                    output, errors = run.communicate(timeout=20)
+                self.assertEqual(run.returncode, 130, errors)
+                self.assertEqual(output, "")
+                self.assertIn("interrupted", errors)
+                self.assertEqual(os.listdir(folder), [])
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import shutil
 import tempfile
 import unittest
 
-from program import CLUSTER, EXAMPLES, placedpar
+from program import CLUSTER, EXAMPLES, FIGURE_E2, placedpar
 
 CELL = {"row", "column", "unit", "thesis", "simulated", "error_percent", "tolerance_percent", "origin"}
 DOCUMENT = {"experiment", "version", "seed", "fingerprint", "cells", "within_tolerance"}
@@ -32,13 +32,13 @@ class Replay(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertLessEqual(DOCUMENT, set(document))
         self.assertTrue(document["within_tolerance"])
-        self.assertEqual(len(document["cells"]), 20)
+        self.assertEqual(len(document["cells"]), 24)
         for cell in document["cells"]:
             self.assertEqual(set(cell), CELL)
             if cell["thesis"]:
                 error = 100 * (cell["simulated"] - cell["thesis"]) / cell["thesis"]
                 self.assertAlmostEqual(cell["error_percent"], error)
-                self.assertLessEqual(abs(error), 3)
+                self.assertLessEqual(abs(error), 10 if cell["row"] == "C_BOi" else 3)
         self.assertEqual([c["row"] for c in document["cells"] if c["origin"] == "calibrated"], ["C_time2"])
 
     def test_a_slave_more_is_a_column_of_its_own_and_not_a_copy(self):
@@ -56,6 +56,20 @@ class Replay(unittest.TestCase):
         self.assertIsNone(combined["tolerance_percent"])
         self.assertGreater(combined["simulated"], 9)
         self.assertLess(combined["simulated"], 12)
+
+    def test_the_compliance_stands_beside_the_true_one_and_is_judged(self):
+        for experiment, columns in (("table-e1", 4), ("table-e2", 4)):
+            _, document = replay(experiment, self.folder)
+            cells = [c for c in document["cells"] if c["row"] == "C_BOi"]
+            self.assertEqual(len(cells), columns)
+            for cell in cells:
+                self.assertEqual((cell["thesis"], cell["unit"], cell["tolerance_percent"]), (0.0086, "in^3/psi", 10))
+        # A seed whose four islands end 10.3 % too low: the table's times are good, the identification is not.
+        run, document = replay("table-e2", self.folder, "--seed", 2)
+        self.assertEqual(run.returncode, 3, run.stdout)
+        missed = [(c["row"], c["column"]) for c in document["cells"]
+                  if c["tolerance_percent"] and abs(c["error_percent"]) > c["tolerance_percent"]]
+        self.assertEqual(missed, [("C_BOi", "B"), ("C_BOi", "A + B")])
 
     def test_chapter_2_is_within_its_tolerances(self):
         for experiment in ("table-2-6", "figure-2-3", "figures-2-8-2-9"):
@@ -98,18 +112,44 @@ class Replay(unittest.TestCase):
 
 
 class Identification(unittest.TestCase):
-    def test_the_compliance_is_found_within_ten_percent_over_many_seeds(self):
-        found = []
+    """How often the compliance comes within 10 % of the truth; the pages of the examples say it of 150 seeds."""
+
+    def errors(self, netlist, process, seeds, *settings):
+        """In percent, by seed."""
+        errors = {}
         with tempfile.TemporaryDirectory() as folder:
-            for seed in range(1, 41):
-                path = pathlib.Path(folder) / "run.json"
-                run = placedpar("run", CLUSTER, "--seed", seed, "--json", path)
+            path = pathlib.Path(folder) / "run.json"
+            for seed in seeds:
+                run = placedpar("run", netlist, "--seed", seed, "--json", path,
+                                *(word for setting in settings for word in ("--set", setting)))
                 self.assertEqual(run.returncode, 0, run.stderr)
                 measurements = json.loads(path.read_text(encoding="utf-8"))["measurements"]
-                found.append(next(m["value"] for m in measurements if m["name"] == "C_BOi"))
-        self.assertGreater(len(set(found)), 3)
-        for seed, compliance in enumerate(found, start=1):
-            self.assertLessEqual(abs(compliance / 0.0086 - 1), 0.10, f"seed {seed}: {compliance}")
+                found = next(m["value"] for m in measurements if m["name"] == "C_BOi" and m["process"] == process)
+                errors[seed] = 100 * (found / 0.0086 - 1)
+        return errors
+
+    def check_share(self, errors, least_percent):
+        missed = {seed: round(error, 1) for seed, error in errors.items() if abs(error) > 10}
+        self.assertGreater(len({round(error, 3) for error in errors.values()}), 3)
+        self.assertGreaterEqual(100 * (1 - len(missed) / len(errors)), least_percent, f"missed: {missed}")
+
+    def test_one_population_of_120(self):
+        self.check_share(self.errors(CLUSTER, "master", range(1, 41), "slaves=0"), 90)
+
+    def test_four_islands_of_30(self):
+        self.check_share(self.errors(FIGURE_E2, "master[0]", range(1, 41), "slaves=0"), 90)
+
+    def test_the_islands_owe_it_to_their_exchange(self):
+        alone = self.errors(FIGURE_E2, "master[0]", range(1, 41), "slaves=0", "exchange_every=1000000")
+        self.assertGreater(sum(abs(error) > 10 for error in alone.values()), 4)
+
+    def test_what_misses_is_found_by_an_elite_and_while_the_pressure_rises(self):
+        seeds = (65, 104)
+        for error in self.errors(CLUSTER, "master", seeds, "slaves=0").values():
+            self.assertGreater(abs(error), 10)
+        for setting in ("elite=1", "samples=14"):
+            for error in self.errors(CLUSTER, "master", seeds, "slaves=0", setting).values():
+                self.assertLess(abs(error), 10, setting)
 
 
 if __name__ == "__main__":

@@ -72,10 +72,10 @@ private:
                fmt::format("process (interface (input from_master, output to_master, output to_next, input from_next)) "
                            "slave{0}_{1};\nuse \"ga.slave\" for slave{0}_{1};\nplace slave{0}_{1} on t{0}_{2};\n"
                            "connect t{0}_{1}.link[3] to t{0}_{2}.link[1];\n"
-                           "slave{0}_{1} (problem = \"line\", beyond = {3});\n"
-                           "connect {4}.{5} to slave{0}_{1}.from_master;\nconnect slave{0}_{1}.to_master to {4}.{6};\n",
-                           island, i, i + 1, split == "demand" ? 0 : slaves - 1 - i, before,
-                           i == 0 ? "to_slaves" : "to_next", i == 0 ? "from_slaves" : "from_next");
+                           "slave{0}_{1} (problem = \"line\");\n"
+                           "connect {3}.{4} to slave{0}_{1}.from_master;\nconnect slave{0}_{1}.to_master to {3}.{5};\n",
+                           island, i, i + 1, before, i == 0 ? "to_slaves" : "to_next",
+                           i == 0 ? "from_slaves" : "from_next");
     }
 };
 

@@ -41,13 +41,6 @@ TEST_CASE("a window shorter than the first generation's samples starts when it i
     CHECK(window.ready());
 }
 
-TEST_CASE("generations over a record") {
-    CHECK(generations_over(20, {}) == 80); // 16 samples from the fifth on, 5 trials each
-    CHECK(generations_over(5, {}) == 5);
-    CHECK(generations_over(4, {}) == 0);
-    CHECK(generations_over(4, window_of(1, 5)) == 20);
-}
-
 TEST_CASE("windows that make no sense are refused with a reason") {
     auto message = [](WindowSettings settings, const char* expected) {
         CHECK_THROWS_WITH_AS(settings.validate_for(20), expected, std::invalid_argument);

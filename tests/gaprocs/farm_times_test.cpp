@@ -1,0 +1,85 @@
+// What masters and slaves measure of themselves.
+
+#include "gaprocs/share.hpp"
+#include "tests/gaprocs/cluster.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace placedpar;
+
+namespace {
+
+bool has(const RunReport& report, std::string_view measure) {
+    return std::ranges::any_of(report.measurements, [&](const Measurement& m) { return m.name == measure; });
+}
+
+} // namespace
+
+TEST_CASE("a master of high priority that deals on demand measures its evaluations by the clock they ran by") {
+    auto netlist = [](const char* priority) {
+        std::string text = Cluster{.slaves = 2, .split = "demand"}.netlist();
+        std::string process = "process (interface (input from_host";
+        text.replace(text.find(process), process.size(),
+                     fmt::format("process (priority = {}, interface (input from_host", priority));
+        return text;
+    };
+    double low = run_on_line(netlist("LOW")).measured("master0", "P_time2");
+    double high = run_on_line(netlist("HIGH")).measured("master0", "P_time2");
+    // Nine to eleven of 30 individuals at 10 samples of 1440 cycles of 50 ns are 6.5 to 7.9 ms.
+    CHECK(low > 6);
+    CHECK(low < 9);
+    CHECK(high == doctest::Approx(low).epsilon(0.1));
+}
+
+TEST_CASE("times are those of a full window: without one there are none") {
+    Cluster never_full{.slaves = 2};
+    RunReport report = run_on_line(never_full.netlist() + "host (samples = 7);\n");
+    CHECK(report.measured("master0", "generations") == 15); // 3 samples from the fifth on, 5 trials each
+    for (const char* time : {"T_exe", "T_sr", "P_time2", "C_time2", "S_time2", "generations_per_second"})
+        CHECK_FALSE(has(report, time));
+    CHECK(has(run_on_line(never_full.netlist() + "host (samples = 10);\n"), "T_exe"));
+}
+
+TEST_CASE("a run that takes no time has no rate") {
+    std::string text =
+        "workstation sun; process host; process m; use \"ga.host\" for host; use \"ga.traditional\" for m;\n"
+        "host (problem = \"line\"); m (problem = \"line\");\n"
+        "connect host.to_masters[0] to m.from_host; place host on sun; place m on sun;\n";
+    RunReport report = run_on_line(text);
+    CHECK(report.result.time == Time{0});
+    CHECK(report.measured("m", "generations") == 40); // 8 samples from the fifth of 12 on
+    CHECK_FALSE(has(report, "generations_per_second"));
+}
+
+TEST_CASE("results in the order of the chain take longer than those that are passed on when they are ready") {
+    Cluster in_order{.slaves = 3};
+    Cluster ready{.slaves = 3, .master_parameters = "rehearsals = 2, results = \"ready\""};
+    RunReport chain = run_on_line(in_order.netlist()), any = run_on_line(ready.netlist());
+    CHECK(any.measured("master0", "C_time2") < 0.99 * chain.measured("master0", "C_time2"));
+    CHECK(any.measured_text("master0", "populations") == chain.measured_text("master0", "populations"));
+}
+
+TEST_CASE("the communication of a generation that is dealt on demand is that of a message an individual") {
+    auto netlist = [](const char* split) {
+        return Cluster{.slaves = 1, .split = split, .master_parameters = "rehearsals = 100"}.netlist();
+    };
+    double round = run_on_line(netlist("individuals")).measured("master0", "C_time2");
+    double demand = run_on_line(netlist("demand")).measured("master0", "C_time2");
+    // 15 messages and 15 answers instead of one and one; measurements of 148 bytes go in one of them either way.
+    CHECK(demand > 2 * round);
+    CHECK(demand < 15 * round);
+}
+
+TEST_CASE("no share of any window is about more individuals than stated") {
+    for (Split split : {Split::individuals, Split::evaluations})
+        for (std::size_t population : {2u, 7u, 30u, 31u})
+            for (std::size_t evaluators = 1; evaluators <= population; ++evaluators)
+                for (std::size_t window = 1; window <= 12; ++window)
+                    for (const Share& share : deal(population, window, evaluators, split))
+                        CHECK(share.individuals() <= most_individuals(population, evaluators, split));
+    CHECK(most_individuals(120, 4, Split::individuals) == 30);
+    CHECK(most_individuals(30, 4, Split::individuals) == 8);
+    CHECK(most_individuals(30, 4, Split::demand) == 1);
+}

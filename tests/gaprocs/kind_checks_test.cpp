@@ -1,0 +1,180 @@
+// What the kinds refuse of a netlist before it runs, and where they say it is.
+
+#include "gaprocs/kinds.hpp"
+#include "gaprocs/messages.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/read.hpp"
+#include "tests/gaprocs/line_problem.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr std::size_t samples = 12;
+
+/// A master, two slaves and the host, a statement a line.
+std::map<std::string, std::string> statements() {
+    return {{"host", "host (problem = \"line\");"},
+            {"master", "master (problem = \"line\", slaves = 2);"},
+            {"slave 0", "slave[0] (problem = \"line\");"},
+            {"slave 1", "slave[1] (problem = \"line\");"},
+            {"to slaves", "connect master.to_slaves to slave[0].from_master;"},
+            {"from slaves", "connect slave[0].to_master to master.from_slaves;"},
+            {"to next", "connect slave[0].to_next to slave[1].from_master;"},
+            {"from next", "connect slave[1].to_master to slave[0].from_next;"}};
+}
+
+/// Lines 1 to 8 are those above in alphabetical order of their names, the rest is what every one needs.
+std::string netlist(const std::map<std::string, std::string>& lines) {
+    std::string text = "T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host; process master; "
+                       "process slave[2]; use \"ga.host\" for host; use \"ga.master\" for master; "
+                       "use \"ga.slave\" for slave[0]; use \"ga.slave\" for slave[1];\n";
+    for (const auto& [name, statement] : lines)
+        text += statement + "\n";
+    return text + "connect host.to_masters[0] to master.from_host;\n"
+                  "place host on sun; place master on t; place slave[0] on t; place slave[1] on t;\n";
+}
+
+struct Kinds {
+    ProblemRegistry problems;
+    Catalogue catalogue;
+
+    Kinds() {
+        problems.add("line", make_search_problem(LineProblem{}), line_record(samples));
+        problems.add("other line", make_search_problem(LineProblem{}), line_record(samples));
+        add_genetic_algorithm_kinds(catalogue, problems);
+    }
+};
+
+/// All that is said about the netlist with one of its statements replaced.
+std::string refusal(const std::string& name, const std::string& statement) {
+    Kinds kinds;
+    auto lines = statements();
+    lines.at(name) = statement;
+    return render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
+}
+
+bool says(const std::string& text, const std::string& part) {
+    INFO(text);
+    bool found = text.find(part) != std::string::npos;
+    CHECK_MESSAGE(found, part);
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("the netlist that the refused ones differ from is good") {
+    Kinds kinds;
+    CHECK(render(read_netlist_text(netlist(statements()), kinds.catalogue).diagnostics).empty());
+}
+
+TEST_CASE("half-connected pairs are refused where the connected half is") {
+    auto lines = statements();
+    lines.at("from slaves") = "connect slave[0].to_master to slave[0].from_next;";
+    lines.at("from next") = "connect slave[1].to_master to slave[1].from_next;";
+    Kinds kinds;
+    auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
+    says(text, "farm.cfs:9:1: error: the channel \"master.to_slaves\" is connected, but \"master.from_slaves\" is "
+               "not\n    connect master.to_slaves");
+    says(text, "hint: the kind \"ga.master\" takes both or neither: connect master.from_slaves to ...;");
+    says(text, "farm.cfs:2:1: error: the channel \"slave[1].from_next\" is connected, but \"slave[1].to_next\" is not");
+}
+
+TEST_CASE("half a ring is refused") {
+    Kinds kinds;
+    std::string text = "T800 a; workstation sun; connect sun.link[0] to a.link[0]; process host; process i[2];\n"
+                       "use \"ga.host\" for host; use \"ga.island\" for i[0]; use \"ga.island\" for i[1];\n"
+                       "host (problem = \"line\"); i[0] (problem = \"line\"); i[1] (problem = \"line\");\n"
+                       "connect host.to_masters[0] to i[0].from_host; connect host.to_masters[1] to i[1].from_host;\n"
+                       "connect i[0].ring_out to i[1].ring_in;\n"
+                       "place host on sun; place i[0] on a; place i[1] on a;\n";
+    auto result = read_netlist_text(text, kinds.catalogue, {}, "ring.cfs");
+    says(render(result.diagnostics), "ring.cfs:5:1: error: the channel \"i[0].ring_out\" is connected, but "
+                                     "\"i[0].ring_in\" is not");
+}
+
+TEST_CASE("results that do not come back the way of the tasks are refused") {
+    auto lines = statements();
+    lines.at("from slaves") = "connect slave[1].to_master to master.from_slaves;";
+    lines.at("from next") = "connect slave[0].to_master to slave[0].from_next;";
+    Kinds kinds;
+    auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
+    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but \"master.from_slaves\" "
+               "comes from \"slave[1].to_master\"");
+    says(text, "hint: connect slave[0].to_master to master.from_slaves;");
+}
+
+TEST_CASE("as many slaves as the chain has, and no more than there is work for") {
+    for (int slaves : {1, 3})
+        says(refusal("master", fmt::format("master (problem = \"line\",\nslaves = {});", slaves)),
+             fmt::format("farm.cfs:6:1: error: slaves = {}, but the chain at \"master.to_slaves\" has 2", slaves));
+    says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
+         "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slaves at the most");
+    CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
+}
+
+TEST_CASE("settings that do not fit together are refused at the parameter") {
+    auto master = [](const char* settings) {
+        return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", settings));
+    };
+    says(master("window = 13"), "farm.cfs:5:39: error: the window holds 13 samples, the record of \"line\" only 12");
+    says(master("first_window = 4, window = 3"),
+         "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
+    says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
+    CHECK(master("window = 3").empty()); // the default of first_window gives way
+    says(master("population = 10, elite = 9"), "farm.cfs:5:56: error: an elite of 9 leaves no pair to be bred");
+    says(master("bias = 8388609.0"), "it goes from 1e-300 to 8388608");
+    CHECK(master("bias = 8388608.0").empty());
+    says(refusal("host", "host (samples = 13, problem = \"line\");"),
+         "farm.cfs:4:7: error: samples = 13, but the record of \"line\" has 12");
+}
+
+TEST_CASE("problems are known, and all work on the same") {
+    says(refusal("slave 0", "slave[0] (problem = \"curve\");"),
+         "farm.cfs:6:11: error: there is no search problem 'curve'; known: line, other line");
+    says(refusal("slave 1", "slave[1] (problem = \"other line\");"),
+         "farm.cfs:7:11: error: \"slave[1]\" works on the problem \"other line\", but \"master\" on \"line\"");
+    says(refusal("host", "host (problem = \"other line\");"), "\"host\" works on the problem \"other line\"");
+}
+
+TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
+    // 98304 individuals in three shares of 32768: times 65536 bytes that is 2^31.
+    auto strings = [](int population, int bytes) {
+        return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, measurement_bytes = 1, "
+                                             "population = {}, string_bytes = {});",
+                                             population, bytes));
+    };
+    says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals comes to 2147483649 bytes");
+    says(strings(196608, 65536), "comes to 4294967297 bytes"); // 1 in 32 bits
+    CHECK(strings(98301, 65536).empty());
+    auto lines = statements();
+    lines.at("master") = "master (problem = \"line\", slaves = 2, population = 98304);";
+    lines.at("slave 1") = "slave[1] (problem = \"line\", fitness_bytes = 65536);";
+    Kinds kinds;
+    says(render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics),
+         "farm.cfs:7:29: error: a message for 32768 individuals comes to 2147483648 bytes");
+    CHECK(message_bytes(32767, 65536, 65535) == 0x7fffffff);
+    CHECK_THROWS_AS(message_bytes(32767, 65536, 65536), std::invalid_argument);
+}
+
+TEST_CASE("what is refused only when it runs names the process, its kind and its line") {
+    Kinds kinds;
+    auto read = read_netlist_text(netlist(statements()), kinds.catalogue, {}, "farm.cfs");
+    REQUIRE(read.network);
+    ProblemRegistry shorter; // another record than the one that was checked
+    shorter.add("line", make_search_problem(LineProblem{}), line_record(9));
+    Catalogue others;
+    add_genetic_algorithm_kinds(others, shorter);
+    CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"),
+                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(
+        Machine(*read.network, others, 1).run(),
+        doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"),
+        std::invalid_argument);
+}
