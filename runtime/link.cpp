@@ -71,7 +71,6 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocati
     sender_ = &kernel_.running();
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
-    began_ = kernel_.now();
     if (kernel_.now() >= may_start_)
         start_byte();
     else
@@ -158,9 +157,6 @@ void LinkDirection::acknowledge_started() {
     }
 }
 
-void LinkDirection::sending_ended() {
-    time_occupied_ += kernel_.now() - began_;
-    kernel_.make_ready(*std::exchange(sender_, nullptr));
-}
+void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }
 
 } // namespace placedpar
