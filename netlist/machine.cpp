@@ -143,7 +143,7 @@ RunReport Machine::report(RunResult result) const {
     for (std::size_t i = 0; i < links_.size(); ++i) {
         std::string a = link_name(network_.connections[i].a), b = link_name(network_.connections[i].b);
         auto data_time = [&](std::uint64_t bytes) {
-            return static_cast<std::int64_t>(bytes) * timing_of(network_.connections[i]).data();
+            return times(static_cast<std::int64_t>(bytes), timing_of(network_.connections[i]).data());
         };
         const LinkDirection& forth = links_[i]->from_a_to_b();
         const LinkDirection& back = links_[i]->from_b_to_a();
