@@ -64,9 +64,23 @@ void Process::wait(Activity activity) {
         Standstill standstill(*this);
         kernel_.wait();
     }
+    trace_wait(since);
+    activity_ = Activity::ready;
+}
+
+void Process::was_delayed(Time since, const SourceLocation& where) {
+    awaited_.clear();
+    where_ = where;
+    if (outermost_->going_on_ == 1)
+        outermost_->waited_ += kernel_.now() - since;
+    activity_ = Activity::delayed;
+    trace_wait(since);
+    activity_ = Activity::ready;
+}
+
+void Process::trace_wait(Time since) const {
     if (TraceSink* trace = kernel_.trace())
         trace->waited(*this, since, kernel_.now());
-    activity_ = Activity::ready;
 }
 
 } // namespace placedpar

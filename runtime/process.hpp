@@ -73,6 +73,8 @@ public:
     /// Waits, as part of the operation named, until made ready. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&);
+    /// Notes a delay for which the kernel passed the time on, without a wait. REQUIRES: this process is running.
+    void was_delayed(Time since, const SourceLocation&);
 
 private:
     friend class Kernel;
@@ -83,6 +85,7 @@ private:
     void wait(Activity);
     void goes_on();
     void stands_still();
+    void trace_wait(Time since) const;
 
     Kernel& kernel_;
     std::string name_;

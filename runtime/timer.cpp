@@ -25,9 +25,10 @@ void wait_until(Time due, const SourceLocation& where) {
     Process& self = kernel.running();
     if (self.processor() && due <= kernel.now())
         return compute(instructions::timer_input_past);
-    due = std::max(due, kernel.now());
+    Time since = kernel.now();
+    due = std::max(due, since);
     if (!self.processor() && kernel.pass_time(due))
-        return;
+        return self.was_delayed(since, where);
     Alarm alarm(self);
     kernel.future().schedule(alarm, due, EventQueue::timer);
     self.wait_for(Activity::delayed, nullptr, where);

@@ -6,15 +6,19 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 using namespace placedpar;
 
 namespace {
 
 constexpr Cycles very_many{std::numeric_limits<std::int64_t>::max()};
+
+struct LongMessage {
+    WireForm wire_form() const { return WireForm(1'000'000); }
+};
 
 std::string error_of(Simulation& simulation) {
     try {
@@ -54,7 +58,7 @@ TEST_CASE("so does a delay, but only when everything before it has happened") {
 
 TEST_CASE("so does a message over a link that is too slow for it") {
     Simulation simulation;
-    Channel<std::array<char, 1'000'000>> c("c");
+    Channel<LongMessage> c("c");
     c.put_on(simulation.link({.bits_per_second = 1, .wire_delay = std::chrono::microseconds{5}}).from_a_to_b());
     simulation.process("sender", [&] { c.out().output({}); });
     simulation.process("receiver", [&] { c.in().input(); });
