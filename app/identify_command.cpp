@@ -1,5 +1,6 @@
 #include "app/identify_command.hpp"
 
+#include "app/common_options.hpp"
 #include "app/identification/identification_report.hpp"
 #include "app/manifest.hpp"
 #include "app/netlist_run.hpp"
@@ -120,8 +121,12 @@ ExitCode run_on_machine(const Options& options, const RecordProblem& prepared, c
 }
 
 ExitCode identify_record(const Options& options, const std::string& command_line) {
-    if (!options.json.empty())
+    if (!options.json.empty()) {
+        const std::filesystem::path output[] = {options.json};
+        for (const std::string& input : {options.record, options.machine, options.netlist})
+            require_apart(output, input);
         require_writable(options.json);
+    }
     Parameters machine = load_machine(options.machine);
     Record record = load_record(options.record);
     IdentificationWay way = way_of(options);
@@ -166,21 +171,29 @@ void declare_options(CLI::App& command, Options& options) {
     command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 52))->capture_default_str();
     command.add_option("--coding", options.coding, "natural or gray; the way's own if not given")
         ->check(CLI::IsMember({"natural", "gray"}));
-    command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given");
-    command.add_option("--population", options.population, "individuals")->capture_default_str();
-    command.add_option("--trials", options.trials, "generations a sample")->capture_default_str();
-    command.add_option("--window", options.window, "samples that a fitness is summed over")->capture_default_str();
+    command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given")
+        ->check(not_a_whole_number);
+    command.add_option("--population", options.population, "individuals")
+        ->check(not_a_whole_number)
+        ->capture_default_str();
+    command.add_option("--trials", options.trials, "generations a sample")
+        ->check(not_a_whole_number)
+        ->capture_default_str();
+    command.add_option("--window", options.window, "samples that a fitness is summed over")
+        ->check(not_a_whole_number)
+        ->capture_default_str();
     command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")->capture_default_str();
     command.add_option("--samples", options.samples, "usable samples from the valve's opening on: 20 are 0.4 s")
+        ->check(not_a_whole_number)
         ->capture_default_str();
     command.add_flag("--rising", options.rising, "nothing from the first falling pressure on");
-    command.add_option("--seed", options.seed, "of every random stream")->type_name("N")->capture_default_str();
+    add_seed(command, options.seed);
     command.add_option("--on", options.netlist, "then runs it as the processes of this netlist, too")
         ->type_name("NETLIST");
     command.add_option("--set", options.set, "NAME=VALUE: gives a val of that netlist another value")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--json", options.json, "writes the result for machines")->type_name("FILE");
+    add_output(command, "--json", options.json, "writes the result for machines");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "app/command.hpp"
+#include "app/common_options.hpp"
 #include "app/identify_command.hpp"
 #include "app/kinds_command.hpp"
 #include "app/manifest.hpp"
@@ -18,7 +19,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,17 +41,22 @@ struct Options {
 
 ExitCode run(const Options& options) {
     Manifest manifest{options.command, options.seed, overrides_of(options.set)};
-    for (const std::string& path : {options.json, options.trace})
+    const std::filesystem::path outputs[] = {options.json, options.trace};
+    require_apart(outputs, options.file);
+    for (const auto& path : outputs)
         if (!path.empty())
             require_writable(path);
     Network network = load_network(options.file, manifest.overrides);
-    PerfettoTrace trace;
-    RunReport report = run_netlist(network, options.seed, Time::max(), options.trace.empty() ? nullptr : &trace);
+    std::optional<OutputFile> timeline;
+    std::optional<PerfettoTrace> trace;
+    if (!options.trace.empty())
+        trace.emplace(timeline.emplace(options.trace));
+    RunReport report = run_netlist(network, options.seed, Time::max(), trace ? &*trace : nullptr);
     fmt::print("{}", print_report(report, network));
     if (!options.json.empty())
         write_whole(options.json, print_pretty(report_json(report, network, manifest)));
-    if (!options.trace.empty())
-        write_whole(options.trace, trace.json());
+    if (trace)
+        trace->finish();
     return exit_code_of(report.result.ending);
 }
 
@@ -82,10 +93,6 @@ void add_netlist_arguments(CLI::App& command, Options& options) {
         ->allow_extra_args(false);
 }
 
-void add_seed(CLI::App& command, Options& options) {
-    command.add_option("--seed", options.seed, "of every random stream")->type_name("N")->capture_default_str();
-}
-
 /// Declares the commands; the one that was typed is put into `chosen`.
 void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     auto add = [&](const char* name, const char* about, ExitCode (*command)(const Options&)) {
@@ -95,10 +102,9 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     };
     auto* run_command = add("run", "Runs a netlist and reports what it computed and what it cost", run);
     add_netlist_arguments(*run_command, options);
-    add_seed(*run_command, options);
-    run_command->add_option("--json", options.json, "writes the report for machines")->type_name("FILE");
-    run_command->add_option("--trace", options.trace, "writes a timeline that ui.perfetto.dev shows")
-        ->type_name("FILE");
+    add_seed(*run_command, options.seed);
+    add_output(*run_command, "--json", options.json, "writes the report for machines");
+    add_output(*run_command, "--trace", options.trace, "writes a timeline that ui.perfetto.dev shows");
 
     add_netlist_arguments(*add("check", "Reads and checks a netlist", check), options);
 
@@ -116,8 +122,8 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
             return replay(o.experiment, o.seed, {o.json, o.plots}, o.command);
         });
     replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
-    add_seed(*replay_sub, options);
-    replay_sub->add_option("--json", options.json, "writes the cells for machines")->type_name("FILE");
+    add_seed(*replay_sub, options.seed);
+    add_output(*replay_sub, "--json", options.json, "writes the cells for machines");
     replay_sub->add_option("--plots", options.plots, "writes the experiment's plots, SVG")->type_name("FOLDER");
     replay_sub->footer("experiments:\n" + list_experiments());
 
@@ -129,6 +135,26 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
 
 bool is_command(const CLI::App& app, std::string_view name) {
     return std::ranges::any_of(app.get_subcommands({}), [&](const CLI::App* each) { return each->get_name() == name; });
+}
+
+/// What the command line asks for. Throws what the command throws.
+int execute(CLI::App& app, const ChosenCommand& chosen, int argc, char** argv) {
+    if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
+        throw std::runtime_error(
+            fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+    }
+    return static_cast<int>(chosen());
+}
+
+/// A report that was lost on its way to a full disk is no success.
+void require_printed() {
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw std::runtime_error("standard output cannot be written");
 }
 
 int main(int argc, char** argv) {
@@ -144,13 +170,9 @@ int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
     try {
-        if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
-            throw std::runtime_error(
-                fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
-        app.parse(argc, argv);
-        return static_cast<int>(chosen());
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+        int code = execute(app, chosen, argc, argv);
+        require_printed();
+        return code;
     } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const std::exception& error) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 namespace placedpar {
@@ -56,9 +57,13 @@ private:
         out_ += "\n" + std::string(2 * depth, ' ') + close;
     }
 
-    /// Boost prints 86.4 as 8.64E1; people prefer the shortest usual form, which reads back the same.
+    /// Boost prints 86.4 as 8.64E1; people prefer the shortest usual form, which reads back the same. JSON has
+    /// no number that is not finite: such a one becomes null.
     void add_scalar(const boost::json::value& value) {
-        out_ += value.is_double() ? fmt::format("{}", value.get_double()) : boost::json::serialize(value);
+        if (!value.is_double())
+            out_ += boost::json::serialize(value);
+        else
+            out_ += std::isfinite(value.get_double()) ? fmt::format("{}", value.get_double()) : "null";
     }
 
     std::string out_;

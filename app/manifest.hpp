@@ -22,7 +22,7 @@ extern const char* const version;
 /// {"version", "command", "netlist", "netlist_hash", "overrides", "seed"}
 boost::json::object manifest_json(const Manifest&, const Network&);
 
-/// Indented, so that people can read it; ends with a newline.
+/// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.
 std::string print_pretty(const boost::json::value&);
 
 std::string hex(std::uint64_t);

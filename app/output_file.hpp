@@ -1,15 +1,49 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace placedpar {
 
-/// Writes a file whole or not at all: to a temporary file beside it, which then takes its name.
+/// A file that is written whole or not at all: to a temporary file beside it, which takes its name at the end.
+/// A symbolic link stays one, and what it leads to is written; a file that is there already keeps its permissions.
+/// A device or a pipe has no name to take: it is written as it goes.
+class OutputFile {
+public:
+    /// Throws std::runtime_error, naming the file and the reason.
+    explicit OutputFile(const std::filesystem::path&);
+    /// Nothing has been written unless finish() was called.
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    /// What goes wrong here is told by finish(), so that it can be called where nothing may throw.
+    void write(std::string_view) noexcept;
+    /// Throws std::runtime_error when the file could not be written whole.
+    void finish();
+
+private:
+    void note_error() noexcept;
+    void close() noexcept;
+
+    std::filesystem::path name_;        ///< as the user gave it
+    std::filesystem::path destination_; ///< what takes the content in the end
+    std::filesystem::path written_;     ///< the temporary file, or the destination where that is no file
+    std::FILE* file_ = nullptr;
+    int error_ = 0;
+};
+
 /// Throws std::runtime_error, naming the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
-/// Throws std::runtime_error if write_whole to this path is sure to fail, so that a long run is not lost.
+/// Throws std::runtime_error if an OutputFile of this path is sure to fail, so that a long run is not lost: in a
+/// folder that is not there, a file that nobody may write, the file that standard output goes to.
 void require_writable(const std::filesystem::path&);
+
+/// Throws std::runtime_error if one of the outputs is also the input or another output. Those that are empty are
+/// passed over.
+void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
 } // namespace placedpar

@@ -7,11 +7,13 @@
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace placedpar {
 
 namespace {
 
-std::string quoted(const std::string& text) { return boost::json::serialize(boost::json::string(text)); }
+std::string json_text(const std::string& text) { return boost::json::serialize(boost::json::string(text)); }
 
 /// The format counts microseconds; three digits more keep nanoseconds, the rest of a picosecond is dropped
 /// from the picture only.
@@ -19,10 +21,19 @@ std::string microseconds(Time t) { return fmt::format("{:.6f}", static_cast<doub
 
 } // namespace
 
+PerfettoTrace::PerfettoTrace(OutputFile& file) : file_(file) {
+    file_.write("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n");
+}
+
+void PerfettoTrace::finish() {
+    file_.write("\n]}\n");
+    file_.finish();
+}
+
 void PerfettoTrace::add(const std::string& event) {
-    if (!events_.empty())
-        events_ += ",\n";
-    events_ += event;
+    if (!std::exchange(is_first_, false))
+        file_.write(",\n");
+    file_.write(event);
 }
 
 std::uint32_t PerfettoTrace::track(const Process& process) {
@@ -30,16 +41,16 @@ std::uint32_t PerfettoTrace::track(const Process& process) {
     auto [found, is_new] = groups_.try_emplace(group, static_cast<std::uint32_t>(groups_.size() + 1));
     if (is_new)
         add(fmt::format(R"({{"ph":"M","name":"process_name","pid":{},"args":{{"name":{}}}}})", found->second,
-                        quoted(group)));
+                        json_text(group)));
     if (group_of_track_.try_emplace(process.ordinal(), found->second).second)
         add(fmt::format(R"({{"ph":"M","name":"thread_name","pid":{},"tid":{},"args":{{"name":{}}}}})", found->second,
-                        process.ordinal(), quoted(process.path())));
+                        process.ordinal(), json_text(process.path())));
     return found->second;
 }
 
 void PerfettoTrace::slice(const Process& process, const std::string& name, const char* category, Time begin, Time end) {
     std::uint32_t group = track(process);
-    add(fmt::format(R"({{"ph":"X","name":{},"cat":"{}","pid":{},"tid":{},"ts":{},"dur":{}}})", quoted(name), category,
+    add(fmt::format(R"({{"ph":"X","name":{},"cat":"{}","pid":{},"tid":{},"ts":{},"dur":{}}})", json_text(name), category,
                     group, process.ordinal(), microseconds(begin), microseconds(end - begin)));
 }
 
@@ -58,11 +69,7 @@ void PerfettoTrace::communicated(const AnyChannel& channel, Time at) {
     const Process& receiver = *channel.inputter();
     std::uint32_t group = track(receiver);
     add(fmt::format(R"({{"ph":"i","s":"t","name":{},"cat":"message","pid":{},"tid":{},"ts":{}}})",
-                    quoted(channel.name()), group, receiver.ordinal(), microseconds(at)));
-}
-
-std::string PerfettoTrace::json() const {
-    return "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n" + events_ + "\n]}\n";
+                    json_text(channel.name()), group, receiver.ordinal(), microseconds(at)));
 }
 
 } // namespace placedpar

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/output_file.hpp"
 #include "runtime/trace.hpp"
 
 #include <cstdint>
@@ -10,14 +11,17 @@ namespace placedpar {
 
 /// A trace in the Trace Event format, which ui.perfetto.dev and chrome://tracing show as a timeline: a
 /// track for each process, grouped by processor, with what it computed and what it waited for.
+/// It is written as the run goes.
 class PerfettoTrace final : public TraceSink {
 public:
+    /// REQUIRES: the file outlives it, and nothing has been written to it.
+    explicit PerfettoTrace(OutputFile&);
+    /// To be called after the run: ends the document, which finishes the file. Throws as OutputFile::finish().
+    void finish();
+
     void computed(const Process&, Time begin, Time end) override;
     void waited(const Process&, Time begin, Time end) override;
     void communicated(const AnyChannel&, Time at) override;
-
-    /// The whole document.
-    std::string json() const;
 
 private:
     /// The number of the process's track; announces it when it is new.
@@ -25,9 +29,10 @@ private:
     void slice(const Process&, const std::string& name, const char* category, Time begin, Time end);
     void add(const std::string& event);
 
+    OutputFile& file_;
+    bool is_first_ = true;
     std::map<std::string, std::uint32_t> groups_;
     std::map<std::uint32_t, std::uint32_t> group_of_track_;
-    std::string events_;
 };
 
 } // namespace placedpar

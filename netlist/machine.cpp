@@ -10,9 +10,12 @@ namespace placedpar {
 
 namespace {
 
-/// 5 ns a metre of wire (transmission line); 1.75 bit times in each crossbar switch (C004 manual).
-LinkTiming timing_of(const LinkConnection& connection) {
+/// 5 ns a metre of wire (transmission line); 1.75 bit times in each crossbar switch (C004 manual). A link overlaps its
+/// acknowledges where both of its ends can.
+LinkTiming timing_of(const LinkConnection& connection, const std::vector<Node>& nodes) {
     LinkTiming timing{.bits_per_second = connection.bits_per_second};
+    for (const LinkEnd& end : {connection.a, connection.b})
+        timing.overlapped_acknowledge = timing.overlapped_acknowledge && nodes[end.node].overlapped_acknowledge;
     timing.wire_delay = Time{static_cast<std::int64_t>(connection.metres * 5000.0)} +
                         duration_of(175 * connection.switches(), 100 * connection.bits_per_second);
     return timing;
@@ -84,7 +87,7 @@ void Machine::make_processors() {
 
 void Machine::make_links() {
     for (const LinkConnection& connection : network_.connections)
-        links_.push_back(&simulation_.link(timing_of(connection)));
+        links_.push_back(&simulation_.link(timing_of(connection, network_.nodes)));
     multiplexers_.resize(links_.size());
     // A link that is shared in one direction is shared in both: acknowledge packets travel the other way.
     for (const NetworkChannel& channel : network_.channels) {
@@ -155,7 +158,7 @@ RunReport Machine::report(RunResult result) const {
     for (std::size_t i = 0; i < links_.size(); ++i) {
         std::string a = link_name(network_.connections[i].a), b = link_name(network_.connections[i].b);
         auto data_time = [&](std::uint64_t bytes) {
-            return static_cast<std::int64_t>(bytes) * timing_of(network_.connections[i]).data();
+            return times(static_cast<std::int64_t>(bytes), timing_of(network_.connections[i], network_.nodes).data());
         };
         const LinkDirection& forth = links_[i]->from_a_to_b();
         const LinkDirection& back = links_[i]->from_b_to_a();

@@ -32,6 +32,7 @@ struct Node {
     std::int64_t memory_bytes = 0;
     std::int64_t clock_hz = 20'000'000;
     std::int64_t link_bits_per_second = 20'000'000;
+    bool overlapped_acknowledge = true;   ///< its links acknowledge a byte while it comes in
     std::int64_t channel_call_cycles = 0; ///< what the communication library charges per channel operation
     std::map<std::string, Value> other;   ///< attributes of the real tool that a simulation has no use for
     Location declared;

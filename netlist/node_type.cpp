@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <map>
+#include <string_view>
 
 namespace placedpar {
 
@@ -11,10 +12,15 @@ using Types = std::map<std::string, NodeType, std::less<>>;
 
 constexpr std::int64_t kilobyte = 1024, megabyte = 1024 * 1024;
 
+/// The databook names the T800, T805 and T425 as overlapping acknowledges, the T414 as not. Taken from there: the T801,
+/// T400, T222 and T225 are of the former's generation, the T212 and M212 of the T414's.
+bool overlaps_acknowledges(std::string_view chip) { return chip != "T414" && chip != "T212" && chip != "M212"; }
+
 NodeType transputer(const std::string& name, std::int64_t memory, int links) {
     NodeType type;
     type.preset.type = name;
     type.preset.memory_bytes = memory;
+    type.preset.overlapped_acknowledge = overlaps_acknowledges(name);
     type.links = links;
     return type;
 }

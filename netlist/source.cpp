@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 namespace placedpar {
@@ -104,11 +105,15 @@ LoadedSource load_source(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in)
         return refused(path.string(), "the file cannot be opened for reading");
-    std::string text(largest_source_bytes + 4, '\0'); // three bytes may be a byte order mark
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::string text;
+    std::array<char, 1 << 16> piece;
+    while (text.size() <= largest_source_bytes + 3 && in) { // three bytes may be a byte order mark
+        in.read(piece.data(), piece.size());
+        text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    }
     if (in.bad())
         return refused(path.string(), "the file cannot be read to its end");
-    text.resize(static_cast<std::size_t>(in.gcount()));
+    text.shrink_to_fit(); // it is kept for as long as anybody may have to show a line of it
     return check_source(path.string(), std::move(text));
 }
 

@@ -45,17 +45,22 @@ std::vector<AnyChannel*> awaited_channels(std::span<const Guard> guards) {
     return channels;
 }
 
-/// What enbc, enbt and their likes, altwt, and the disabling instructions come to.
-Cycles cost(std::size_t guards, bool has_to_wait) {
-    using namespace instructions;
-    return alt_start_and_end + static_cast<std::int64_t>(guards) * (enable_guard + disable_guard) +
-           (has_to_wait ? alt_wait : alt_wait_ready);
+using namespace instructions;
+
+/// Until the process waits: alt, and enbc, enbs or enbt for each guard.
+Cycles cost_of_enabling(std::span<const Guard> guards) {
+    Cycles sum = alt_start;
+    for (const Guard& guard : guards)
+        sum = sum + (guard.kind == Guard::timeout ? enable_timeout : enable_guard);
+    return sum;
 }
 
-/// A process that polls costs no time when it is not placed: without this nobody else would ever run.
-void give_others_a_turn(Process& self, const SourceLocation& where) {
-    self.kernel().make_ready(self);
-    self.wait_for(Activity::ready, nullptr, where);
+/// Once a guard is ready: disc, diss or dist for each, and altend.
+Cycles cost_of_disabling(std::span<const Guard> guards) {
+    Cycles sum = alt_end;
+    for (const Guard& guard : guards)
+        sum = sum + (guard.kind == Guard::timeout ? disable_timeout : disable_guard);
+    return sum;
 }
 
 } // namespace
@@ -94,28 +99,33 @@ void AnyChannel::announce() {
         alternation_->wake();
 }
 
+/// Waits until a guard is ready.
+void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
+    auto channels = awaited_channels(guards);
+    auto timeout = earliest_timeout(guards);
+    if (channels.empty() && !timeout)
+        throw std::logic_error("process " + self.path() + ": an alternation none of whose guards can be ready");
+    Alternation alternation(self, channels);
+    alternation.enable(timeout);
+    self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where);
+}
+
 std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     for (const Guard& guard : guards)
         if (guard.kind == Guard::input)
             guard.channel->note_inputter(self);
-    auto ready = first_ready(guards);
-    compute(cost(guards.size(), !ready));
-    if (!ready)
-        ready = first_ready(guards); // time may have passed while enabling
-    if (!ready) {
-        auto channels = awaited_channels(guards);
-        auto timeout = earliest_timeout(guards);
-        if (channels.empty() && !timeout)
-            throw std::logic_error("process " + self.path() + ": an alternation none of whose guards can be ready");
-        Alternation alternation(self, channels);
-        alternation.enable(timeout);
-        self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where);
-        ready = first_ready(guards);
-    }
-    if (guards[*ready].kind == Guard::skip && !self.processor())
-        give_others_a_turn(self, where);
-    return *ready;
+    compute(cost_of_enabling(guards));
+    compute(first_ready(guards) ? alt_wait_ready : alt_wait);
+    bool has_to_sleep = !first_ready(guards);
+    if (has_to_sleep)
+        sleep(self, guards, where);
+    std::size_t chosen = *first_ready(guards);
+    compute(cost_of_disabling(guards));
+    // Who polls and is not placed uses no time: without this nobody else would ever run.
+    if (!has_to_sleep && !self.processor() && guards[chosen].kind != Guard::input)
+        wait_until(now(), where);
+    return chosen;
 }
 
 } // namespace placedpar

@@ -21,7 +21,8 @@ using Processes = std::vector<const Process*>; ///< in order of creation
 /// whose PAR it was in.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
-    bool lives = found != living.end() && *found == user.process;
+    // The address alone does not tell: a later component may have been put where an earlier one was.
+    bool lives = found != living.end() && (*found)->ordinal() == user.ordinal && *found == user.process;
     return lives ? user.process : user.outermost;
 }
 

@@ -11,17 +11,21 @@ namespace placedpar::instructions {
 
 constexpr std::int64_t bytes_in_a_word = 4;
 
-constexpr Cycles input_or_output{19};      ///< in, out: 2w + 19 for w words
-constexpr Cycles copied_word{2};           ///< ... of which the second process to arrive pays for the copy
-constexpr Cycles start_process{12};        ///< startp
-constexpr Cycles end_process{13};          ///< endp
-constexpr Cycles load_timer{2};            ///< ldtimer
-constexpr Cycles timer_input{30};          ///< tin, when it has to wait
-constexpr Cycles alt_start_and_end{2 + 4}; ///< alt, altend
-constexpr Cycles alt_wait_ready{5};        ///< altwt when a guard is ready
-constexpr Cycles alt_wait{17};             ///< altwt when none is
-constexpr Cycles enable_guard{7};          ///< enbc, enbs; enbt 8
-constexpr Cycles disable_guard{8};         ///< disc, diss; dist 23
+constexpr Cycles input_or_output{19}; ///< in, out: 2w + 19 for w words
+constexpr Cycles copied_word{2};      ///< ... of which the second process to arrive pays for the copy
+constexpr Cycles start_process{12};   ///< startp
+constexpr Cycles end_process{13};     ///< endp
+constexpr Cycles load_timer{2};       ///< ldtimer
+constexpr Cycles timer_input{30};     ///< tin, when it has to wait
+constexpr Cycles timer_input_past{4}; ///< ... when the time has come already
+constexpr Cycles alt_start{2};        ///< alt
+constexpr Cycles enable_guard{7};     ///< enbc, enbs
+constexpr Cycles enable_timeout{8};   ///< enbt
+constexpr Cycles alt_wait_ready{5};   ///< altwt when a guard is ready
+constexpr Cycles alt_wait{17};        ///< altwt when none is
+constexpr Cycles disable_guard{8};    ///< disc, diss
+constexpr Cycles disable_timeout{23}; ///< dist
+constexpr Cycles alt_end{4};          ///< altend
 
 /// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.
 constexpr Cycles preemption{19};

@@ -7,8 +7,12 @@
 #include <boost/fiber/algo/round_robin.hpp>
 #include <boost/fiber/operations.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
+#include <string>
 
 namespace placedpar {
 
@@ -16,6 +20,18 @@ namespace {
 
 /// Workers with guarded stacks: more would exceed what Linux grants a program by default (65530 mappings).
 constexpr std::size_t guarded_workers = 16'000;
+
+/// Names the first process that computes or waits for its timer: it is, or drives, what would come too late.
+std::string beyond_the_end_of_time(const std::vector<const Process*>& living) {
+    auto late = std::ranges::find_if(living, [](const Process* p) {
+        return p->activity() == Activity::ready || p->activity() == Activity::delayed;
+    });
+    return fmt::format("virtual time lasts for {} days, and {} would go on after that: {}",
+                       std::chrono::floor<std::chrono::days>(Time::max()).count(),
+                       late == living.end() ? "a message on a link" : "process " + (*late)->path(),
+                       late == living.end() ? "give the link more speed, or send less"
+                                            : "let it compute and wait for less");
+}
 
 } // namespace
 
@@ -62,12 +78,22 @@ Process* Kernel::choose_next() {
             return p;
         if (future_.empty())
             return nullptr;
-        limit_reached_ = future_.next_time() > limit_;
-        now_ = std::min(future_.next_time(), limit_);
-        if (!limit_reached_)
-            future_.happen_next();
+        pass_to(future_.next_time());
     }
     return nullptr;
+}
+
+/// The next event happens, unless the run ends before it.
+void Kernel::pass_to(Time next) {
+    limit_reached_ = next > limit_;
+    if (limit_reached_) {
+        now_ = limit_;
+    } else if (next == Time::max()) {
+        failure_ = std::make_exception_ptr(std::overflow_error(beyond_the_end_of_time(living())));
+    } else {
+        now_ = next;
+        future_.happen_next();
+    }
 }
 
 /// The process that is to run next, with a fiber to run on; null when the run is over.
@@ -85,7 +111,7 @@ Process* Kernel::next_with_worker() {
 }
 
 bool Kernel::pass_time(Time until) {
-    if (!ready_.empty() || until > limit_ || unwinding_ || over())
+    if (!ready_.empty() || until > limit_ || until == Time::max() || unwinding_ || over())
         return false;
     if (!future_.empty() && future_.next_time() <= until)
         return false;
@@ -139,6 +165,7 @@ void Kernel::give_way() {
 /// The process that ran on the worker has ended: whoever waits in a PAR for it may go on.
 void Kernel::finish(Process& p) noexcept {
     p.activity_ = Activity::ended;
+    p.stands_still();
     program_processes_ -= !p.serves_machine();
     fingerprint_.mix(static_cast<std::uint64_t>(now_.count()));
     fingerprint_.mix(p.ordinal_);

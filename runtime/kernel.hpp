@@ -79,7 +79,8 @@ public:
     /// Runs until the end. Rethrows what a process or `at_end` threw. On return every process has been unwound.
     /// `at_end` is called before that, while the processes that are stuck still stand where they are; not
     /// after a process threw. Throws std::logic_error when a simulation is already running on this thread,
-    /// and when called twice.
+    /// and when called twice; std::overflow_error when nothing is left to happen before the end of virtual time
+    /// but something is beyond it.
     ///
     /// It may be called from a Boost fiber. The thread's other fibers rest meanwhile; afterwards they are
     /// scheduled round robin, whatever the algorithm was before.
@@ -104,6 +105,7 @@ private:
     bool over() const;
     Process* choose_ready();
     Process* choose_next();
+    void pass_to(Time next);
     Process* next_with_worker();
     void switch_to(Process*);
     void employ(Process&);

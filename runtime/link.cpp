@@ -71,7 +71,6 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocati
     sender_ = &kernel_.running();
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
-    began_ = kernel_.now();
     if (kernel_.now() >= may_start_)
         start_byte();
     else
@@ -113,14 +112,14 @@ void LinkDirection::start_byte() {
 }
 
 void LinkDirection::byte_started() {
-    Time seen = kernel_.now() + timing_.wire_delay;
-    byte_noticed_.schedule(seen + timing_.acknowledge_latency());
+    Time seen = later(kernel_.now(), timing_.wire_delay);
+    byte_noticed_.schedule(later(seen, timing_.acknowledge_latency()));
     if (bytes_left_ == bytes_in_part_) {
         cancel(first_byte_arrived_); // of a part that was taken: it changes nothing
-        first_byte_arrived_.schedule(seen + timing_.data());
+        first_byte_arrived_.schedule(later(seen, timing_.data()));
     }
     if (--bytes_left_ == 0)
-        last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(seen + timing_.data());
+        last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(later(seen, timing_.data()));
     ++bytes_carried_;
 }
 
@@ -146,11 +145,11 @@ void LinkDirection::last_byte_arrived() {
 }
 
 void LinkDirection::acknowledge_started() {
-    Time seen = kernel_.now() + timing_.wire_delay;
-    may_start_ = seen + timing_.restart_latency();
+    Time seen = later(kernel_.now(), timing_.wire_delay);
+    may_start_ = later(seen, timing_.restart_latency());
     if (bytes_left_ == 0) {
         take_part();
-        sending_ended_.schedule(seen + timing_.acknowledge());
+        sending_ended_.schedule(later(seen, timing_.acknowledge()));
     } else if (quiet_enough_to_skip()) {
         skip_middle_bytes();
     } else {
@@ -158,9 +157,6 @@ void LinkDirection::acknowledge_started() {
     }
 }
 
-void LinkDirection::sending_ended() {
-    time_occupied_ += kernel_.now() - began_;
-    kernel_.make_ready(*std::exchange(sender_, nullptr));
-}
+void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }
 
 } // namespace placedpar

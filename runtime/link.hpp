@@ -30,8 +30,6 @@ public:
     void simulate_every_byte() { every_byte_ = true; }
 
     std::uint64_t bytes_carried() const { return bytes_carried_; }
-    /// How long messages were under way, from the start of their first byte to the acknowledge of the last.
-    Time time_occupied() const { return time_occupied_; }
 
 private:
     void serve(AnyChannel&);
@@ -77,7 +75,6 @@ private:
     std::uint32_t bytes_left_ = 0; ///< not yet started
     bool last_part_ = false;
     Time may_start_{}; ///< no byte before this
-    Time began_{};
 
     Process* receiver_ = nullptr;
     bool first_byte_waits_ = false; ///< arrived, and nobody has asked for it
@@ -98,7 +95,6 @@ private:
     StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
 
     std::uint64_t bytes_carried_ = 0;
-    Time time_occupied_{};
 };
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.

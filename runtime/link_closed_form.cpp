@@ -16,7 +16,7 @@ void LinkDirection::skip_middle_bytes() {
     skipped_bytes_ = std::exchange(bytes_left_, 1) - 1;
     bytes_carried_ += skipped_bytes_;
     first_skipped_start_ = std::max(may_start_, out_.free_at());
-    start_byte_.schedule(first_skipped_start_ + skipped_bytes_ * timing_.byte_period());
+    start_byte_.schedule(later(first_skipped_start_, times(skipped_bytes_, timing_.byte_period())));
 }
 
 /// Everything that bytes and acknowledges do up to and including this moment has happened (EventQueue sees to
@@ -35,14 +35,14 @@ void LinkDirection::simulate_bytes_again() {
     bytes_carried_ -= to_come;
     if (started > 0) {
         Time start = first_skipped_start_ + (started - 1) * timing_.byte_period();
-        out_.occupied_until(start + timing_.data());
-        Time noticed = start + timing_.wire_delay + timing_.acknowledge_latency();
+        out_.occupied_until(later(start, timing_.data()));
+        Time noticed = later(start, timing_.wire_delay + timing_.acknowledge_latency());
         if (noticed > now) {
             byte_noticed_.schedule(noticed);
             return;
         }
-        back_.occupied_until(noticed + timing_.acknowledge());
-        may_start_ = noticed + timing_.wire_delay + timing_.restart_latency();
+        back_.occupied_until(later(noticed, timing_.acknowledge()));
+        may_start_ = later(noticed, timing_.wire_delay + timing_.restart_latency());
     }
     start_byte_.schedule(std::max(may_start_, now));
 }

@@ -15,7 +15,7 @@ namespace placedpar {
 struct LinkTiming {
     std::int64_t bits_per_second = 20'000'000;
     Time wire_delay{};                  ///< one way, of wire and switches
-    bool overlapped_acknowledge = true; ///< T800, T805, T425; not T414, C011, C012
+    bool overlapped_acknowledge = true; ///< T800, T805, T425; not T414
 
     static constexpr std::int64_t data_bits = 11;
     static constexpr std::int64_t acknowledge_bits = 2;

@@ -23,10 +23,22 @@ void run_in_parallel(std::vector<Component>, const SourceLocation&);
 /// The priority of the running process, which its components inherit.
 Priority own_priority();
 
+/// The first component of a PAR, made of a body where `par` is called, so that it knows where that is.
+struct FirstComponent {
+    template <class Body>
+    FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())
+        : body(std::forward<Body>(b)), where(here) {}
+
+    Process::Body body;
+    SourceLocation where;
+};
+
 /// occam's PAR: `par([&] { ... }, [&] { ... })`.
 template <class... Bodies>
-void par(Bodies&&... bodies) {
-    run_in_parallel({Component{std::forward<Bodies>(bodies), own_priority()}...}, SourceLocation{});
+void par(FirstComponent first, Bodies&&... others) {
+    run_in_parallel(
+        {Component{std::move(first.body), own_priority()}, Component{std::forward<Bodies>(others), own_priority()}...},
+        first.where);
 }
 
 /// occam's replicated PAR, `PAR i = 0 FOR n`: `par_for(n, [&](std::size_t i) { ... })`.

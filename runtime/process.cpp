@@ -18,6 +18,7 @@ Process::Process(Process& parent, std::size_t index, Body body, Priority priorit
     : kernel_(parent.kernel_), index_(index), body_(std::move(body)), processor_(parent.processor_),
       priority_(priority), join_(&join), outermost_(parent.outermost_) {
     kernel_.add(*this);
+    goes_on();
 }
 
 Process::~Process() { kernel_.remove(*this); }
@@ -40,14 +41,46 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     wait(activity);
 }
 
+void Process::goes_on() {
+    if (outermost_->going_on_++ == 0)
+        outermost_->waited_ += kernel_.now() - outermost_->still_since_;
+}
+
+void Process::stands_still() {
+    if (--outermost_->going_on_ == 0)
+        outermost_->still_since_ = kernel_.now();
+}
+
 void Process::wait(Activity activity) {
+    /// Also when the run ends during the wait.
+    struct Standstill {
+        explicit Standstill(Process& p) : process(p) { process.stands_still(); }
+        ~Standstill() { process.goes_on(); }
+        Process& process;
+    };
     activity_ = activity;
     Time since = kernel_.now();
-    kernel_.wait();
-    waited_ += kernel_.now() - since;
+    {
+        Standstill standstill(*this);
+        kernel_.wait();
+    }
+    trace_wait(since);
+    activity_ = Activity::ready;
+}
+
+void Process::was_delayed(Time since, const SourceLocation& where) {
+    awaited_.clear();
+    where_ = where;
+    if (outermost_->going_on_ == 1)
+        outermost_->waited_ += kernel_.now() - since;
+    activity_ = Activity::delayed;
+    trace_wait(since);
+    activity_ = Activity::ready;
+}
+
+void Process::trace_wait(Time since) const {
     if (TraceSink* trace = kernel_.trace())
         trace->waited(*this, since, kernel_.now());
-    activity_ = Activity::ready;
 }
 
 } // namespace placedpar

@@ -65,12 +65,16 @@ public:
     Activity activity() const { return activity_; }
     const std::vector<const AnyChannel*>& awaited_channels() const { return awaited_; }
     const SourceLocation& place_in_program() const { return where_; }
-    /// Time spent in waits for partners, joins and delays, up to the moment when its processor took it up again.
+    /// Of a process at the outermost level: time in which neither it nor any component of its PARs could go on,
+    /// for all of them waited for partners or delays; each wait up to the moment when the processor took the process
+    /// up again, and those that were not over when the run was.
     Time time_waited() const { return waited_; }
 
     /// Waits, as part of the operation named, until made ready. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&);
+    /// Notes a delay for which the kernel passed the time on, without a wait. REQUIRES: this process is running.
+    void was_delayed(Time since, const SourceLocation&);
 
 private:
     friend class Kernel;
@@ -79,6 +83,9 @@ private:
     friend class ProcessQueue;
 
     void wait(Activity);
+    void goes_on();
+    void stands_still();
+    void trace_wait(Time since) const;
 
     Kernel& kernel_;
     std::string name_;
@@ -92,6 +99,10 @@ private:
     Activity activity_ = Activity::ready;
     std::vector<const AnyChannel*> awaited_;
     SourceLocation where_;
+
+    // Of a process at the outermost level, for itself and its components.
+    std::size_t going_on_ = 1; ///< how many of them do not wait and have not ended
+    Time still_since_{};       ///< when the last of them began to wait
     Time waited_{};
 
     Worker* worker_ = nullptr; ///< the fiber that runs its body; null before its first turn
@@ -100,7 +111,7 @@ private:
 
     Time work_left_{};     ///< processor time that it still needs before its body goes on
     Join* join_ = nullptr; ///< the PAR of which it is a component
-    const Process* outermost_ = this;
+    Process* outermost_ = this;
 };
 
 /// First in, first out, linked through the processes themselves: a process stands in at most one queue.

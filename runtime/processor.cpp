@@ -91,8 +91,9 @@ void Processor::compute(Cycles cycles) {
 
 /// The end of the first timeslice period that ends with the current process having run for a whole one.
 Time Processor::slice_end() const {
-    Time earliest = std::max(dispatched_at_ + timeslice, kernel_.now());
-    return (earliest + timeslice - Time{1}) / timeslice * timeslice;
+    Time earliest = std::max(later(dispatched_at_, timeslice), kernel_.now());
+    Time rounded_up = later(earliest, timeslice - Time{1});
+    return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;
 }
 
 void Processor::begin_turn() {
@@ -132,7 +133,8 @@ void Processor::preempt() {
         stop_turn();
     preempted_ = std::exchange(current_, nullptr);
     Process* high = high_.pop_front();
-    high->work_left_ += duration_of(static_cast<std::int64_t>(instructions::preemption), clock_hz_);
+    Time latency = duration_of(static_cast<std::int64_t>(instructions::preemption), clock_hz_);
+    high->work_left_ = later(high->work_left_, latency);
     current_ = high;
     begin_turn();
 }

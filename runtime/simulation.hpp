@@ -49,7 +49,8 @@ public:
     /// Another of the program's possible courses: see Kernel::shuffle.
     void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
     /// Runs until every process has ended, nobody can go on, or the limit is reached. Rethrows what a
-    /// process threw. REQUIRES: called once; no other simulation is running on this thread.
+    /// process threw; throws std::overflow_error when it would go on beyond the end of virtual time.
+    /// REQUIRES: called once; no other simulation is running on this thread.
     RunResult run(Time limit = Time::max()) {
         std::optional<Deadlock> deadlock;
         Ending ending = kernel_.run(limit, [&](Ending e) {

@@ -4,6 +4,8 @@
 #include "runtime/kernel.hpp"
 #include "runtime/processor.hpp"
 
+#include <algorithm>
+
 namespace placedpar {
 
 namespace {
@@ -21,8 +23,12 @@ Time now() { return Kernel::current()->now(); }
 void wait_until(Time due, const SourceLocation& where) {
     Kernel& kernel = *Kernel::current();
     Process& self = kernel.running();
-    if (due <= kernel.now() || (!self.processor() && kernel.pass_time(due)))
-        return;
+    if (self.processor() && due <= kernel.now())
+        return compute(instructions::timer_input_past);
+    Time since = kernel.now();
+    due = std::max(due, since);
+    if (!self.processor() && kernel.pass_time(due))
+        return self.was_delayed(since, where);
     Alarm alarm(self);
     kernel.future().schedule(alarm, due, EventQueue::timer);
     self.wait_for(Activity::delayed, nullptr, where);
@@ -40,9 +46,19 @@ std::int64_t Timer::read() const {
     return now() / tick();
 }
 
+Time Timer::moment_after(std::int64_t ticks) const {
+    if (ticks < 0)
+        return Time{0};
+    return later(times(ticks, tick()), tick());
+}
+
 void Timer::wait_after(std::int64_t ticks, const SourceLocation& where) const {
-    compute(instructions::timer_input);
-    wait_until(moment_after(ticks), where);
+    Time moment = moment_after(ticks);
+    bool has_to_wait = moment > now();
+    if (has_to_wait)
+        compute(instructions::timer_input);
+    if (!has_to_wait || moment > now())
+        wait_until(moment, where);
 }
 
 } // namespace placedpar

@@ -10,7 +10,9 @@ namespace placedpar {
 /// Virtual time now. What a process of a placed program can know of it is what its Timer says.
 Time now();
 
-/// The running process waits until the virtual time `due`; not at all if that has passed.
+/// The running process waits until the virtual time `due`. If that has passed, it goes on at this moment, but others
+/// get their turn, so that a process that polls starves nobody: one that is not placed lets everything happen first
+/// that is to happen at this moment; one that is placed pays for the instruction, and its timeslice passes.
 void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// ... for a while. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
@@ -28,7 +30,7 @@ public:
     /// `timer ? t`: whole ticks since the start.
     std::int64_t read() const;
     /// When the clock's reading becomes later than `ticks`: the moment for which `timer ? AFTER ticks` waits.
-    Time moment_after(std::int64_t ticks) const { return (ticks + 1) * tick(); }
+    Time moment_after(std::int64_t ticks) const;
     /// `timer ? AFTER ticks`.
     void wait_after(std::int64_t ticks, const SourceLocation& = SourceLocation::current()) const;
 };

@@ -13,10 +13,10 @@ void Wire::serve() {
     Time now = kernel_.now();
     if (now >= free_at_) {
         if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
-            free_at_ = now + timing_.acknowledge();
+            free_at_ = later(now, timing_.acknowledge());
             user->acknowledge_started();
         } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
-            free_at_ = now + timing_.data();
+            free_at_ = later(now, timing_.data());
             sender->byte_started();
         }
     }

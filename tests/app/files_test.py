@@ -3,10 +3,13 @@
 import json
 import os
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
-from program import CLUSTER, EXAMPLES, FIGURE_E2, fingerprint, placedpar
+from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
+
+COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
 
 
 class Files(unittest.TestCase):
@@ -66,6 +69,86 @@ class Files(unittest.TestCase):
     def test_show_json_names_every_process(self):
         network = json.loads(placedpar("show", FIGURE_E2, "--format", "json").stdout)
         self.assertEqual(len(network["processes"]), 17)
+
+    def test_two_outputs_of_one_name_an_empty_name_and_the_netlist_itself_are_refused(self):
+        netlist = self.folder / "mine.cfs"
+        netlist.write_text(COMMSTIME.read_text(encoding="utf-8"), encoding="utf-8")
+        text = netlist.read_text(encoding="utf-8")
+        (self.folder / "link.json").symlink_to(netlist)
+        both = self.folder / "both.json"
+        for arguments, reason in ((["--json", netlist], "it is what is read"),
+                                  (["--trace", self.folder / ".." / self.folder.name / "mine.cfs"], "it is what is read"),
+                                  (["--json", self.folder / "link.json"], "it is what is read"),
+                                  (["--json", both, "--trace", self.folder / "." / "both.json"], "written twice"),
+                                  (["--json", ""], "name of a file"), (["--trace", ""], "name of a file")):
+            run = placedpar("run", netlist, *arguments)
+            self.assertEqual(run.returncode, 1, arguments)
+            self.assertIn(reason, run.stderr)
+            self.assertEqual(run.stdout, "")
+            self.assertEqual(netlist.read_text(encoding="utf-8"), text)
+            self.assertFalse(both.exists())
+
+    def test_a_symbolic_link_stays_one_and_leads_to_what_was_written(self):
+        (self.folder / "there").mkdir()
+        target = self.folder / "there" / "target.json"
+        link = self.folder / "link.json"
+        link.symlink_to("there/target.json")
+        for _ in range(2):  # the target is not there at first
+            run = placedpar("run", COMMSTIME, "--set", "count=5", "--json", link)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(link.is_symlink())
+            self.assertIn("fingerprint", json.loads(target.read_text(encoding="utf-8")))
+            self.assertEqual(os.listdir(target.parent), ["target.json"])
+
+    def test_a_pipe_is_written_and_stays_one(self):
+        for option in ("--json", "--trace"):
+            pipe = self.folder / ("pipe" + option)
+            os.mkfifo(pipe)
+            with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True) as reader:
+                run = placedpar("run", COMMSTIME, "--set", "count=5", option, pipe)
+                read, _ = reader.communicate(timeout=20)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(json.loads(read))
+            self.assertTrue(pipe.is_fifo())
+
+    def test_permissions_are_heeded_and_kept(self):
+        path = self.folder / "run.json"
+        path.write_text("precious", encoding="utf-8")
+        path.chmod(0o444)
+        run = placedpar("run", COMMSTIME, "--set", "count=5", "--json", path)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("Permission denied", run.stderr)
+        self.assertEqual(path.read_text(encoding="utf-8"), "precious")
+        path.chmod(0o640)
+        self.assertEqual(placedpar("run", COMMSTIME, "--set", "count=5", "--json", path).returncode, 0)
+        self.assertEqual(path.stat().st_mode & 0o777, 0o640)
+        self.assertNotEqual(path.read_text(encoding="utf-8"), "precious")
+
+    def test_a_full_standard_output_is_no_success(self):
+        for arguments in (["run", COMMSTIME, "--set", "count=5"], ["check", COMMSTIME], ["show", COMMSTIME], ["kinds"],
+                          ["parameters"], ["--help"], ["replay", "table-e1"]):
+            with open("/dev/full", "w", encoding="utf-8") as full:  # written through, never replaced
+                run = subprocess.run([PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, text=True,
+                                     timeout=60, check=False)
+            self.assertEqual(run.returncode, 1, arguments)
+            self.assertIn("placedpar: ", run.stderr)
+
+    def test_where_standard_output_goes_nothing_else_is_written(self):
+        path = self.folder / "out.txt"
+        with open(path, "w", encoding="utf-8") as out:
+            run = subprocess.run([PROGRAM, "run", str(COMMSTIME), "--json", str(path)], stdout=out,
+                                 stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("standard output goes there", run.stderr)
+
+    def test_a_seed_is_a_whole_number_that_fits(self):
+        commands = (["run", COMMSTIME, "--set", "count=5"], ["replay", "table-e1"], ["identify", "record.csv"])
+        for command in commands:
+            for seed in ("-1", "99999999999999999999999", "18446744073709551616", "0x10", "", " 3", "1.5"):
+                run = placedpar(*command, "--seed", seed)
+                self.assertEqual(run.returncode, 1, (command, seed))
+                self.assertIn(f'"{seed}" is no whole number', run.stderr)
+        self.assertEqual(placedpar(*commands[0], "--seed", 2**64 - 1).returncode, 0)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """A long run can be stopped, and says what it has."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -65,6 +66,22 @@ class Interruption(unittest.TestCase):
                 self.assertEqual(output, "")
                 self.assertIn("interrupted", errors)
                 self.assertEqual(os.listdir(folder), [])
+
+    def test_the_trace_grows_beside_its_place_and_is_whole_in_the_end(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "trace.json"
+            with subprocess.Popen([PROGRAM, *LONG, "--trace", str(path)], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True) as run:
+                deadline = time.monotonic() + 20
+                while sum(part.stat().st_size for part in path.parent.iterdir()) < 1_000_000:
+                    self.assertLess(time.monotonic(), deadline, "nothing is written while the run goes on")
+                    time.sleep(0.01)
+                self.assertFalse(path.exists())
+                run.send_signal(signal.SIGINT)
+                run.communicate(timeout=20)
+            self.assertEqual(run.returncode, 130)
+            self.assertEqual(list(path.parent.iterdir()), [path])
+            self.assertTrue(json.loads(path.read_text(encoding="utf-8"))["traceEvents"])
 
 
 if __name__ == "__main__":

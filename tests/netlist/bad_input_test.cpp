@@ -1,6 +1,7 @@
 // Input that is no netlist at all, or a monstrous one: one clear diagnostic, in little time.
 
 #include "netlist/read.hpp"
+#include "netlist/source.hpp"
 #include "small_catalogue.hpp"
 
 #include <doctest/doctest.h>
@@ -42,6 +43,16 @@ TEST_CASE("what is no text file") {
     std::ofstream(folder / "large.cfs") << std::string(largest_source_bytes + 10, ' ');
     CHECK(first_message(read_netlist(folder / "large.cfs", small_catalogue())).starts_with("the file is too large"));
     std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a source takes the memory of its text, not of the largest text that there may be") {
+    auto path = std::filesystem::temp_directory_path() / "placedpar_small_source_test.cfs";
+    std::ofstream(path) << repeated("T800 a;\n", 100);
+    LoadedSource loaded = load_source(path);
+    std::filesystem::remove(path);
+    CHECK(loaded.problems.empty());
+    CHECK(loaded.file->text() == repeated("T800 a;\n", 100));
+    CHECK(loaded.file->text().capacity() < 10'000);
 }
 
 TEST_CASE("binary rubbish") {

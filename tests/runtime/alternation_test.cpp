@@ -184,3 +184,64 @@ TEST_CASE("over a link an alternation is woken by the first byte of a message") 
     // Its acknowledge goes out at 550 ns instead of 275; then 6 bits to the next byte, and 575 ns a byte.
     CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 575 + 550});
 }
+
+TEST_CASE("a timeout that is due already does not keep others from running, nor an interruption from being seen") {
+    Simulation simulation;
+    Channel<int> c("c");
+    bool got = false;
+    int polls = 0;
+    simulation.process("polls", [&] {
+        while (!got && ++polls < 100'000)
+            alt(on(c.in(), [&](int) { got = true; }), after(now(), [] {}));
+        while (++polls < 100'000) {
+            simulation.interrupt();
+            alt(on(c.in(), [&](int) {}), after(Time{0}, [] {}));
+        }
+    });
+    simulation.process("outputs", [&] { c.out().output(1); });
+    CHECK(simulation.run().ending == Ending::interrupted);
+    CHECK(got);
+    CHECK(polls < 10);
+}
+
+TEST_CASE("enabling is paid before the wait, disabling after it: a wake costs more the more guards there are") {
+    // When the message comes at 1 ms, what is left: disc a guard, altend, in, and the copy of one word.
+    for (std::int64_t guards : {1, 10})
+        for (bool message_first : {false, true}) {
+            CAPTURE(guards);
+            CAPTURE(message_first);
+            Simulation simulation;
+            std::list<Channel<int>> channels;
+            std::vector<Input<int>> inputs;
+            for (std::int64_t i = 0; i < guards; ++i)
+                inputs.push_back(channels.emplace_back("c").in());
+            constexpr microseconds late{1000};
+            Time received{};
+            simulation.process(
+                "alternates",
+                [&] {
+                    if (message_first)
+                        wait_until(late);
+                    alt(std::span<const Input<int>>(inputs), [&](std::size_t, int) { received = now(); });
+                },
+                &simulation.processor("t800"));
+            simulation.process("outputs", [&] {
+                if (!message_first)
+                    wait_until(late);
+                channels.front().out().output(1);
+            });
+            simulation.run();
+            std::int64_t enabling = 2 + 7 * guards + 5, disabling = 8 * guards + 4, input = 19 + 2;
+            std::int64_t cycles = (message_first ? enabling : 0) + disabling + input;
+            CHECK(received == late + cycles * std::chrono::nanoseconds{50});
+        }
+}
+
+TEST_CASE("a timeout costs what its own instructions do") {
+    Simulation simulation;
+    Time taken{};
+    simulation.process(
+        "waits", [&] { alt(after(microseconds{50}, [&] { taken = now(); })); }, &simulation.processor("t800"));
+    simulation.run();
+    CHECK(taken == microseconds{50} + (23 + 4) * std::chrono::nanoseconds{50});
+}

@@ -50,7 +50,7 @@ TEST_CASE("AFTER waits until the clock reads more than the time given") {
     CHECK(high == microseconds{6});
     CHECK(low == microseconds{256});
     CHECK(reading == 4);
-    CHECK(past == microseconds{256} + nanoseconds{(2 + 30) * 50}); // it does not wait, but costs its cycles
+    CHECK(past == microseconds{256} + nanoseconds{(2 + 4) * 50}); // it does not wait, but costs its cycles
 }
 
 TEST_CASE("delays of one moment end in the order in which they began") {
@@ -82,4 +82,61 @@ TEST_CASE("times are printed in the unit that suits them") {
     CHECK(to_string(microseconds{1}) == "1.000000 us");
     CHECK(to_string(nanoseconds{1'234'567}) == "1.234567 ms");
     CHECK(to_string(std::chrono::seconds{90}) == "90.000000 s");
+}
+
+TEST_CASE("who waits for no time at all lets happen first what is to happen at this moment") {
+    Simulation simulation;
+    bool at_once = false, same_moment = false;
+    int polls = 0;
+    simulation.process("polls", [&] {
+        while (!at_once && ++polls < 1000)
+            wait_for(Time{0});
+        wait_until(nanoseconds{5});
+        while (!same_moment && ++polls < 1000)
+            wait_until(nanoseconds{3});
+        CHECK(now() == nanoseconds{5});
+    });
+    simulation.process("at once", [&] { at_once = true; });
+    simulation.process("at the same moment", [&] { wait_until(nanoseconds{5}), same_moment = true; });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(polls < 10);
+}
+
+TEST_CASE("a placed process that waits for no time uses its processor's: it is timesliced") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Time stopped{};
+    bool flag = false;
+    simulation.process(
+        "polls",
+        [&] {
+            while (!flag && now() < std::chrono::seconds{1})
+                wait_for(Time{0});
+            stopped = now();
+        },
+        &t800);
+    simulation.process(
+        "rival", [&] { flag = true; }, &t800);
+    simulation.run();
+    CHECK(stopped > Time{0});
+    CHECK(stopped < 2 * Processor::timeslice);
+}
+
+TEST_CASE("who polls for ever can be interrupted") {
+    for (bool placed : {false, true}) {
+        Simulation simulation;
+        int polls = 0;
+        simulation.process(
+            "polls",
+            [&] {
+                while (++polls < 100'000) {
+                    if (polls == 100)
+                        simulation.interrupt();
+                    wait_for(Time{0});
+                }
+            },
+            placed ? &simulation.processor("t800") : nullptr);
+        CHECK(simulation.run().ending == Ending::interrupted);
+        CHECK(polls == 100);
+    }
 }

@@ -1,0 +1,48 @@
+// A netlist as a machine that runs.
+
+#include "netlist/csp_kinds.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/read.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+using namespace placedpar;
+
+namespace {
+
+/// Runs a producer on the one transputer and a consumer on the other.
+RunReport run_pair(const std::string& from, const std::string& to, const std::string& producer) {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    std::string text = fmt::format(R"({} a; {} b; connect a.link[0] to b.link[0];
+        process (interface (output out)) p; process (interface (input in)) c;
+        use "csp.producer" for p; use "csp.consumer" for c; p ({}); c (count = 10);
+        connect p.out to c.in; place p on a; place c on b;)",
+                                   from, to, producer);
+    ReadResult read = read_netlist_text(text, catalogue, {});
+    REQUIRE(read.network);
+    return Machine(*read.network, catalogue, 1).run();
+}
+
+double rate(const std::string& from, const std::string& to) {
+    return run_pair(from, to, "count = 10, bytes = 100000").measured("c", "rate");
+}
+
+} // namespace
+
+TEST_CASE("links of transputers that do not overlap acknowledges carry 0.8 Mbyte/s, others 1.74") {
+    for (const char* type : {"T800", "T805", "T801", "T425", "T400", "T222", "T225", "t800", "B404"})
+        CHECK(rate(type, "T800") == doctest::Approx(1740).epsilon(0.01));
+    for (const char* type : {"T414", "t414", "T212", "B402", "M212"}) {
+        CHECK(rate(type, "T800") == doctest::Approx(800).epsilon(0.03));
+        CHECK(rate("T800", type) == doctest::Approx(800).epsilon(0.03));
+    }
+    CHECK(rate("processor (type = \"T414\")", "T414") == doctest::Approx(800).epsilon(0.03));
+}
+
+TEST_CASE("a machine that would compute for longer than virtual time lasts says so and ends") {
+    CHECK_THROWS_AS(run_pair("T800 (clock = 1)", "T800 (clock = 1)", "count = 10, cycles = 1000000000000"),
+                    std::overflow_error);
+}

@@ -1,0 +1,100 @@
+// Virtual time lasts for 106 days. What would come later ends the run with an error, and overflows nowhere.
+
+#include "runtime/alternation.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr Cycles very_many{std::numeric_limits<std::int64_t>::max()};
+
+struct LongMessage {
+    WireForm wire_form() const { return WireForm(1'000'000); }
+};
+
+std::string error_of(Simulation& simulation) {
+    try {
+        simulation.run();
+    } catch (const std::overflow_error& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+} // namespace
+
+TEST_CASE("a computation that goes beyond the end of time ends the run, and names its process") {
+    Simulation simulation;
+    Processor& slow = simulation.processor("slow", 1);
+    int rounds = 0;
+    simulation.process(
+        "patient",
+        [&] {
+            for (; rounds < 1000; ++rounds)
+                compute(Cycles{5'000'000});
+        },
+        &slow);
+    CHECK(error_of(simulation) == "virtual time lasts for 106 days, and process patient would go on after that: "
+                                  "let it compute and wait for less");
+    CHECK(rounds == 1);
+}
+
+TEST_CASE("so does a delay, but only when everything before it has happened") {
+    Simulation simulation;
+    Time last{};
+    simulation.process("waits", [] { wait_for(Time::max() - Time{3}), wait_for(Time{3}); });
+    simulation.process("earlier", [&] { wait_until(Time::max() - Time{1}), last = now(); });
+    CHECK(error_of(simulation).find("process waits would go on") != std::string::npos);
+    CHECK(last == Time::max() - Time{1});
+}
+
+TEST_CASE("so does a message over a link that is too slow for it") {
+    Simulation simulation;
+    Channel<LongMessage> c("c");
+    c.put_on(simulation.link({.bits_per_second = 1, .wire_delay = std::chrono::microseconds{5}}).from_a_to_b());
+    simulation.process("sender", [&] { c.out().output({}); });
+    simulation.process("receiver", [&] { c.in().input(); });
+    CHECK(error_of(simulation).find("a message on a link would go on") != std::string::npos);
+}
+
+TEST_CASE("processes of both priorities, timeslices, timers and links just before the end") {
+    Simulation simulation;
+    Processor& slow = simulation.processor("slow", 1);
+    Processor& t800 = simulation.processor("t800");
+    Channel<int> c("c"), d("d");
+    Link& link = simulation.link();
+    c.put_on(link.from_a_to_b()), d.put_on(link.from_b_to_a());
+    constexpr Time late = Time::max() - std::chrono::microseconds{1};
+    simulation.process(
+        "low", [] { compute(very_many); }, &slow);
+    simulation.process(
+        "low too", [] { wait_until(late), compute(very_many); }, &slow);
+    simulation.process(
+        "high", [] { wait_until(late), compute(very_many); }, &slow, Priority::high);
+    for (const char* name : {"sliced", "sliced too"})
+        simulation.process(
+            name, [] { wait_until(late), compute(very_many), compute(very_many); }, &t800);
+    simulation.process("sender", [&] { wait_until(late), c.out().output(1); });
+    simulation.process("receiver", [&] { c.in().input(); });
+    simulation.process("sends back", [&] { wait_until(late), d.out().output(1); });
+    simulation.process("alternates", [&] { alt(on(d.in(), [](int) {}), after(Time::max(), [] {})); });
+    simulation.process(
+        "timer", [] { Timer().wait_after(std::numeric_limits<std::int64_t>::max()); }, &t800);
+    CHECK(error_of(simulation).starts_with("virtual time lasts for 106 days"));
+}
+
+TEST_CASE("a limit on the run comes first") {
+    Simulation simulation;
+    simulation.process("waits", [] { wait_for(Time::max()); });
+    RunResult result = simulation.run(Time::max() - Time{1});
+    CHECK(result.ending == Ending::time_limit);
+    CHECK(result.time == Time::max() - Time{1});
+}

@@ -1,0 +1,46 @@
+// How long a process has waited, for the report.
+
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+using std::chrono::milliseconds;
+
+TEST_CASE("a process whose components compute does not wait; it does when all of them do") {
+    Simulation simulation;
+    constexpr Cycles one_millisecond{20'000};
+    Process& works = simulation.process(
+        "works", [=] { par([=] { compute(one_millisecond); }); }, &simulation.processor("a"));
+    Process& both = simulation.process(
+        "both", [=] { par([] { wait_for(milliseconds{3}); }, [=] { compute(one_millisecond); }); },
+        &simulation.processor("b"));
+    Process& sleeps = simulation.process("sleeps", [] {
+        par([] { par([] { wait_for(milliseconds{2}); }); }, [] { wait_for(milliseconds{5}); });
+        wait_for(milliseconds{1});
+    });
+    simulation.run();
+    CHECK(works.time_waited() == Time{0});
+    CHECK(both.time_waited() == milliseconds{2});
+    CHECK(sleeps.time_waited() == milliseconds{6});
+}
+
+TEST_CASE("a wait that is not over when the run is counts up to then; one who has ended waits no more") {
+    for (bool limited : {false, true}) {
+        Simulation simulation;
+        Channel<int> c("c");
+        Process& stuck = simulation.process("stuck", [&] { c.in().input(); });
+        Process& stuck_inside = simulation.process("stuck inside", [] {
+            wait_for(milliseconds{1});
+            par([] {}, [] { Channel<int>("d").in().input(); });
+        });
+        Process& ended = simulation.process("ended", [] { wait_for(milliseconds{3}); });
+        simulation.process("lasts", [] { wait_until(milliseconds{10}); });
+        RunResult result = simulation.run(limited ? milliseconds{8} : Time::max());
+        CHECK(stuck.time_waited() == result.time);
+        CHECK(stuck_inside.time_waited() == result.time);
+        CHECK(ended.time_waited() == milliseconds{3});
+    }
+}
