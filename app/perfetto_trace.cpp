@@ -50,8 +50,8 @@ std::uint32_t PerfettoTrace::track(const Process& process) {
 
 void PerfettoTrace::slice(const Process& process, const std::string& name, const char* category, Time begin, Time end) {
     std::uint32_t group = track(process);
-    add(fmt::format(R"({{"ph":"X","name":{},"cat":"{}","pid":{},"tid":{},"ts":{},"dur":{}}})", json_text(name), category,
-                    group, process.ordinal(), microseconds(begin), microseconds(end - begin)));
+    add(fmt::format(R"({{"ph":"X","name":{},"cat":"{}","pid":{},"tid":{},"ts":{},"dur":{}}})", json_text(name),
+                    category, group, process.ordinal(), microseconds(begin), microseconds(end - begin)));
 }
 
 void PerfettoTrace::computed(const Process& process, Time begin, Time end) {

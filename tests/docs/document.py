@@ -3,7 +3,7 @@
 
 usage: document.py TREE PROGRAMS DOCUMENT [--write]
 
---write puts what the commands print into the document, where it shows other output without leaving lines out.
+--write puts what the commands print into the document, where it shows other output and leaves out lines only at the end.
 The document is relative to TREE. Its commands run from the top of a scratch copy of TREE, so that they leave nothing
 behind, with the folder PROGRAMS first on the path. In a block fenced as ```console
 
@@ -122,6 +122,15 @@ def failure(command, exit_code, printed):
     return None
 
 
+def renewed(expected, printed):
+    """The printed lines as a document shows them: all, or as many as it has shown before a last "..."."""
+    if "..." not in expected:
+        return printed
+    if expected.index("...") == len(expected) - 1:
+        return [*printed[: len(expected) - 1], "..."]
+    return expected
+
+
 def with_output(text, printed):
     """The text of a document with the outputs of its commands replaced; printed: pairs of command and lines."""
     lines = text.splitlines()
@@ -146,8 +155,8 @@ def run(document, tree, programs):
         if wrong:
             failures += 1
             print(f"{document}:{step.line}: $ {step.text}\n{wrong}\n")
-            if exit_code == step.exit_code and "..." not in step.output:
-                other.append((step, printed))
+            if exit_code == step.exit_code:
+                other.append((step, renewed(step.output, printed)))
     print(f"{document}: {done} commands, {failures} failures")
     return failures, with_output(text, other)
 

@@ -166,7 +166,8 @@ TEST_CASE("any configuration with all links: each gets what the controller asks 
             double expected = alone ? 175.08 : 50;
             const LinkState& end = motion.states.back().links[i];
             CHECK(end.flow.inlet_in3_per_s == doctest::Approx(expected).epsilon(1e-3));
-            CHECK(end.velocity_in_per_s * coupled_machine(link).inlet_area_in2 == doctest::Approx(expected).epsilon(0.02));
+            CHECK(end.velocity_in_per_s * coupled_machine(link).inlet_area_in2 ==
+                  doctest::Approx(expected).epsilon(0.02));
             CHECK(end.flow.relief_in3_per_s == 0);
         }
     }
