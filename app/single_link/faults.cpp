@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t seeds = 20;
+constexpr std::size_t records_a_fault = 20;
 constexpr double valve_opens_s = 0.192; // in scenario A
 
 /// What is wrong with the machine: parameters that differ from those of excavator.csv.
@@ -62,14 +62,14 @@ double identified(const Record& record, AreasFrom from, std::uint64_t seed) {
         .compliance_in3_per_psi[0];
 }
 
-/// Medians over the seeds.
+/// Medians over the records.
 struct Found {
     double by_spool, by_voltage;
 };
 
 Found identified(const Fault& fault, const Plant& plant, std::uint64_t first_seed) {
     std::vector<double> by_spool, by_voltage{0};
-    for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+    for (std::uint64_t seed = first_seed; seed < first_seed + records_a_fault; ++seed) {
         Record record = record_of(fault, plant, seed);
         by_spool.push_back(identified(record, AreasFrom::spool, seed));
         if (plant.has_servo)
@@ -87,8 +87,7 @@ Reading leak_reading() {
                     "known",
                     true};
     auto fit = [](const Fault& fault) {
-        IdentificationWay way = thesis_way();
-        way.usable.rising = true;
+        IdentificationWay way = rising_way();
         RecordProblem prepared =
             prepare(record_of(fault, {"scenario-a", "none", false}, 1), Parameters::excavator(), {}, way);
         std::array start{Parameters::excavator()["boom.inlet_compliance"]};
@@ -144,12 +143,14 @@ Reading fault_reading(std::string name, const Plant& plant, std::uint64_t seed) 
 Replay replay_faults(const ReplayContext& context) {
     Replay replay;
     context.progress("faults of the simple plant");
-    replay.readings.push_back(fault_reading(fmt::format("simple plant, low noise, median of {} records", seeds),
-                                            {"scenario-a", "low", false}, context.seed));
+    replay.readings.push_back(
+        fault_reading(fmt::format("simple plant, low noise, median of {} records", records_a_fault),
+                      {"scenario-a", "low", false}, context.seed));
     replay.readings.push_back(leak_reading());
     context.progress("faults of the measured machine");
-    replay.readings.push_back(fault_reading(fmt::format("measured machine, mid noise, median of {} records", seeds),
-                                            {"excavator", "mid", true}, context.seed));
+    replay.readings.push_back(
+        fault_reading(fmt::format("measured machine, mid noise, median of {} records", records_a_fault),
+                      {"excavator", "mid", true}, context.seed));
     replay.readings.back().notes =
         "a drift of the servo-valve shows by the voltage only, a fault of hose or cylinder by both\n";
     replay.fingerprint = fingerprint_of(replay.readings);

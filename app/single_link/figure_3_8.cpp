@@ -18,12 +18,6 @@ namespace {
 constexpr double thesis_in3_per_psi = 0.0086, by_spool_in3_per_psi = 0.005;
 constexpr double shown_s = 1.4;
 
-IdentificationWay rising_way() {
-    IdentificationWay way = thesis_way();
-    way.usable.rising = true;
-    return way;
-}
-
 /// The boom raised at another speed than scenario A's 4 deg/s, or at that.
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
                      double compliance_in3_per_psi = thesis_in3_per_psi) {

@@ -12,8 +12,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t seeds = 50;
-
 /// What 3.2 describes, and ways to make it surer.
 IdentificationWay with_elite() {
     IdentificationWay way = thesis_way();
@@ -62,7 +60,7 @@ Cell at_least(const std::string& column, double known, double least, double valu
 }
 
 void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion, std::uint64_t seed) {
-    auto runs = search_many(motion, study.noise, study.way, seeds, seed);
+    auto runs = search_many(motion, study.noise, study.way, search_seeds, seed);
     std::vector<double> bucket, boom;
     for (const SearchRun& run : runs) {
         TwoErrors errors = errors_of(run.estimates.back().compliance_in3_per_psi);
@@ -83,7 +81,7 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
 
 Reading study_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     Reading reading{
-        fmt::format("C_BUi and C_BOi found together, {} seeds, 20 samples of 5 generations", seeds),
+        fmt::format("C_BUi and C_BOi found together, {} seeds, 20 samples of 5 generations", search_seeds),
         {},
         "the percentages of seeds are judged from below: 55 as the thesis has it, 90 with an elite, 95 with "
         "Gray code too\n",

@@ -11,8 +11,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t seeds = 50;
-
 IdentificationWay long_way() {
     IdentificationWay way = thesis_way();
     way.usable.count = 120; // 600 generations: well past the 425 of Figure 3.11
@@ -33,12 +31,12 @@ Reading share_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     };
     constexpr std::array<Known, 5> known{{{75, 68, 15}, {200, 18, 15}, {350, 2, 10}, {425, 2, 10}, {500, 2, 10}}};
     Reading reading{
-        fmt::format("two links without noise, {} seeds: both within 10 %, while the motion grows steady", seeds),
+        fmt::format("two links without noise, {} seeds: both within 10 %, while the motion grows steady", search_seeds),
         {},
         "",
         "known"};
-    auto plain = search_many(motion, no_noise, long_way(), seeds, seed);
-    auto gated = search_many(motion, no_noise, gated_way(), seeds, seed);
+    auto plain = search_many(motion, no_noise, long_way(), search_seeds, seed);
+    auto gated = search_many(motion, no_noise, gated_way(), search_seeds, seed);
     for (const Known& each : known) {
         std::string column = fmt::format("generation {}", each.generation);
         reading.cells.push_back(judged_cell("without a gate", column, "% of seeds", each.percent,
@@ -59,13 +57,14 @@ double lost_after(const SearchRun& run) {
 }
 
 Reading single_run_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
-    Reading reading{fmt::format("the generation after which a search is never again right in both, of {} seeds", seeds),
-                    {},
-                    "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
-                    "thesis",
-                    true};
+    Reading reading{
+        fmt::format("the generation after which a search is never again right in both, of {} seeds", search_seeds),
+        {},
+        "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
+        "thesis",
+        true};
     std::vector<double> lost;
-    for (const SearchRun& run : search_many(motion, no_noise, long_way(), seeds, seed))
+    for (const SearchRun& run : search_many(motion, no_noise, long_way(), search_seeds, seed))
         lost.push_back(lost_after(run));
     reading.cells.push_back(judged_cell("lost after", "median", "generation", 425, median(lost), 200, 0));
     reading.cells.push_back(plain_cell("lost after", "first of 10", "generation", share_below(lost, 0.1), 0));

@@ -31,6 +31,9 @@ struct TwoErrors {
 };
 TwoErrors errors_of(std::span<const double> compliance_in3_per_psi);
 
+/// Searches a share is counted over: one of p scatters by sqrt(p (1 - p) / 50), 7 points at one half.
+inline constexpr std::size_t search_seeds = 50;
+
 /// Many searches, each with noise and random numbers of its own.
 std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
                                    const IdentificationWay& way, std::size_t seeds, std::uint64_t first_seed);
