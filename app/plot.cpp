@@ -19,7 +19,8 @@ constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#
                                              "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
 
 // Sizes in pixels.
-constexpr int width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40, bottom_margin = 66;
+constexpr int width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
+              bottom_margin = 66;
 constexpr int legend_sample = 70, legend_letter = 9; // of the widest of the fonts that a viewer may take
 
 /// A gnuplot string, in which nothing but the quote means anything.
@@ -106,8 +107,8 @@ std::string panel_commands(const Panel& panel, std::size_t number) {
         curves.push_back(fmt::format("$panel{}series{} using 1:2 {} {}", number, i, title_of(panel.series[i].name),
                                      style_of(panel.series[i], i)));
     for (std::size_t i = 0; i < panel.marks.size(); ++i)
-        curves.push_back(fmt::format("{} {} {}", panel.marks[i].y, title_of(panel.marks[i].name),
-                                     style_of(panel.marks[i], i)));
+        curves.push_back(
+            fmt::format("{} {} {}", panel.marks[i].y, title_of(panel.marks[i].name), style_of(panel.marks[i], i)));
     return fmt::format("{}plot {}\n", out, fmt::join(curves, ", \\\n     "));
 }
 

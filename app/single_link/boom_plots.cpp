@@ -55,8 +55,10 @@ Panel motion_panel(std::string title, const BoomData& data, const BoomModel& mod
     double start = angle.points.front().y;
     for (Point& point : angle.points)
         point.y -= start;
-    return {
-        std::move(title), time_axis(until_s), {"angle [deg], velocity [deg/s]"}, {angle, velocity_series(data, model, until_s)}};
+    return {std::move(title),
+            time_axis(until_s),
+            {"angle [deg], velocity [deg/s]"},
+            {angle, velocity_series(data, model, until_s)}};
 }
 
 Panel compliance_panel(const WatchedIdentification& watched, double until_s) {

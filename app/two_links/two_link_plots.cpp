@@ -76,8 +76,7 @@ Panel panel_of_excitation(const RecordProblem& prepared, const SearchRun& run, s
     for (std::size_t i = 0; i < run.estimates.size(); ++i) {
         auto sample = std::ranges::find(prepared.samples, run.estimates[i].index, &CircuitSample::index);
         for (std::size_t j = 0; j < 2; ++j)
-            panel.series[j].points.push_back(
-                {generation_of(i, trials), sample->links[j].inlet_slope_psi_per_s});
+            panel.series[j].points.push_back({generation_of(i, trials), sample->links[j].inlet_slope_psi_per_s});
     }
     return panel;
 }
