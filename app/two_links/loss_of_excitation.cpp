@@ -64,7 +64,7 @@ Reading share_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
 
 /// An elite keeps the answer only while the samples are without noise.
 Reading noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
-    Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, ""};
+    Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
         add_shares(reading, row, search_many(motion, low_noise, way, seeds, seed));
     };
