@@ -12,19 +12,6 @@ namespace placedpar {
 
 namespace {
 
-/// What 3.2 describes, and ways to make it surer.
-IdentificationWay with_elite() {
-    IdentificationWay way = thesis_way();
-    way.search.elite = 1;
-    way.usable.skipped = 2;
-    return way;
-}
-IdentificationWay with_gray_code() {
-    IdentificationWay way = with_elite();
-    way.coding = Coding::gray;
-    return way;
-}
-
 /// The steady state of scenario R2; known from an independent prototype.
 Reading steady_reading(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
@@ -87,16 +74,16 @@ Reading study_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
         "Gray code too\n",
         "known"};
     add_study(reading, {"as the thesis has it", thesis_way(), no_noise, 65, 55}, motion, seed);
-    add_study(reading, {"elite, 2 skipped", with_elite(), no_noise, 98, 90}, motion, seed);
-    add_study(reading, {"and Gray code", with_gray_code(), no_noise, 100, 95}, motion, seed);
+    add_study(reading, {"elite, 2 skipped", elite_way(), no_noise, 98, 90}, motion, seed);
+    add_study(reading, {"and Gray code", gray_way(), no_noise, 100, 95}, motion, seed);
     return reading;
 }
 
 Reading noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known", true};
     add_study(reading, {"as the thesis has it", thesis_way(), low_noise, 55, 40}, motion, seed);
-    add_study(reading, {"elite, 2 skipped", with_elite(), low_noise, 80, 65}, motion, seed);
-    add_study(reading, {"and Gray code", with_gray_code(), low_noise, 86, 75}, motion, seed);
+    add_study(reading, {"elite, 2 skipped", elite_way(), low_noise, 80, 65}, motion, seed);
+    add_study(reading, {"and Gray code", gray_way(), low_noise, 86, 75}, motion, seed);
     return reading;
 }
 
@@ -108,7 +95,7 @@ Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
                     "judged: within 10 % of the state itself\n",
                     "at most",
                     true};
-    IdentificationWay way = with_gray_code();
+    IdentificationWay way = gray_way();
     RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
     std::array<double, InternalStates::count> worst{};
@@ -140,7 +127,7 @@ Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
     context.progress("bucket and boom, identified");
     replay.readings = {study_reading(motion, context.seed), steady_reading(motion),
                        states_reading(motion, context.seed), noise_reading(motion, context.seed)};
-    IdentificationWay way = with_gray_code();
+    IdentificationWay way = gray_way();
     RecordProblem prepared = measure_two_links(motion, no_noise, way, context.seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(context.seed, "master"));
     replay.plots = {{"figure-3-9", plot_of_states(motion)},
