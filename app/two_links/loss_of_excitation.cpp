@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t trials = 5;
+constexpr std::size_t trials_a_sample = 5;
 constexpr std::size_t lost_for = 20; // samples: 100 generations, a sixth of the figure
 
 /// 600 generations: well past the 425 of Figure 3.11.
@@ -38,8 +38,8 @@ std::string column_of(const Known& each) { return fmt::format("generation {}", e
 
 void add_shares(Reading& reading, const char* row, const std::vector<SearchRun>& runs) {
     for (const Known& each : known)
-        reading.cells.push_back(
-            plain_cell(row, column_of(each), "% of seeds", both_within_ten_percent(runs, each.generation, trials), 0));
+        reading.cells.push_back(plain_cell(row, column_of(each), "% of seeds",
+                                           both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
 /// The share of seeds that is still right, which the thesis saw falling after generation 425.
@@ -52,8 +52,8 @@ Reading share_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     auto plain = search_many(motion, no_noise, long_way(), search_seeds, seed);
     for (const Known& each : known)
         reading.cells.push_back(judged_cell("without a gate", column_of(each), "% of seeds", each.percent,
-                                            both_within_ten_percent(plain, each.generation, trials), each.tolerance,
-                                            0));
+                                            both_within_ten_percent(plain, each.generation, trials_a_sample),
+                                            each.tolerance, 0));
     add_shares(reading, "with the gate", search_many(motion, no_noise, gated(long_way()), search_seeds, seed));
     add_shares(reading, "elite and Gray code, no gate",
                search_many(motion, no_noise, prolonged(gray_way()), search_seeds, seed));
@@ -63,7 +63,7 @@ Reading share_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
 }
 
 /// An elite keeps the answer only while the samples are without noise.
-Reading noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Reading low_noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
         add_shares(reading, row, search_many(motion, low_noise, way, search_seeds, seed));
@@ -82,9 +82,9 @@ double lost_from(const SearchRun& run, double percent) {
     for (std::size_t i = 0; i < run.estimates.size(); ++i) {
         off = errors_of(run.estimates[i].compliance_in3_per_psi).both_within(percent) ? 0 : off + 1;
         if (off == lost_for)
-            return static_cast<double>(trials * (i + 2 - lost_for));
+            return static_cast<double>(trials_a_sample * (i + 2 - lost_for));
     }
-    return static_cast<double>(trials * (run.estimates.size() + 1));
+    return static_cast<double>(trials_a_sample * (run.estimates.size() + 1));
 }
 
 /// When a search loses its way, which an eye reads off a figure.
@@ -119,13 +119,13 @@ Replay replay_loss_of_excitation(const ReplayContext& context) {
     Replay replay;
     context.progress("600 generations of 50 seeds, with and without the gate");
     replay.readings = {share_reading(motion, context.seed), single_run_reading(motion, context.seed),
-                       noise_reading(motion, context.seed)};
+                       low_noise_reading(motion, context.seed)};
     IdentificationWay way = long_way();
     RecordProblem prepared = measure_two_links(motion, no_noise, way, context.seed);
     auto search = [&](const IdentificationWay& by) {
         return search_transient(prepared.problem, prepared.samples, by, RandomStream(context.seed, "master"));
     };
-    replay.plots = {{"figure-3-11", plot_of_compliances(prepared, search(way), search(gated(way)), trials)}};
+    replay.plots = {{"figure-3-11", plot_of_compliances(prepared, search(way), search(gated(way)), trials_a_sample)}};
     replay.fingerprint = fingerprint_of(replay.readings);
     return replay;
 }
