@@ -1,6 +1,7 @@
 #include "app/monitor/message.hpp"
 
 #include "app/monitor/field_reader.hpp"
+#include "app/monitor/repeated_field.hpp"
 #include "hydraulics/parameters.hpp"
 
 #include <fmt/format.h>
@@ -205,6 +206,8 @@ Message parse_message(std::string_view line) {
     if (!value.is_object())
         throw BadMessage("", "it is no JSON object", "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}",
                          1);
+    if (auto field = repeated_field(line))
+        throw BadMessage(*field, "it is given twice", "each field once");
     FieldReader fields(value.get_object(), "");
     std::string name = fields.text("type");
     auto type = std::ranges::find(types, name, &Type::name);

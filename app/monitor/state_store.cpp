@@ -30,6 +30,33 @@ fs::path beside(const fs::path& path, const char* ending) {
     return other;
 }
 
+/// Before there is a journal beside it. Throws when it is there and no file.
+fs::path path_of_file(fs::path path) {
+    if (fs::exists(path) && !fs::is_regular_file(path))
+        throw std::runtime_error(fmt::format("{}: it is {}, no state file; say the name of a file, there or not",
+                                             path.string(), fs::is_directory(path) ? "a folder" : "a device"));
+    return path;
+}
+
+std::string content_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        throw std::runtime_error(std::strerror(errno));
+    return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+json::value parsed(const std::string& text) {
+    if (text.empty())
+        throw std::runtime_error("it is empty");
+    json::error_code error;
+    json::value value = json::parse(text, error);
+    if (error == json::error::incomplete)
+        throw std::runtime_error(fmt::format("it breaks off after {} bytes", text.size()));
+    if (error || !value.is_object() || !value.get_object().contains("placedpar_monitor_state"))
+        throw std::runtime_error("it is something else");
+    return value;
+}
+
 /// Brings a file, or a folder's names, to the disk itself.
 void sync_path(const fs::path& path) {
     int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -62,7 +89,7 @@ void take_again(Machines& machines, const std::string& record, const std::string
 
 } // namespace
 
-StateStore::StateStore(fs::path path) : path_(std::move(path)), journal_(beside(path_, ".journal")) {}
+StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(beside(path_, ".journal")) {}
 
 std::string StateStore::restore(Machines& machines) {
     read_state_file(machines);
@@ -78,10 +105,14 @@ std::string StateStore::restore(Machines& machines) {
 void StateStore::read_state_file(Machines& machines) {
     if (!fs::exists(path_))
         return;
-    std::ifstream in(path_, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(in), {});
+    auto refuse = [&](const std::string& why) {
+        throw std::runtime_error(fmt::format(
+            "{0}: this state file cannot be used: {1}; put a whole one there, or move it and {0}.journal away "
+            "and begin with nothing known",
+            path_.string(), why));
+    };
     try {
-        json::value value = json::parse(text);
+        json::value value = parsed(content_of(path_));
         if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
             throw std::runtime_error(fmt::format("it is of another version than {}", file_version));
         if (std::string was(value.at("settings").as_string()); was != settings_text(machines))
@@ -90,8 +121,12 @@ void StateStore::read_state_file(Machines& machines) {
         epoch_ = value.at("epoch").to_number<std::uint64_t>();
         for (const json::value& machine : value.at("machines").as_array())
             machines.add(state_from(machine, machines.settings()));
-    } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("{}: this state file cannot be used: {}", path_.string(), error.what()));
+    } catch (const boost::system::system_error& error) {
+        refuse(fmt::format("a part of it is wrong: {}", error.code().message()));
+    } catch (const std::logic_error&) {
+        refuse("a part of it is missing");
+    } catch (const std::runtime_error& error) {
+        refuse(error.what());
     }
 }
 
@@ -116,7 +151,11 @@ void StateStore::read_journal(Machines& machines, std::string& said) {
 }
 
 void StateStore::record(const std::string& machine, std::string_view message, std::size_t generations) {
+    if (!complete_)
+        return;
+    complete_ = false;
     journal_.append(fmt::format("{} {}", machine, message));
+    complete_ = true;
     generations_ += generations;
 }
 
@@ -132,9 +171,12 @@ void StateStore::write(const Machines& machines) {
     fs::path next = beside(path_, ".next");
     write_whole(next, json::serialize(state) + "\n");
     sync_path(next);
+    complete_ = false; // until the journal, too, is of the new epoch
     fs::rename(next, path_);
+    ++epoch_;
     sync_path(fs::absolute(path_).parent_path());
-    journal_.begin(++epoch_);
+    journal_.begin(epoch_);
+    complete_ = true;
     generations_ = 0;
 }
 
