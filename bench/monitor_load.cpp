@@ -217,11 +217,9 @@ void run(const Part& part, std::size_t samples) {
 int main(int argc, char** argv) try {
     CLI::App command{"The on-line diagnosis under load: what it costs the service, and how long clients wait"};
     std::size_t samples = 250, clients = 200;
-    command.add_option("SAMPLES", samples, "of each client, 1 to 1000000")
-        ->check(CLI::Range(1.0, 1e6))
-        ->capture_default_str();
-    command.add_option("CLIENTS", clients, "of the last three parts, 1 to 10000")
-        ->check(CLI::Range(1.0, 1e4))
+    command.add_option("SAMPLES", samples, "of each client")->check(CLI::Range(1, 1000000))->capture_default_str();
+    command.add_option("CLIENTS", clients, "of the last three parts")
+        ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     CLI11_PARSE(command, argc, argv);
     const std::vector<Part> parts{

@@ -53,7 +53,7 @@ json::value parsed(const std::string& text) {
     if (error == json::error::incomplete)
         throw std::runtime_error(fmt::format("it breaks off after {} bytes", text.size()));
     if (error || !value.is_object() || !value.get_object().contains("placedpar_monitor_state"))
-        throw std::runtime_error("it is something else");
+        throw std::runtime_error("it is no state file of the monitor");
     return value;
 }
 

@@ -30,7 +30,7 @@ public:
     std::string restore(Machines& machines);
 
     /// Before the message is answered. `generations` is what it cost. Throws std::runtime_error when it cannot be
-    /// appended. What came after it would come behind a hole, and does nothing until a write() has succeeded.
+    /// appended. From then on it does nothing, since what came would come behind a hole, until write() has succeeded.
     void record(const std::string& machine, std::string_view message, std::size_t generations);
     /// The journal lost something on its way to the disk, as if a message of it had not been appended.
     void journal_failed() { complete_ = false; }
