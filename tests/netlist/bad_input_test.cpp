@@ -131,7 +131,7 @@ TEST_CASE("replication and arrays without measure") {
 }
 
 TEST_CASE("a netlist that is refused already is not worked out for ever") {
-    auto result = read_netlist_text("T800 t[1000000];\nrep i = 0 for 1000000 process p;\n"
+    auto result = read_netlist_text("T800 t[1000000];\n"
                                     "rep i = 0 for 1000000 rep k = 0 for 1000000 connect t[i].link[k] to t[k].link[i];",
                                     small_catalogue());
     CHECK(first_message(result).find("the array is too large") != std::string::npos);
