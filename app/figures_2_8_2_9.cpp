@@ -156,8 +156,10 @@ Series locus(const PdLoop& loop, std::string name, std::size_t which, int colour
 }
 
 Panel loci_panel(const PdLoop& loop) {
-    Panel panel{
-        "Poles while C grows from half to ten times", {"real part [1/s]", -25, 5}, {"imaginary part [1/s]"}, {}};
+    Panel panel{"Poles while C grows from half to ten times",
+                {"real part [1/s]", -25, 5},
+                {"imaginary part [1/s]", -12, 12},
+                {}};
     panel.series = {locus(loop, "real pole", 0, 7), locus(loop, "pair", 1, 5), locus(loop, "", 2, 5)};
     int colour = 0;
     for (double factor : factors) {

@@ -19,7 +19,8 @@ constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#
                                              "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
 
 // Sizes in pixels.
-constexpr int width = 960, title_height = 44, panel_height = 390, left_margin = 90, top_margin = 40, bottom_margin = 66;
+constexpr int width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
+              bottom_margin = 66;
 constexpr int legend_sample = 70, legend_letter = 9; // of the widest of the fonts that a viewer may take
 
 /// A gnuplot string, in which nothing but the quote means anything.
@@ -53,9 +54,16 @@ std::string style_of(const Series& series, std::size_t place) {
     switch (series.stroke) {
     case Stroke::line: return "with lines linewidth 2 " + paint;
     case Stroke::dashes: return "with lines linewidth 2 dashtype (8,5) " + paint;
-    case Stroke::points: return "with points pointtype 7 pointsize 0.8 " + paint;
+    case Stroke::points: return "with points pointtype 7 pointsize 0.65 " + paint;
     }
     return "";
+}
+
+/// Marks of a panel differ in their dashes.
+std::string style_of(const Mark& mark, std::size_t place) {
+    constexpr std::array<const char*, 3> dashes{"(4,4)", "(14,5)", "(14,5,3,5)"};
+    return fmt::format("with lines linewidth 1.3 dashtype {} linecolor rgb '{}'", dashes[place % dashes.size()],
+                       mark.colour ? colours[static_cast<std::size_t>(*mark.colour) % colours.size()] : "#606060");
 }
 
 std::string title_of(const std::string& name) { return name.empty() ? "notitle" : "title " + quoted(name); }
@@ -98,9 +106,9 @@ std::string panel_commands(const Panel& panel, std::size_t number) {
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         curves.push_back(fmt::format("$panel{}series{} using 1:2 {} {}", number, i, title_of(panel.series[i].name),
                                      style_of(panel.series[i], i)));
-    for (const Mark& mark : panel.marks)
-        curves.push_back(fmt::format("{} {} with lines linewidth 1.2 dashtype (4,4) linecolor rgb '#606060'", mark.y,
-                                     title_of(mark.name)));
+    for (std::size_t i = 0; i < panel.marks.size(); ++i)
+        curves.push_back(
+            fmt::format("{} {} {}", panel.marks[i].y, title_of(panel.marks[i].name), style_of(panel.marks[i], i)));
     return fmt::format("{}plot {}\n", out, fmt::join(curves, ", \\\n     "));
 }
 

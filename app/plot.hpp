@@ -20,10 +20,11 @@ struct Series {
     std::optional<int> colour = std::nullopt; ///< which of the eight; none: that of its place among the panel's series
 };
 
-/// A horizontal line over the whole width.
+/// A horizontal line over the whole width, grey, of other dashes than the panel's other marks.
 struct Mark {
     std::string name;
     double y;
+    std::optional<int> colour = std::nullopt; ///< which of the eight, where it belongs to a series
 };
 
 struct Axis {

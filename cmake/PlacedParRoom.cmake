@@ -8,6 +8,9 @@ target_compile_features(placedpar_options INTERFACE cxx_std_20)
 # -Wrestrict: false alarms on string + in GCC 12 (its bug 105651).
 target_compile_options(placedpar_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
+if(CMAKE_UNITY_BUILD) # where what one source names may stand before what another does
+    target_compile_options(placedpar_options INTERFACE -Wno-shadow)
+endif()
 if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
@@ -29,8 +32,8 @@ endfunction()
 # the label room; the target room_tests builds them all.
 function(placedpar_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;LINKS" ${ARGN})
-    add_executable(test_${name} ${TEST_SOURCES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
-    target_link_libraries(test_${name} PRIVATE placedpar_options doctest::doctest ${TEST_LINKS})
+    add_executable(test_${name} ${TEST_SOURCES})
+    target_link_libraries(test_${name} PRIVATE placedpar_options placedpar_test_main ${TEST_LINKS})
     target_compile_definitions(test_${name} PRIVATE PLACEDPAR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     add_test(NAME ${name} COMMAND test_${name})
     set_tests_properties(${name} PROPERTIES LABELS room)

@@ -1,19 +1,12 @@
 #include "netlist/lexer.hpp"
 
+#include "netlist/characters.hpp"
+
 #include <fmt/format.h>
 
-#include <cctype>
 #include <charconv>
 
 namespace placedpar {
-
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_hex_digit(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-} // namespace
 
 Token Lexer::read_number() {
     Token token{TokenKind::integer, "", {}, 0, here()};

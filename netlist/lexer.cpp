@@ -1,18 +1,15 @@
 #include "netlist/lexer.hpp"
 
+#include "netlist/characters.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
-#include <cctype>
 #include <charconv>
 
 namespace placedpar {
 
 namespace {
-
-bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string shown(char c) {
     auto byte = static_cast<unsigned char>(c);

@@ -11,7 +11,7 @@ function(placedpar_compiler name compiler flags)
     find_program(PLACEDPAR_${compiler} ${compiler} REQUIRED)
     set(build ${CMAKE_CURRENT_BINARY_DIR}/${name})
     add_test(NAME ${name}.configure COMMAND ${CMAKE_COMMAND} -G Ninja -S ${PROJECT_SOURCE_DIR} -B ${build}
-        -DCMAKE_CXX_COMPILER=${PLACEDPAR_${compiler}} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_BUILD_TYPE=
+        -DCMAKE_CXX_COMPILER=${PLACEDPAR_${compiler}} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_BUILD_TYPE= -DCMAKE_UNITY_BUILD=ON
         -DPLACEDPAR_TESTS=OFF -DPLACEDPAR_BENCH=OFF -DPLACEDPAR_WARNINGS_AS_ERRORS=${PLACEDPAR_WARNINGS_AS_ERRORS})
     add_test(NAME ${name}.build COMMAND ${CMAKE_COMMAND} --build ${build} --target placedpar)
     placedpar_fingerprints(${name}.fingerprints ${build}/app/placedpar $<TARGET_FILE:placedpar>)

@@ -128,6 +128,12 @@ SearchRun search_transient(const CircuitProblem& circuit_problem, std::span<cons
 
 IdentificationWay thesis_way() { return {}; }
 
+IdentificationWay rising_way() {
+    IdentificationWay way = thesis_way();
+    way.usable.rising = true;
+    return way;
+}
+
 IdentificationWay service_way() {
     IdentificationWay way;
     way.coding = Coding::gray;

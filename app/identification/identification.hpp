@@ -35,6 +35,8 @@ struct IdentificationWay {
 
 /// As chapter 3 describes it: natural binary, no elite, no gate, one search over the 0.4 s of the transient.
 IdentificationWay thesis_way();
+/// The same "during the pressure rise" (section 3.4): on its samples only.
+IdentificationWay rising_way();
 /// What an engineer would want: Gray code, one elite, the first two samples after the valve opens left out, the
 /// gate, 21 searches.
 IdentificationWay service_way();

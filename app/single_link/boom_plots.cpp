@@ -42,7 +42,7 @@ Panel pressure_panel(std::string title, const BoomData& data, double until_s) {
 }
 
 Series velocity_series(const BoomData& data, const BoomModel& model, double until_s) {
-    Series series{"velocity [deg/s]", {}};
+    Series series{"velocity", {}};
     double flow_per_deg = readings_of(data, model)[index_of(MachineLink::boom)].piston_flow_in3_per_deg;
     for (const CircuitSample& sample : samples_of(data, model))
         if (sample.time_s <= until_s)
@@ -51,12 +51,14 @@ Series velocity_series(const BoomData& data, const BoomModel& model, double unti
 }
 
 Panel motion_panel(std::string title, const BoomData& data, const BoomModel& model, double until_s) {
-    Series angle = over_time("angle [deg]", data.record, of(data, Sensor::angle), until_s);
+    Series angle = over_time("angle, from its start", data.record, of(data, Sensor::angle), until_s);
     double start = angle.points.front().y;
     for (Point& point : angle.points)
         point.y -= start;
-    return {
-        std::move(title), time_axis(until_s), {"angle and velocity"}, {angle, velocity_series(data, model, until_s)}};
+    return {std::move(title),
+            time_axis(until_s),
+            {"angle [deg], velocity [deg/s]"},
+            {angle, velocity_series(data, model, until_s)}};
 }
 
 Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
@@ -95,7 +97,7 @@ Panel error_panel(const WatchedIdentification& watched, double until_s) {
     }
     return {"d: Error, equation 3.8",
             time_axis(until_s),
-            {"flow [in³/s]", 0.01, 1000, true},
+            {"Error [in³/s]", 0.01, 1000, true},
             {mean, best, error_of_answer(watched, until_s)}};
 }
 

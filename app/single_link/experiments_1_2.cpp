@@ -28,13 +28,6 @@ struct Way {
 };
 constexpr std::array<Way, 2> ways{{{"1: spool", AreasFrom::spool}, {"2: voltage", AreasFrom::servo}}};
 
-/// As the thesis: its search, "during the pressure rise".
-IdentificationWay rising_way() {
-    IdentificationWay way = thesis_way();
-    way.usable.rising = true;
-    return way;
-}
-
 /// A plant, and the noise of its sensors.
 struct Source {
     const char* name;

@@ -18,12 +18,6 @@ namespace {
 constexpr double thesis_in3_per_psi = 0.0086, by_spool_in3_per_psi = 0.005;
 constexpr double shown_s = 1.4;
 
-IdentificationWay rising_way() {
-    IdentificationWay way = thesis_way();
-    way.usable.rising = true;
-    return way;
-}
-
 /// The boom raised at another speed than scenario A's 4 deg/s, or at that.
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
                      double compliance_in3_per_psi = thesis_in3_per_psi) {
@@ -170,7 +164,7 @@ Panel pressure_panel(std::string title, const BoomData& data, double identified_
     Panel panel;
     panel.title = std::move(title);
     panel.x = {"time [s]", 0, shown_s};
-    panel.y.label = "pressure P_BOi [psi]";
+    panel.y = {"pressure P_BOi [psi]", 1500, 2250};
     for (const Curve& curve : curves)
         if (all || curve.factor == 1) {
             double compliance = curve.factor * identified_in3_per_psi;
@@ -186,8 +180,8 @@ Plot plot_of_check(std::uint64_t seed) {
     double identified = identified_by_voltage(BoomPlant::measured, seed);
     BoomData data = other_motion(BoomPlant::measured, 0, seed);
     return {"Figure 3.8: pressure of the measured machine, and simulated, 3 deg/s",
-            {pressure_panel("a: with the identified compliance", data, identified, false),
-             pressure_panel("b: with half and twice of it", data, identified, true)}};
+            {pressure_panel("a: with the identified compliance C [in³/psi]", data, identified, false),
+             pressure_panel("b: with half and twice of it, too", data, identified, true)}};
 }
 
 } // namespace

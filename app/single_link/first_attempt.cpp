@@ -21,12 +21,6 @@ constexpr std::size_t records = 50;
 // Long enough for a second of steady motion after the transient.
 constexpr double duration_s = 4;
 
-IdentificationWay rising_way() {
-    IdentificationWay way = thesis_way();
-    way.usable.rising = true;
-    return way;
-}
-
 /// Simulated once, measured 50 times.
 std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noise, std::uint64_t first_seed,
                                    BoomPlant plant = BoomPlant::simple) {

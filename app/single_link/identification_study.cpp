@@ -38,12 +38,6 @@ constexpr std::array<NoiseLevel, 4> levels{{{"no noise", no_noise, {0.07, 1.43},
 
 using Progress = std::function<void(const std::string&)>;
 
-IdentificationWay rising_way() {
-    IdentificationWay way = thesis_way();
-    way.usable.rising = true;
-    return way;
-}
-
 void add_level(Reading& reading, const NoiseLevel& level, std::uint64_t seed) {
     auto add = [&](const char* row, const char* unit, Bound bound, double value, int decimals) {
         reading.cells.push_back(judged_cell(row, level.name, unit, bound.known, value, bound.tolerance, decimals));

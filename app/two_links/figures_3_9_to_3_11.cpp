@@ -12,21 +12,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t seeds = 50;
-
-/// What 3.2 describes, and ways to make it surer.
-IdentificationWay with_elite() {
-    IdentificationWay way = thesis_way();
-    way.search.elite = 1;
-    way.usable.skipped = 2;
-    return way;
-}
-IdentificationWay with_gray_code() {
-    IdentificationWay way = with_elite();
-    way.coding = Coding::gray;
-    return way;
-}
-
 /// The steady state of scenario R2; known from an independent prototype.
 Reading steady_reading(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
@@ -62,7 +47,7 @@ Cell at_least(const std::string& column, double known, double least, double valu
 }
 
 void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion, std::uint64_t seed) {
-    auto runs = search_many(motion, study.noise, study.way, seeds, seed);
+    auto runs = search_many(motion, study.noise, study.way, search_seeds, seed);
     std::vector<double> bucket, boom;
     for (const SearchRun& run : runs) {
         TwoErrors errors = errors_of(run.estimates.back().compliance_in3_per_psi);
@@ -83,22 +68,22 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
 
 Reading study_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     Reading reading{
-        fmt::format("C_BUi and C_BOi found together, {} seeds, 20 samples of 5 generations", seeds),
+        fmt::format("C_BUi and C_BOi found together, {} seeds, 20 samples of 5 generations", search_seeds),
         {},
         "the percentages of seeds are judged from below: 55 as the thesis has it, 90 with an elite, 95 with "
         "Gray code too\n",
         "known"};
     add_study(reading, {"as the thesis has it", thesis_way(), no_noise, 65, 55}, motion, seed);
-    add_study(reading, {"elite, 2 skipped", with_elite(), no_noise, 98, 90}, motion, seed);
-    add_study(reading, {"and Gray code", with_gray_code(), no_noise, 100, 95}, motion, seed);
+    add_study(reading, {"elite, 2 skipped", elite_way(), no_noise, 98, 90}, motion, seed);
+    add_study(reading, {"and Gray code", gray_way(), no_noise, 100, 95}, motion, seed);
     return reading;
 }
 
 Reading noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
     Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known", true};
     add_study(reading, {"as the thesis has it", thesis_way(), low_noise, 55, 40}, motion, seed);
-    add_study(reading, {"elite, 2 skipped", with_elite(), low_noise, 80, 65}, motion, seed);
-    add_study(reading, {"and Gray code", with_gray_code(), low_noise, 86, 75}, motion, seed);
+    add_study(reading, {"elite, 2 skipped", elite_way(), low_noise, 80, 65}, motion, seed);
+    add_study(reading, {"and Gray code", gray_way(), low_noise, 86, 75}, motion, seed);
     return reading;
 }
 
@@ -110,7 +95,7 @@ Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
                     "judged: within 10 % of the state itself\n",
                     "at most",
                     true};
-    IdentificationWay way = with_gray_code();
+    IdentificationWay way = gray_way();
     RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
     std::array<double, InternalStates::count> worst{};
@@ -142,7 +127,7 @@ Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
     context.progress("bucket and boom, identified");
     replay.readings = {study_reading(motion, context.seed), steady_reading(motion),
                        states_reading(motion, context.seed), noise_reading(motion, context.seed)};
-    IdentificationWay way = with_gray_code();
+    IdentificationWay way = gray_way();
     RecordProblem prepared = measure_two_links(motion, no_noise, way, context.seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(context.seed, "master"));
     replay.plots = {{"figure-3-9", plot_of_states(motion)},

@@ -34,6 +34,19 @@ TwoErrors errors_of(std::span<const double> compliance_in3_per_psi) {
     return {error(0, "bucket.inlet_compliance"), error(1, "boom.inlet_compliance")};
 }
 
+IdentificationWay elite_way() {
+    IdentificationWay way = thesis_way();
+    way.search.elite = 1;
+    way.usable.skipped = 2;
+    return way;
+}
+
+IdentificationWay gray_way() {
+    IdentificationWay way = elite_way();
+    way.coding = Coding::gray;
+    return way;
+}
+
 std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
                                    const IdentificationWay& way, std::size_t seeds, std::uint64_t first_seed) {
     std::vector<SearchRun> runs;

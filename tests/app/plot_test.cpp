@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -63,6 +64,21 @@ TEST_CASE("series have distinct colours, unless they ask for the same one") {
         CHECK(has(svg, colour));
     plot.panels[0].series[1].colour = 0;
     CHECK(draw_svg(plot) != svg);
+}
+
+TEST_CASE("marks have distinct dashes, and the colour that they ask for") {
+    Plot plot = small_plot();
+    plot.panels[0].marks = {{"one", 1.2}, {"two", 1.4}, {"three", 1.6}};
+    std::string svg = draw_svg(plot);
+    CHECK(count(svg, "stroke-dasharray") > 0);
+    std::set<std::string> dashes;
+    for (std::size_t at = svg.find("stroke-dasharray"); at != std::string::npos;
+         at = svg.find("stroke-dasharray", at + 1))
+        dashes.insert(svg.substr(at, svg.find_first_of(";>", at) - at));
+    CHECK(dashes.size() == 3);
+    CHECK_FALSE(has(svg, "213,  94,   0"));
+    plot.panels[0].marks[1].colour = 1;
+    CHECK(has(draw_svg(plot), "213,  94,   0"));
 }
 
 TEST_CASE("what cannot be drawn is refused") {

@@ -1,5 +1,6 @@
 #include "hydraulics/feedforward.hpp"
 #include "tests/hydraulics/link_sets.hpp"
+#include "tests/hydraulics/rounded_flow.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,12 +8,7 @@
 #include <string>
 
 using namespace placedpar;
-
-namespace {
-
-const FlowConstants flow = rounded_flow_constants;
-
-} // namespace
+using test::flow;
 
 TEST_CASE("the circuit with the areas of the feedforward gives each link its flow, in every configuration") {
     for_each_circuit([](Configuration configuration, LinkSet, const Circuit& circuit) {

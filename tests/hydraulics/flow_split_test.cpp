@@ -1,16 +1,16 @@
 #include "hydraulics/boom_orifices.hpp"
 #include "hydraulics/flow_split.hpp"
 #include "runtime/random.hpp"
+#include "tests/hydraulics/rounded_flow.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 using namespace placedpar;
+using test::flow;
 
 namespace {
-
-const FlowConstants flow = rounded_flow_constants;
 
 FlowSplit boom_split(double spool_in, double inlet_psi) {
     OrificeAreas areas = boom_orifices(spool_in);

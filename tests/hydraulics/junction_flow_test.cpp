@@ -2,6 +2,7 @@
 #include "hydraulics/junction_flow.hpp"
 #include "runtime/random.hpp"
 #include "tests/hydraulics/link_sets.hpp"
+#include "tests/hydraulics/rounded_flow.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,10 +11,10 @@
 #include <string>
 
 using namespace placedpar;
+using test::flow;
 
 namespace {
 
-const FlowConstants flow = rounded_flow_constants; // k 100, Q 175, P_e 25
 constexpr double pump = 175;
 
 Circuit bucket_then_boom() { return circuit_of(Configuration::a, {MachineLink::bucket, MachineLink::boom}); }

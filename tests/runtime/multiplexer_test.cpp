@@ -2,6 +2,7 @@
 
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,6 +11,7 @@
 using namespace placedpar;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
+using test::cycle;
 
 namespace {
 
@@ -85,7 +87,6 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     nodes.simulation.process(
         "inputs", [&] { c.in().input(), input = now(); }, &nodes.b);
     CHECK(nodes.simulation.run().ending == Ending::completed);
-    constexpr nanoseconds cycle{50};
     CHECK(nodes.link.from_a_to_b().bytes_carried() == Multiplexer::header_bytes + 100);
     CHECK(nodes.link.from_b_to_a().bytes_carried() == Multiplexer::header_bytes);
     // a: the sender handles the packet and outputs it, the receiver inputs the acknowledge and handles it, and

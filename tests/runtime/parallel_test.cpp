@@ -3,6 +3,7 @@
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,6 +13,7 @@
 
 using namespace placedpar;
 using std::chrono::microseconds;
+using test::cycle;
 
 TEST_CASE("a PAR ends when its last component has, and starts them in order") {
     Simulation simulation;
@@ -64,7 +66,6 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
         },
         &t800);
     simulation.run();
-    constexpr auto cycle = std::chrono::nanoseconds{50};
     Time start_up = 2 * (12 + 13) * cycle; // startp and endp of two components
     CHECK(high_done == start_up + microseconds{100});
     CHECK(high_again == start_up + microseconds{160} + 19 * cycle); // it interrupts the low one

@@ -5,6 +5,7 @@
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,8 +15,6 @@ using namespace placedpar;
 using namespace placedpar::test;
 
 namespace {
-
-constexpr std::chrono::nanoseconds cycle{50};
 
 std::vector<Load> random_loads(RandomStream& random) {
     std::vector<Load> loads(1 + random.below(6));

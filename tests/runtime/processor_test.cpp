@@ -3,6 +3,7 @@
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,10 +12,10 @@
 using namespace placedpar;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
+using test::cycle;
 
 namespace {
 
-constexpr nanoseconds cycle{50}; // at 20 MHz
 constexpr Cycles one_slice{20'480};
 
 } // namespace

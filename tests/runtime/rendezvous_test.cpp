@@ -4,6 +4,7 @@
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,6 +15,7 @@
 #include <vector>
 
 using namespace placedpar;
+using test::cycle;
 
 TEST_CASE("the second to arrive goes on, the first goes to the back of the ready queue") {
     Simulation simulation;
@@ -139,7 +141,6 @@ TEST_CASE("on a processor the second to arrive pays 2 cycles a word for the copy
     simulation.process(
         "inputter", [&] { c.in().input(), second_done = now(); }, &t800);
     simulation.run();
-    constexpr auto cycle = std::chrono::nanoseconds{50};
     CHECK(second_done == (19 + 19 + 2 * 3) * cycle);
     CHECK(first_done == second_done);
     CHECK(t800.time_busy() == second_done);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/plot.hpp"
+#include "app/single_link/fault_study.hpp"
+
+#include <span>
+
+namespace placedpar {
+
+/// The compliance estimated from one record of each machine by the spool, sample by sample; and what a drift of the
+/// servo-valve makes of the compliance by the spool and by the voltage.
+Plot plot_of_faults(std::span<const Fault> faults, const Plant& plant, std::uint64_t seed);
+
+} // namespace placedpar
