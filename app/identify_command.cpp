@@ -7,6 +7,7 @@
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
 #include "app/run_report.hpp"
+#include "app/standard_output.hpp"
 #include "app/text_file.hpp"
 #include "gaprocs/search_problem.hpp"
 
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -73,7 +75,7 @@ std::optional<AreasFrom> areas_of(const Options& options) {
 double inches_of(const std::string& text) {
     double inches = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), inches);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(inches))
         throw std::runtime_error(fmt::format("--offset {}: it takes auto, none, or a number of inches", text));
     return inches;
 }
@@ -88,10 +90,10 @@ std::optional<double> spool_offset(const Options& options, const Record& record,
         return std::nullopt;
     auto found = calibrate_spool_offset(record, link_readings(machine), flow_constants(machine));
     if (found)
-        fmt::print("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
-                   found->offset_in, found->deviation_in, found->samples);
+        print_out(fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
+                              found->offset_in, found->deviation_in, found->samples));
     else
-        fmt::print("spool offset: not calibrated, for the record has no second of steady motion\n");
+        print_out("spool offset: not calibrated, for the record has no second of steady motion\n");
     return found ? std::optional(found->offset_in) : std::nullopt;
 }
 
@@ -106,42 +108,56 @@ ProblemRegistry problems_with(const RecordProblem& prepared) {
 }
 
 /// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
-ExitCode run_on_machine(const Options& options, const RecordProblem& prepared, const Identified& native) {
-    ProblemRegistry problems = problems_with(prepared);
-    Network network = load_network(options.netlist, overrides_of(options.set), problems);
-    RunReport report = run_netlist(network, problems, options.seed);
-    fmt::print("\n{}\n", print_report(report, network));
+ExitCode run_on_machine(const Network& network, const ProblemRegistry& problems, std::uint64_t seed,
+                        const RecordProblem& prepared, const Identified& native) {
+    RunReport report = run_netlist(network, problems, seed);
+    print_out(fmt::format("\n{}\n", print_report(report, network)));
+    if (report.result.ending != Ending::completed)
+        return exit_code_of(report.result.ending);
     for (std::size_t j = 0; j < native.links.size(); ++j) {
         double here = native.estimates.back().compliance_in3_per_psi[j];
         double there = report.measured("master", prepared.problem.parameter_names()[j]);
-        fmt::print("{}: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n", prepared.problem.parameter_names()[j],
-                   here, there, here == there ? "the same" : "not the same");
+        print_out(fmt::format("{}: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
+                              prepared.problem.parameter_names()[j], here, there,
+                              here == there ? "the same" : "not the same"));
     }
-    return exit_code_of(report.result.ending);
+    return ExitCode::success;
+}
+
+/// The netlist of --on, if there is one.
+std::optional<Network> network_of(const Options& options, const ProblemRegistry& problems) {
+    if (options.netlist.empty())
+        return std::nullopt;
+    Network network = load_network(options.netlist, overrides_of(options.set), problems);
+    const std::filesystem::path output[] = {options.json};
+    for (const std::string& included : network.included_paths)
+        require_apart(output, included);
+    return network;
 }
 
 ExitCode identify_record(const Options& options, const std::string& command_line) {
-    if (!options.json.empty()) {
-        const std::filesystem::path output[] = {options.json};
-        for (const std::string& input : {options.record, options.machine, options.netlist})
-            require_apart(output, input);
+    const std::filesystem::path output[] = {options.json};
+    for (const std::string& input : {options.record, options.machine, options.netlist})
+        require_apart(output, input);
+    if (!options.json.empty())
         require_writable(options.json);
-    }
     Parameters machine = load_machine(options.machine);
     Record record = load_record(options.record);
     IdentificationWay way = way_of(options);
     Question question{*configuration_named(options.configuration), links_of(options.links),
                       spool_offset(options, record, machine), areas_of(options)};
     RecordProblem prepared = prepare(record, machine, question, way);
+    ProblemRegistry problems = problems_with(prepared);
+    std::optional<Network> network = network_of(options, problems);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, way, options.seed);
-    fmt::print("{}", print_identified(identified, prepared, way));
+    print_out(print_identified(identified, prepared, way));
     if (!options.json.empty()) {
         boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
         for (auto& [key, value] : identified_json(identified, prepared))
             json[key] = value;
         write_whole(options.json, print_pretty(json));
     }
-    return options.netlist.empty() ? ExitCode::success : run_on_machine(options, prepared, identified);
+    return network ? run_on_machine(*network, problems, options.seed, prepared, identified) : ExitCode::success;
 }
 
 void declare_options(CLI::App& command, Options& options) {
@@ -166,34 +182,24 @@ void declare_options(CLI::App& command, Options& options) {
         .add_option("--areas-from", options.areas,
                     "areas, spool or servo (experiments 1 and 2 of the thesis: the spool, the servo-valve's voltage)")
         ->check(CLI::IsMember({"areas", "spool", "servo"}));
-    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
-        ->type_name("FILE");
+    add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
     command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 52))->capture_default_str();
     command.add_option("--coding", options.coding, "natural or gray; the way's own if not given")
         ->check(CLI::IsMember({"natural", "gray"}));
     command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given")
         ->check(not_a_whole_number);
-    command.add_option("--population", options.population, "individuals")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--trials", options.trials, "generations a sample")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--window", options.window, "samples that a fitness is summed over")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
+    add_count(command, "--population", options.population, "individuals");
+    add_count(command, "--trials", options.trials, "generations a sample");
+    add_count(command, "--window", options.window, "samples that a fitness is summed over");
     command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")->capture_default_str();
-    command.add_option("--samples", options.samples, "usable samples from the valve's opening on: 20 are 0.4 s")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
+    add_count(command, "--samples", options.samples, "usable samples from the valve's opening on: 20 are 0.4 s");
     command.add_flag("--rising", options.rising, "nothing from the first falling pressure on");
     add_seed(command, options.seed);
-    command.add_option("--on", options.netlist, "then runs it as the processes of this netlist, too")
-        ->type_name("NETLIST");
+    add_file(command, "--on", options.netlist, "then runs it as the processes of this netlist, too", "NETLIST");
     command.add_option("--set", options.set, "NAME=VALUE: gives a val of that netlist another value")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    add_output(command, "--json", options.json, "writes the result for machines");
+    add_file(command, "--json", options.json, "writes the result for machines");
 }
 
 } // namespace

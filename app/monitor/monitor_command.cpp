@@ -3,6 +3,7 @@
 #include "app/common_options.hpp"
 #include "app/monitor/estimate.hpp"
 #include "app/monitor/service.hpp"
+#include "app/standard_output.hpp"
 #include "gaprocs/fitness.hpp"
 
 #include <CLI/CLI.hpp>
@@ -92,7 +93,7 @@ void add_options(CLI::App& command, ServiceSettings& settings) {
     };
     command.add_option("--address", settings.address, "where to listen")->capture_default_str();
     add("--port", settings.port, "N", {0, 65535}, "0: any free one, which is printed");
-    add_output(command, "--state", settings.state, "keeps what is known over a restart, with FILE.journal beside it");
+    add_file(command, "--state", settings.state, "keeps what is known over a restart, with FILE.journal beside it");
     add_seed(command, settings.seed);
     add("--sync", settings.sync_s, "S", {0.01, 3600}, "from a sample to its being on the disk, if power fails");
     add_limits(command, settings.limits);
@@ -104,8 +105,7 @@ ExitCode serve(const ServiceSettings& settings) {
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is like a full disk, no reason to end
     Service service(settings, say);
     service.stop_at_signals(); // before anybody can know of it
-    fmt::print("placedpar monitor: listening on {} port {}\n", settings.address, service.port());
-    std::fflush(stdout);
+    print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
     service.run();
     say(settings.state.empty() ? "stopped" : fmt::format("stopped; {} is written", settings.state));
     return ExitCode::success;
