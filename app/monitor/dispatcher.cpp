@@ -71,8 +71,6 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view lin
         }
     }
     client.send(welcome_line(machine, machines_.seed()));
-    if (keeping_ == Keeping::not_at_all)
-        client.send(kept_line(false, trouble_));
 }
 
 void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
@@ -164,7 +162,7 @@ void Dispatcher::write_state() {
     }
 }
 
-/// Tells the operator when it has changed, and the clients what they should know.
+/// Tells the operator when it has changed.
 void Dispatcher::note_keeping(const std::string& trouble) {
     Keeping before = keeping_;
     keeping_ = !store_->complete() ? Keeping::not_at_all : trouble.empty() ? Keeping::well : Keeping::in_journal;
@@ -174,9 +172,6 @@ void Dispatcher::note_keeping(const std::string& trouble) {
     complain_(keeping_ == Keeping::well         ? "the state file is written again, with all that is known"
               : keeping_ == Keeping::in_journal ? fmt::format("{}; going on with the journal", trouble)
                                                 : fmt::format("{}; going on, but a restart would forget", trouble));
-    if (keeping_ == Keeping::not_at_all || before == Keeping::not_at_all)
-        for (Client* client : clients_)
-            client->send(kept_line(store_->complete(), trouble));
 }
 
 std::size_t Dispatcher::clients() const {
@@ -196,11 +191,24 @@ void Dispatcher::tick() {
     write_state();
     auto now = LoadMeter::Clock::now();
     for (Client* client : clients_)
-        if (client->hello && client->hello->load_every_s > 0 &&
-            std::chrono::duration<double>(now - client->last_load).count() >= client->hello->load_every_s) {
-            client->last_load = now;
-            client->send(load());
+        if (client->hello) {
+            tell_kept(*client);
+            tell_load(*client, now);
         }
+}
+
+void Dispatcher::tell_kept(Client& client) {
+    bool kept = keeping_ != Keeping::not_at_all;
+    if (std::exchange(client.told_kept, kept) != kept)
+        client.send(kept_line(kept, kept ? "" : trouble_));
+}
+
+void Dispatcher::tell_load(Client& client, LoadMeter::Clock::time_point now) {
+    double every_s = client.hello->load_every_s;
+    if (every_s > 0 && std::chrono::duration<double>(now - client.last_load).count() >= every_s) {
+        client.last_load = now;
+        client.send(load());
+    }
 }
 
 void Dispatcher::say_goodbye() {

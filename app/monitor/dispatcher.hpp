@@ -32,6 +32,7 @@ public:
 
     std::optional<Hello> hello; // that he said
     std::chrono::steady_clock::time_point last_load;
+    bool told_kept = true; // that what is known is kept
 };
 
 /// How what is known is kept: as it should be; in a journal that grows, since the state file cannot be written; or not
@@ -49,7 +50,7 @@ public:
     void leave(Client& client);
     /// A line of the client; answers go to whom they concern.
     void take(Client& client, std::string_view line);
-    /// Loads that are due, and the state file. To be called a few times a second.
+    /// The state file and loads that are due, and whether all is kept. To be called a few times a second.
     void tick();
     /// What was recorded did not come to the disk.
     void journal_failed(const std::string& trouble);
@@ -77,6 +78,8 @@ private:
     void record(const std::string& machine, std::string_view line, std::size_t generations);
     void write_state();
     void note_keeping(const std::string& trouble);
+    void tell_load(Client& client, LoadMeter::Clock::time_point now);
+    void tell_kept(Client& client);
     void tell_watchers(const std::string& machine, std::string_view line, const std::function<bool(const Hello&)>& to);
     void tell_alarms(const Machine& machine, const SampleOutcome& outcome);
     std::string load() const;

@@ -38,7 +38,7 @@ void DiagnosisSettings::validate() const {
     require(inconsistent_over > 0, "the spread of inconsistent estimates", inconsistent_over, "more than 0");
     require(off_by > 0 && off_by < 1, "the fraction by which a link is off", off_by, "between 0 and 1");
     require(transients >= 1 && transients <= Estimate::kept_transients, "the number of transients",
-            static_cast<double>(transients), "1 to 5, of which settled values are kept");
+            static_cast<double>(transients), "1 to 5");
     require(stale_after_s > 0, "the age of a stale estimate", stale_after_s, "more than 0 s");
 }
 

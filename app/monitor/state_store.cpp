@@ -24,6 +24,12 @@ namespace {
 
 constexpr int file_version = 1;
 
+/// A whole state file, but not for this service.
+class OtherState : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 fs::path beside(const fs::path& path, const char* ending) {
     fs::path other = path;
     other += ending;
@@ -106,27 +112,30 @@ void StateStore::read_state_file(Machines& machines) {
     if (!fs::exists(path_))
         return;
     auto refuse = [&](const std::string& why) {
-        throw std::runtime_error(fmt::format(
-            "{0}: this state file cannot be used: {1}; put a whole one there, or move it and {0}.journal away "
-            "and begin with nothing known",
-            path_.string(), why));
+        throw std::runtime_error(fmt::format("{}: this state file cannot be used: {}", path_.string(), why));
+    };
+    auto damaged = [&](const std::string& why) {
+        refuse(fmt::format("{}; put a whole one there, or move it and {}.journal away and begin with nothing known",
+                           why, path_.string()));
     };
     try {
         json::value value = parsed(content_of(path_));
         if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
-            throw std::runtime_error(fmt::format("it is of another version than {}", file_version));
+            throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
         if (std::string was(value.at("settings").as_string()); was != settings_text(machines))
-            throw std::runtime_error(fmt::format("it was written with {}, this is {}; say the same, or another file",
-                                                 was, settings_text(machines)));
+            throw OtherState(fmt::format("it was written with {}, this is {}; say the same, or another file", was,
+                                         settings_text(machines)));
         epoch_ = value.at("epoch").to_number<std::uint64_t>();
         for (const json::value& machine : value.at("machines").as_array())
             machines.add(state_from(machine, machines.settings()));
+    } catch (const OtherState& other) {
+        refuse(other.what());
     } catch (const boost::system::system_error& error) {
-        refuse(fmt::format("a part of it is wrong: {}", error.code().message()));
-    } catch (const std::logic_error&) {
-        refuse("a part of it is missing");
-    } catch (const std::runtime_error& error) {
-        refuse(error.what());
+        damaged(fmt::format("a part of it is wrong: {}", error.code().message()));
+    } catch (const std::out_of_range&) {
+        damaged("a part of it is missing");
+    } catch (const std::exception& error) {
+        damaged(error.what());
     }
 }
 

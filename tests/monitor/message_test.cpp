@@ -4,7 +4,6 @@
 
 #include <initializer_list>
 #include <string>
-#include <utility>
 
 using namespace placedpar;
 using namespace placedpar::monitor;
@@ -90,8 +89,12 @@ TEST_CASE("a line that is no JSON is refused with the column") {
 }
 
 TEST_CASE("a field is given once") {
+    struct Case {
+        const char *line, *field;
+    };
     for (
-        const auto& [line, field] : std::initializer_list<std::pair<const char*, const char*>>{
+        const Case& each : std::initializer_list<Case>{
+
             {R"({"type":"hello","version":1,"version":1,"machine":"m"})", "version"},
             {R"({"type":"ping","type":"ping"})", "type"},
             {R"({"type":"ping","t\u0079pe":"ping"})", "type"},
@@ -100,9 +103,9 @@ TEST_CASE("a field is given once") {
             {R"({"type":"sample","time_s":1,"links":{"BO":{},"BU":{},"BO":{}}})", "links.BO"},
             {R"({"type":"baseline","links":{"BO":0.0086,"boom":0.0086}})", "links.BO"},
             {R"({"type":"hello","version":1,"machine":"m","links":{"boom":{},"BO":{}}})", "links.BO"}}) {
-        CAPTURE(line);
-        BadMessage bad = refusal(line);
-        CHECK(bad.field() == field);
+        CAPTURE(each.line);
+        BadMessage bad = refusal(each.line);
+        CHECK(bad.field() == each.field);
         CHECK(std::string(bad.what()) == "it is given twice");
     }
     // The same name in different objects is no repetition.

@@ -190,7 +190,10 @@ TEST_CASE("no state file: what it is instead, and what to do") {
     refused("[1]", "it is no state file of the monitor");
     refused("{\"placedpar_monitor_state\":1}", "a part of it is missing");
     refused("{\"placedpar_monitor_state\":\"one\"}", "a part of it is wrong: not a number");
-    refused("{\"placedpar_monitor_state\":7}", "it is of another version than 1");
+    scratch.write("state", "{\"placedpar_monitor_state\":7}");
+    Machines machines = none();
+    CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(machines),
+                         doctest::Contains("it is of another version than 1; say another file"), std::runtime_error);
     std::filesystem::create_directory(scratch / "folder");
     CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"),
                          std::runtime_error);
