@@ -26,7 +26,7 @@ struct Bounds {
     double least, greatest;
 };
 
-constexpr Bounds seconds{0.01, 86400};
+constexpr Bounds timeouts{0.01, 86400};
 
 /// An option that takes a number within bounds, and nothing else. CLI11 itself takes nan, -1 for the greatest number
 /// there is, and 010 for eight.
@@ -60,11 +60,11 @@ void add_limits(CLI::App& command, ServiceLimits& limits) {
     add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at once");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "length of a message");
     add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "waiting to be sent to one client");
-    add("--hello-timeout", limits.hello_s, "S", seconds, "from the connection to the hello");
-    add("--line-timeout", limits.line_s, "S", seconds, "from the first byte of a line to the last");
-    add("--idle-timeout", limits.idle_s, "S", seconds, "without a line");
-    add("--stall-timeout", limits.stall_s, "S", seconds, "without the client reading");
-    add("--closing-timeout", limits.closing_s, "S", seconds, "for a client to read the last message");
+    add("--hello-timeout", limits.hello_s, "S", timeouts, "from the connection to the hello");
+    add("--line-timeout", limits.line_s, "S", timeouts, "from the first byte of a line to the last");
+    add("--idle-timeout", limits.idle_s, "S", timeouts, "without a line");
+    add("--stall-timeout", limits.stall_s, "S", timeouts, "without the client reading");
+    add("--closing-timeout", limits.closing_s, "S", timeouts, "for a client to read the last message");
 }
 
 void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {

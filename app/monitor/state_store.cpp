@@ -44,7 +44,7 @@ fs::path path_of_file(fs::path path) {
     return path;
 }
 
-std::string content_of(const fs::path& path) {
+std::string text_of_file(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in)
         throw std::runtime_error(std::strerror(errno));
@@ -119,7 +119,7 @@ void StateStore::read_state_file(Machines& machines) {
                            why, path_.string()));
     };
     try {
-        json::value value = parsed(content_of(path_));
+        json::value value = parsed(text_of_file(path_));
         if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
             throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
         if (std::string was(value.at("settings").as_string()); was != settings_text(machines))
