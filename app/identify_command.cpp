@@ -1,19 +1,21 @@
 #include "app/identify_command.hpp"
 
 #include "app/common_options.hpp"
+#include "app/identification/flags.hpp"
 #include "app/identification/identification_report.hpp"
+#include "app/identification/process_search.hpp"
 #include "app/manifest.hpp"
-#include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
+#include "app/refused_input.hpp"
 #include "app/run_report.hpp"
 #include "app/text_file.hpp"
-#include "gaprocs/search_problem.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -38,11 +40,15 @@ struct Options {
 
 LinkSet links_of(const std::string& text) {
     LinkSet links;
-    for (const std::string& name : CLI::detail::split(text, ',')) {
+    for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
+        end = text.find(',', start);
+        std::string name = text.substr(start, end - start);
         auto link = link_named(name);
         if (!link)
             throw std::runtime_error(
                 fmt::format("--link {}: there is no link \"{}\"; there are bucket, boom, stick and swing", text, name));
+        if (links.contains(*link))
+            throw std::runtime_error(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
         links.insert(*link);
     }
     return links;
@@ -61,6 +67,9 @@ IdentificationWay way_of(const Options& options) {
     way.usable.count = options.samples;
     way.usable.rising = options.rising;
     way.search.validate();
+    if (std::size_t needed = samples_for_first_generation(way); options.samples < needed)
+        throw std::runtime_error(
+            fmt::format("--samples {}: expected at least {}, for the first generation", options.samples, needed));
     return way;
 }
 
@@ -73,17 +82,22 @@ std::optional<AreasFrom> areas_of(const Options& options) {
 double inches_of(const std::string& text) {
     double inches = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), inches);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw std::runtime_error(fmt::format("--offset {}: it takes auto, none, or a number of inches", text));
+    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(inches) <= greatest_spool_offset_in))
+        throw std::runtime_error(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}",
+                                             text, greatest_spool_offset_in, greatest_spool_offset_in));
     return inches;
 }
 
-/// The offset that --offset asks for; says what came of "auto".
-std::optional<double> spool_offset(const Options& options, const Record& record, const Parameters& machine) {
-    if (options.offset == "none")
-        return std::nullopt;
-    if (options.offset != "auto")
-        return inches_of(options.offset);
+/// Do the boom's areas come from its spool, as it is read or by A.1?
+bool uses_spool(const Record& record, const Question& question) {
+    LinkReading boom;
+    boom.from = question.areas_from;
+    return question.links.contains(MachineLink::boom) &&
+           areas_from(record, MachineLink::boom, boom) != AreasFrom::areas;
+}
+
+/// The offset by the record itself; says what came of it.
+std::optional<SpoolOffset> calibrated(const Record& record, const Parameters& machine) {
     if (!record.has(MachineLink::boom, Sensor::spool))
         return std::nullopt;
     auto found = calibrate_spool_offset(record, link_readings(machine), flow_constants(machine));
@@ -92,108 +106,199 @@ std::optional<double> spool_offset(const Options& options, const Record& record,
                    found->offset_in, found->deviation_in, found->samples);
     else
         fmt::print("spool offset: not calibrated, for the record has no second of steady motion\n");
-    return found ? std::optional(found->offset_in) : std::nullopt;
+    return found;
 }
 
-/// The record's problem takes the place of the program's own "boom".
-ProblemRegistry problems_with(const RecordProblem& prepared) {
-    std::vector<Sample> record;
-    for (const CircuitSample& sample : prepared.samples)
-        record.push_back(sample.values());
-    ProblemRegistry problems;
-    problems.add("boom", make_search_problem(prepared.problem), std::move(record));
-    return problems;
+/// A record, and what was asked of it.
+struct Case {
+    Parameters machine;
+    std::vector<TextFault> warnings;
+    Record record;
+    IdentificationWay way;
+    Question question;
+    std::optional<SpoolOffset> calibration; ///< with --offset auto, where the offset matters and can be found
+};
+
+Case read_case(const Options& options) {
+    Case asked;
+    asked.way = way_of(options);
+    asked.question = {*configuration_named(options.configuration), links_of(options.links), std::nullopt,
+                      areas_of(options)};
+    bool automatic = options.offset == "auto";
+    if (!automatic && options.offset != "none")
+        asked.question.spool_offset_in = inches_of(options.offset);
+    asked.machine = load_machine(options.machine);
+    asked.record = load_record(options.record, &asked.warnings);
+    if (!uses_spool(asked.record, asked.question)) {
+        if (asked.question.spool_offset_in)
+            throw std::runtime_error(fmt::format("--offset {}: the areas of these links do not come from the boom's "
+                                                 "spool, so that it has no effect",
+                                                 options.offset));
+    } else if (automatic) {
+        asked.calibration = calibrated(asked.record, asked.machine);
+        if (asked.calibration)
+            asked.question.spool_offset_in = asked.calibration->offset_in;
+    }
+    return asked;
+}
+
+boost::json::object warning_json(const TextFault& warning) {
+    return {{"line", warning.line}, {"column", warning.column}, {"message", warning.message}, {"hint", warning.hint}};
 }
 
 /// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
-ExitCode run_on_machine(const Options& options, const RecordProblem& prepared, const Identified& native) {
-    ProblemRegistry problems = problems_with(prepared);
-    Network network = load_network(options.netlist, overrides_of(options.set), problems);
-    RunReport report = run_netlist(network, problems, options.seed);
-    fmt::print("\n{}\n", print_report(report, network));
-    for (std::size_t j = 0; j < native.links.size(); ++j) {
-        double here = native.estimates.back().compliance_in3_per_psi[j];
-        double there = report.measured("master", prepared.problem.parameter_names()[j]);
-        fmt::print("{}: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n", prepared.problem.parameter_names()[j],
-                   here, there, here == there ? "the same" : "not the same");
-    }
-    return exit_code_of(report.result.ending);
+ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
+                        boost::json::object& json) {
+    RunReport report = search.run(seed);
+    fmt::print("\n{}\n", print_report(report, search.network));
+    if (report.result.ending != Ending::completed)
+        return exit_code_of(report.result.ending);
+    std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
+    for (std::size_t j = 0; j < native.links.size(); ++j)
+        fmt::print("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n", symbol_of(native.links[j].link),
+                   here[j], there[j], here[j] == there[j] ? "the same" : "not the same");
+    json["by_processes"] = boost::json::array(there.begin(), there.end());
+    return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-ExitCode identify_record(const Options& options, const std::string& command_line) {
-    if (!options.json.empty()) {
-        const std::filesystem::path output[] = {options.json};
-        for (const std::string& input : {options.record, options.machine, options.netlist})
+ExitCode identify_case(const Options& options, const Case& asked, boost::json::object& json) {
+    RecordProblem prepared = prepare(asked.record, asked.machine, asked.question, asked.way);
+    Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
+    if (asked.calibration)
+        flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
+    std::optional<ProcessSearch> processes;
+    if (!options.netlist.empty())
+        processes = search_by_processes(options.netlist, overrides_of(options.set), prepared, asked.way, identified);
+    fmt::print("{}", print_identified(identified, prepared, asked.way));
+    for (auto& [key, value] : identified_json(identified, prepared, asked.way))
+        json[key] = value;
+    return processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+}
+
+void require_files(const Options& options) {
+    const std::filesystem::path output[] = {options.json};
+    for (const std::string& input : {options.record, options.machine, options.netlist})
+        if (!input.empty())
             require_apart(output, input);
+    if (!options.json.empty())
         require_writable(options.json);
-    }
-    Parameters machine = load_machine(options.machine);
-    Record record = load_record(options.record);
-    IdentificationWay way = way_of(options);
-    Question question{*configuration_named(options.configuration), links_of(options.links),
-                      spool_offset(options, record, machine), areas_of(options)};
-    RecordProblem prepared = prepare(record, machine, question, way);
-    Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, way, options.seed);
-    fmt::print("{}", print_identified(identified, prepared, way));
-    if (!options.json.empty()) {
-        boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
-        for (auto& [key, value] : identified_json(identified, prepared))
-            json[key] = value;
-        write_whole(options.json, print_pretty(json));
-    }
-    return options.netlist.empty() ? ExitCode::success : run_on_machine(options, prepared, identified);
 }
 
-void declare_options(CLI::App& command, Options& options) {
+ExitCode identify_record(const Options& options, const std::string& command_line) try {
+    require_files(options);
+    Case asked = read_case(options);
+    boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
+    boost::json::array& warnings = json["warnings"].emplace_array();
+    for (const TextFault& warning : asked.warnings)
+        warnings.push_back(warning_json(warning));
+    ExitCode code = identify_case(options, asked, json);
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(json));
+    return code;
+} catch (const UnfitRecord& unfit) {
+    throw RefusedInput(fmt::format("{}: error: {}\n", options.record, unfit.what()));
+}
+
+/// For CLI::Option::check.
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+    auto check = [least, most](const std::string& text) {
+        std::uint64_t number = 0;
+        auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        bool right = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
+        return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
+    };
+    return CLI::Validator(check, fmt::format("{}..{}", least, most));
+}
+
+void declare_question(CLI::App& command, Options& options) {
     command.add_option("RECORD", options.record, "measurements: comma-separated values, units in the header")
+        ->type_name("FILE")
         ->required();
-    command.add_option("--link", options.links, "bucket, boom, stick, swing; or several, coupled: bucket,boom")
+    command
+        .add_option(
+            "--link", options.links,
+            "whose compliance: bucket, boom, stick, swing; or of several that share a pump, at once: bucket,boom")
         ->type_name("LINK[,LINK]")
         ->capture_default_str();
-    command.add_option("--configuration", options.configuration, "of the main valve: a to e")
+    command
+        .add_option("--configuration", options.configuration, "of the main valve while the record was taken: a to e")
         ->check(CLI::IsMember({"a", "b", "c", "d", "e"}))
+        ->type_name("")
         ->capture_default_str();
+    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
+        ->type_name("FILE");
+    command
+        .add_option(
+            "--areas-from", options.areas,
+            "areas as they were read, the spool, or the servo-valve's voltage; the first of them that the record "
+            "has if not given")
+        ->check(CLI::IsMember({"areas", "spool", "servo"}))
+        ->type_name("");
+    command
+        .add_option("--offset", options.offset,
+                    "by which the boom's spool reads too high: auto finds it in the record's steady motion; none; or a "
+                    "number of inches")
+        ->type_name("auto|none|INCHES")
+        ->capture_default_str();
+    command
+        .add_option("--samples", options.samples,
+                    "that are used, from the valve's opening on: 20 are the thesis's 0.4 s")
+        ->check(whole_number(1, 1'000'000))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on");
+}
+
+void declare_way(CLI::App& command, Options& options) {
     command
         .add_option(
             "--way", options.way,
-            "thesis: as chapter 3 describes it; service: Gray code, an elite, a gate on excitation, the spool's "
-            "offset calibrated, 21 searches")
+            "thesis: one search, as chapter 3 describes it; service: 21 searches in Gray code with an elite, that "
+            "rest while the pressure hardly moves")
         ->check(CLI::IsMember({"thesis", "service"}))
+        ->type_name("")
         ->capture_default_str();
-    command.add_option("--offset", options.offset, "of the boom's spool: auto, none, or a number of inches")
-        ->capture_default_str();
-    command
-        .add_option("--areas-from", options.areas,
-                    "areas, spool or servo (experiments 1 and 2 of the thesis: the spool, the servo-valve's voltage)")
-        ->check(CLI::IsMember({"areas", "spool", "servo"}));
-    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
-        ->type_name("FILE");
-    command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 52))->capture_default_str();
-    command.add_option("--coding", options.coding, "natural or gray; the way's own if not given")
-        ->check(CLI::IsMember({"natural", "gray"}));
+    auto number = [&](const char* name, std::size_t& value, std::uint64_t least, std::uint64_t most,
+                      const char* about) {
+        command.add_option(name, value, about)->check(whole_number(least, most))->type_name("N")->capture_default_str();
+    };
+    // Of fewer bits, the compliance of a sound machine is at the lower bound.
+    number("--bits", options.bits, 6, 52, "of a compliance");
+    command.add_option("--coding", options.coding, "of the bits; the way's own if not given")
+        ->check(CLI::IsMember({"natural", "gray"}))
+        ->type_name("");
     command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given")
-        ->check(not_a_whole_number);
-    command.add_option("--population", options.population, "individuals")
-        ->check(not_a_whole_number)
+        ->check(whole_number(0, 1'000'000))
+        ->type_name("N");
+    number("--population", options.population, 2, 1'000'000, "individuals");
+    number("--trials", options.trials, 1, 1'000'000, "generations for each new sample");
+    number("--window", options.window, 1, 1024, "samples that a fitness is summed over");
+    command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")
+        ->type_name("NUMBER")
         ->capture_default_str();
-    command.add_option("--trials", options.trials, "generations a sample")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--window", options.window, "samples that a fitness is summed over")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")->capture_default_str();
-    command.add_option("--samples", options.samples, "usable samples from the valve's opening on: 20 are 0.4 s")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_flag("--rising", options.rising, "nothing from the first falling pressure on");
     add_seed(command, options.seed);
-    command.add_option("--on", options.netlist, "then runs it as the processes of this netlist, too")
-        ->type_name("NETLIST");
-    command.add_option("--set", options.set, "NAME=VALUE: gives a val of that netlist another value")
+}
+
+void declare_options(CLI::App& command, Options& options) {
+    declare_question(command, options);
+    declare_way(command, options);
+    auto* netlist = command
+                        .add_option("--on", options.netlist,
+                                    "searches as the processes of this netlist, too; exit code 3 if they do not find "
+                                    "the same")
+                        ->type_name("NETLIST");
+    command.add_option("--set", options.set, "gives a val of that netlist another value")
         ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->needs(netlist);
     add_output(command, "--json", options.json, "writes the result for machines");
+    command.footer(
+        "It prints, in in^3/psi, the compliance of each link (the median of the searches) and where 90 % of the "
+        "searches end;\n"
+        "the standard error that the record's own noise leaves; the best of all codes on the last window, and "
+        "how many codes\n"
+        "the searches end from it. A line with ! says where that should not be believed as it stands.\n"
+        "What a record looks like: docs/records.md. Records to try: examples/records.");
 }
 
 } // namespace

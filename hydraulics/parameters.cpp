@@ -1,5 +1,6 @@
 #include "hydraulics/parameters.hpp"
 
+#include "hydraulics/parameter_range.hpp"
 #include "hydraulics/units.hpp"
 
 #include <fmt/format.h>
@@ -106,6 +107,9 @@ void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
     else if (std::ranges::find(marks, row.cells[3].text) == marks.end())
         refuse(faults, row.line, row.cells[3], fmt::format("\"{}\" is not a mark", row.cells[3].text),
                "thesis, fitted, ours or measured");
+    else if (ParameterRange range = range_of(parameter->name); !range.contains(value * unit->factor))
+        refuse(faults, row.line, row.cells[1], fmt::format("{} cannot be {}", parameter->name, row.cells[1].text),
+               range.expected());
     else {
         parameter->value = value * unit->factor;
         parameter->mark = row.cells[3].text;
