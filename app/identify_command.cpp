@@ -199,80 +199,77 @@ ExitCode identify_record(const Options& options, const std::string& command_line
     throw RefusedInput(fmt::format("{}: error: {}\n", options.record, unfit.what()));
 }
 
-/// For CLI::Option::check.
-CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+/// An option that takes one of a few words.
+CLI::Option* add_choice(CLI::App& command, const char* name, std::string& value, const char* about,
+                        const std::vector<std::string>& words) {
+    return command.add_option(name, value, about)
+        ->check(CLI::IsMember(words).description(""))
+        ->type_name(fmt::format("{}", fmt::join(words, "|")));
+}
+
+/// An option that takes digits only, and a number from least to most.
+template <class Number>
+CLI::Option* add_number(CLI::App& command, const char* name, Number& value, std::uint64_t least, std::uint64_t most,
+                        const char* about) {
     auto check = [least, most](const std::string& text) {
         std::uint64_t number = 0;
         auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         bool right = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
         return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
     };
-    return CLI::Validator(check, fmt::format("{}..{}", least, most));
+    return command.add_option(name, value, about)
+        ->check(CLI::Validator(check, ""))
+        ->type_name(fmt::format("{}..{}", least, most));
 }
+
+constexpr std::uint64_t a_million = 1'000'000;
 
 void declare_question(CLI::App& command, Options& options) {
     command.add_option("RECORD", options.record, "measurements: comma-separated values, units in the header")
         ->type_name("FILE")
         ->required();
     command
-        .add_option(
-            "--link", options.links,
-            "whose compliance: bucket, boom, stick, swing; or of several that share a pump, at once: bucket,boom")
+        .add_option("--link", options.links,
+                    "whose compliance: bucket, boom, stick, swing; or of several that share a pump: bucket,boom")
         ->type_name("LINK[,LINK]")
         ->capture_default_str();
-    command
-        .add_option("--configuration", options.configuration, "of the main valve while the record was taken: a to e")
-        ->check(CLI::IsMember({"a", "b", "c", "d", "e"}))
-        ->type_name("")
+    add_choice(command, "--configuration", options.configuration, "of the main valve as the record was taken",
+               {"a", "b", "c", "d", "e"})
         ->capture_default_str();
     command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
         ->type_name("FILE");
-    command
-        .add_option(
-            "--areas-from", options.areas,
-            "areas as they were read, the spool, or the servo-valve's voltage; the first of them that the record "
-            "has if not given")
-        ->check(CLI::IsMember({"areas", "spool", "servo"}))
-        ->type_name("");
+    add_choice(
+        command, "--areas-from", options.areas,
+        "the orifices' areas as they were read, by the spool, or by the servo-valve's voltage; the first of them "
+        "that the record has if not given",
+        {"areas", "spool", "servo"});
     command
         .add_option("--offset", options.offset,
-                    "by which the boom's spool reads too high: auto finds it in the record's steady motion; none; or a "
-                    "number of inches")
+                    "by which the boom's spool reads too high; auto finds it in the record's steady motion")
         ->type_name("auto|none|INCHES")
         ->capture_default_str();
-    command
-        .add_option("--samples", options.samples,
-                    "that are used, from the valve's opening on: 20 are the thesis's 0.4 s")
-        ->check(whole_number(1, 1'000'000))
-        ->type_name("N")
+    add_number(command, "--samples", options.samples, 1, a_million,
+               "that are used, from the valve's opening on: 20 are the thesis's 0.4 s")
         ->capture_default_str();
     command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on");
 }
 
 void declare_way(CLI::App& command, Options& options) {
-    command
-        .add_option(
-            "--way", options.way,
-            "thesis: one search, as chapter 3 describes it; service: 21 searches in Gray code with an elite, that "
-            "rest while the pressure hardly moves")
-        ->check(CLI::IsMember({"thesis", "service"}))
-        ->type_name("")
+    add_choice(command, "--way", options.way,
+               "thesis: one search, as chapter 3 describes it; service: 21 searches in Gray code with an elite, which "
+               "rest while the pressure hardly moves",
+               {"thesis", "service"})
         ->capture_default_str();
-    auto number = [&](const char* name, std::size_t& value, std::uint64_t least, std::uint64_t most,
-                      const char* about) {
-        command.add_option(name, value, about)->check(whole_number(least, most))->type_name("N")->capture_default_str();
-    };
-    // Of fewer bits, the compliance of a sound machine is at the lower bound.
-    number("--bits", options.bits, 6, 52, "of a compliance");
-    command.add_option("--coding", options.coding, "of the bits; the way's own if not given")
-        ->check(CLI::IsMember({"natural", "gray"}))
-        ->type_name("");
-    command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given")
-        ->check(whole_number(0, 1'000'000))
-        ->type_name("N");
-    number("--population", options.population, 2, 1'000'000, "individuals");
-    number("--trials", options.trials, 1, 1'000'000, "generations for each new sample");
-    number("--window", options.window, 1, 1024, "samples that a fitness is summed over");
+    // With fewer bits the compliance of a sound machine is within a step or so of the lower bound.
+    add_number(command, "--bits", options.bits, 6, 52, "of a compliance")->capture_default_str();
+    add_choice(command, "--coding", options.coding, "of the bits; the way's own if not given", {"natural", "gray"});
+    add_number(command, "--elite", options.elite, 0, a_million,
+               "best individuals that go over unchanged; the way's own if not given");
+    add_number(command, "--population", options.population, 2, a_million, "individuals")->capture_default_str();
+    add_number(command, "--trials", options.trials, 1, a_million, "generations for each new sample")
+        ->capture_default_str();
+    add_number(command, "--window", options.window, 1, 1024, "samples that a fitness is summed over")
+        ->capture_default_str();
     command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")
         ->type_name("NUMBER")
         ->capture_default_str();

@@ -54,10 +54,11 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
     auto reading = first_unmeasurable(record);
     if (!reading)
         return;
+    std::string value = std::isnan(reading->value) ? "nan" : fmt::format("{:.3g}", reading->value);
     throw std::runtime_error(fmt::format(
         "{} cannot be simulated with these parameters: {}.{} would be {} {} at {:.3f} s; one of them is far too large "
         "or far too small",
-        scenario.name, name_of(reading->link), name_of(reading->sensor), reading->value,
+        scenario.name, name_of(reading->link), name_of(reading->sensor), value,
         units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
 }
 

@@ -132,6 +132,11 @@ ReadRecord read_record(std::string_view text) {
         read.faults.push_back({true, 0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"});
         return read;
     }
+    if (table.rows.empty()) { // a header, or a file whose line ends were lost
+        read.faults.push_back({true, 0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
+                               "below the header, a line for each instant; lines end in LF or in CR LF"});
+        return read;
+    }
     Record record;
     record.description = table.description;
     std::vector<TextFault> of_header;

@@ -45,10 +45,18 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
 
 void flag_uncertainty(LinkIdentified& link) {
     if (link.standard_error > uncertain_share * link.compliance_in3_per_psi)
-        link.flags.push_back(fmt::format("uncertain: the record leaves a standard error of {:.0f} %; above {:.0f} % no "
-                                         "figure of it holds. Are spool, units and machine right?",
-                                         100 * link.standard_error / link.compliance_in3_per_psi,
-                                         100 * uncertain_share));
+        link.flags.push_back(
+            fmt::format("uncertain: the record leaves a standard error of {:.0f} %, more than {:.0f} %: "
+                        "are the spool, the units and the machine's constants right?",
+                        100 * link.standard_error / link.compliance_in3_per_psi, 100 * uncertain_share));
+}
+
+/// After a valve has opened it moves on: a spool or an area that stands is a sensor that does not read.
+void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
+    auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
+    if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
+        link.flags.push_back("inconsistent: the valve reads the same in every sample, but the pressure is that of one "
+                             "that opens");
 }
 
 void flag_searches(LinkIdentified& link) {
@@ -86,6 +94,7 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
             link.flags.push_back(fmt::format("inconsistent: the best individual still misses {:.1f} in^3/s of flow "
                                              "(rms), more than the bias allows ({:.1f})",
                                              error, allowed));
+        flag_still_valve(link, samples, j);
         flag_searches(link);
         if (early && late)
             flag_halves(link, *early, *late, j);

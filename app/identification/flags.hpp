@@ -5,15 +5,15 @@
 
 namespace placedpar {
 
-/// Of a compliance. Ours: at a standard error of 15 % half of the answers are off by more than the thesis's 10 %.
-inline constexpr double uncertain_share = 0.15;
+/// Of a compliance. Ours: at a standard error of 10 % one answer in three is off by more than the thesis's 10 %.
+inline constexpr double uncertain_share = 0.1;
 
 /// Where a compliance should not be believed as it stands, a sentence each into LinkIdentified::flags:
 ///
 /// - at a bound of the search: the true value may lie beyond; an offset of the spool makes it negative;
 /// - no excitation: the last window's pressure hardly moves, so that noise decides;
 /// - inconsistent: the circuit's equations miss the flow by more than the bias allows, the searches disagree,
-///   or the two halves of the record do;
+///   or the two halves of the record do, or the valve reads the same throughout;
 /// - uncertain: least squares leaves a standard error of more than uncertain_share. Not said where a bound or the want
 ///   of excitation says as much.
 ///
