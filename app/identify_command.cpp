@@ -96,19 +96,6 @@ bool uses_spool(const Record& record, const Question& question) {
            areas_from(record, MachineLink::boom, boom) != AreasFrom::areas;
 }
 
-/// The offset by the record itself; says what came of it.
-std::optional<SpoolOffset> calibrated(const Record& record, const Parameters& machine) {
-    if (!record.has(MachineLink::boom, Sensor::spool))
-        return std::nullopt;
-    auto found = calibrate_spool_offset(record, link_readings(machine), flow_constants(machine));
-    if (found)
-        fmt::print("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
-                   found->offset_in, found->deviation_in, found->samples);
-    else
-        fmt::print("spool offset: not calibrated, for the record has no second of steady motion\n");
-    return found;
-}
-
 /// A record, and what was asked of it.
 struct Case {
     Parameters machine;
@@ -116,8 +103,26 @@ struct Case {
     Record record;
     IdentificationWay way;
     Question question;
-    std::optional<SpoolOffset> calibration; ///< with --offset auto, where the offset matters and can be found
+    bool calibrates = false;                ///< --offset auto, and it matters
+    std::optional<SpoolOffset> calibration; ///< where the record shows the offset
 };
+
+std::string print_calibration(const std::optional<SpoolOffset>& found) {
+    if (!found)
+        return "spool offset: not calibrated, for the record has no second of steady motion\n";
+    return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
+                       found->offset_in, found->deviation_in, found->samples);
+}
+
+/// By its own steady motion.
+void calibrate(Case& asked) {
+    asked.calibrates = asked.record.has(MachineLink::boom, Sensor::spool);
+    if (asked.calibrates)
+        asked.calibration =
+            calibrate_spool_offset(asked.record, link_readings(asked.machine), flow_constants(asked.machine));
+    if (asked.calibration)
+        asked.question.spool_offset_in = asked.calibration->offset_in;
+}
 
 Case read_case(const Options& options) {
     Case asked;
@@ -135,9 +140,7 @@ Case read_case(const Options& options) {
                                                  "spool, so that it has no effect",
                                                  options.offset));
     } else if (automatic) {
-        asked.calibration = calibrated(asked.record, asked.machine);
-        if (asked.calibration)
-            asked.question.spool_offset_in = asked.calibration->offset_in;
+        calibrate(asked);
     }
     return asked;
 }
@@ -169,6 +172,8 @@ ExitCode identify_case(const Options& options, const Case& asked, boost::json::o
     std::optional<ProcessSearch> processes;
     if (!options.netlist.empty())
         processes = search_by_processes(options.netlist, overrides_of(options.set), prepared, asked.way, identified);
+    if (asked.calibrates)
+        fmt::print("{}", print_calibration(asked.calibration));
     fmt::print("{}", print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared, asked.way))
         json[key] = value;

@@ -44,11 +44,13 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
 }
 
 void flag_uncertainty(LinkIdentified& link) {
-    if (link.standard_error > uncertain_share * link.compliance_in3_per_psi)
-        link.flags.push_back(
-            fmt::format("uncertain: the record leaves a standard error of {:.0f} %, more than {:.0f} %: "
-                        "are the spool, the units and the machine's constants right?",
-                        100 * link.standard_error / link.compliance_in3_per_psi, 100 * uncertain_share));
+    double share = link.standard_error / link.compliance_in3_per_psi;
+    if (!(share > uncertain_share))
+        return;
+    std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
+    link.flags.push_back(fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are the "
+                                     "spool, the units and the machine's constants right?",
+                                     size, 100 * uncertain_share));
 }
 
 /// After a valve has opened it moves on: a spool or an area that stands is a sensor that does not read.

@@ -135,7 +135,7 @@ class Records(unittest.TestCase):
         for scenario, setting, where in (("scenario-a", "boom.inlet_compliance=1e-12", r"inlet_pressure .* at 0\.\d+ s"),
                                          ("excavator", "fault.leak=1e9", r"inlet_pressure would be nan psi at 0\.\d+ s"),
                                          ("scenario-a", "noise.pressure=1e308", r"inlet_pressure would be -?inf psi at 0"),
-                                         ("excavator", "noise.spool=1e200", r"boom\.spool .* at 0\.000 s")):
+                                         ("scenario-a", "noise.spool=1e200", r"boom\.spool .* at 0\.000 s")):
             said = self.refused("record", scenario, "--set", setting, "--out", path)
             self.assertRegex(said, f"^placedpar: {scenario} cannot be simulated with these parameters: .*{where}")
             self.assertFalse(path.exists())
