@@ -1,9 +1,9 @@
 #include "app/identify_command.hpp"
 
-#include "app/common_options.hpp"
 #include "app/identification/flags.hpp"
 #include "app/identification/identification_report.hpp"
 #include "app/identification/process_search.hpp"
+#include "app/identify_options.hpp"
 #include "app/manifest.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
@@ -26,18 +26,6 @@ namespace placedpar {
 
 namespace {
 
-/// What the command line may say.
-struct Options {
-    std::string record, links = "boom", configuration = "a", way = "thesis", offset = "auto", areas, coding, machine,
-                        netlist, json;
-    std::vector<std::string> set;
-    std::uint64_t seed = 1;
-    std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
-    double bias = 400;
-    std::optional<std::size_t> elite;
-    bool rising = false;
-};
-
 LinkSet links_of(const std::string& text) {
     LinkSet links;
     for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
@@ -54,7 +42,7 @@ LinkSet links_of(const std::string& text) {
     return links;
 }
 
-IdentificationWay way_of(const Options& options) {
+IdentificationWay way_of(const IdentifyOptions& options) {
     IdentificationWay way = options.way == "thesis" ? thesis_way() : service_way();
     way.bits = options.bits;
     if (auto coding = coding_named(options.coding))
@@ -73,7 +61,7 @@ IdentificationWay way_of(const Options& options) {
     return way;
 }
 
-std::optional<AreasFrom> areas_of(const Options& options) {
+std::optional<AreasFrom> areas_of(const IdentifyOptions& options) {
     if (options.areas.empty())
         return std::nullopt;
     return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
@@ -124,7 +112,7 @@ void calibrate(Case& asked) {
         asked.question.spool_offset_in = asked.calibration->offset_in;
 }
 
-Case read_case(const Options& options) {
+Case read_case(const IdentifyOptions& options) {
     Case asked;
     asked.way = way_of(options);
     asked.question = {*configuration_named(options.configuration), links_of(options.links), std::nullopt,
@@ -164,7 +152,7 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
     return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-ExitCode identify_case(const Options& options, const Case& asked, boost::json::object& json) {
+ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost::json::object& json) {
     RecordProblem prepared = prepare(asked.record, asked.machine, asked.question, asked.way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
     if (asked.calibration)
@@ -180,7 +168,7 @@ ExitCode identify_case(const Options& options, const Case& asked, boost::json::o
     return processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
 }
 
-void require_files(const Options& options) {
+void require_files(const IdentifyOptions& options) {
     const std::filesystem::path output[] = {options.json};
     for (const std::string& input : {options.record, options.machine, options.netlist})
         if (!input.empty())
@@ -189,7 +177,7 @@ void require_files(const Options& options) {
         require_writable(options.json);
 }
 
-ExitCode identify_record(const Options& options, const std::string& command_line) try {
+ExitCode identify_record(const IdentifyOptions& options, const std::string& command_line) try {
     require_files(options);
     Case asked = read_case(options);
     boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
@@ -204,111 +192,12 @@ ExitCode identify_record(const Options& options, const std::string& command_line
     throw RefusedInput(fmt::format("{}: error: {}\n", options.record, unfit.what()));
 }
 
-/// An option that takes one of a few words.
-CLI::Option* add_choice(CLI::App& command, const char* name, std::string& value, const char* about,
-                        const std::vector<std::string>& words) {
-    return command.add_option(name, value, about)
-        ->check(CLI::IsMember(words).description(""))
-        ->type_name(fmt::format("{}", fmt::join(words, "|")));
-}
-
-/// An option that takes digits only, and a number from least to most.
-template <class Number>
-CLI::Option* add_number(CLI::App& command, const char* name, Number& value, std::uint64_t least, std::uint64_t most,
-                        const char* about) {
-    auto check = [least, most](const std::string& text) {
-        std::uint64_t number = 0;
-        auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        bool right = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
-        return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
-    };
-    return command.add_option(name, value, about)
-        ->check(CLI::Validator(check, ""))
-        ->type_name(fmt::format("{}..{}", least, most));
-}
-
-constexpr std::uint64_t a_million = 1'000'000;
-
-void declare_question(CLI::App& command, Options& options) {
-    command.add_option("RECORD", options.record, "measurements: comma-separated values, units in the header")
-        ->type_name("FILE")
-        ->required();
-    command
-        .add_option("--link", options.links,
-                    "whose compliance: bucket, boom, stick, swing; or of several that share a pump: bucket,boom")
-        ->type_name("LINK[,LINK]")
-        ->capture_default_str();
-    add_choice(command, "--configuration", options.configuration, "of the main valve as the record was taken",
-               {"a", "b", "c", "d", "e"})
-        ->capture_default_str();
-    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
-        ->type_name("FILE");
-    add_choice(
-        command, "--areas-from", options.areas,
-        "the orifices' areas as they were read, by the spool, or by the servo-valve's voltage; the first of them "
-        "that the record has if not given",
-        {"areas", "spool", "servo"});
-    command
-        .add_option("--offset", options.offset,
-                    "by which the boom's spool reads too high; auto finds it in the record's steady motion")
-        ->type_name("auto|none|INCHES")
-        ->capture_default_str();
-    add_number(command, "--samples", options.samples, 1, a_million,
-               "that are used, from the valve's opening on: 20 are the thesis's 0.4 s")
-        ->capture_default_str();
-    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on");
-}
-
-void declare_way(CLI::App& command, Options& options) {
-    add_choice(command, "--way", options.way,
-               "thesis: one search, as chapter 3 describes it; service: 21 searches in Gray code with an elite, which "
-               "rest while the pressure hardly moves",
-               {"thesis", "service"})
-        ->capture_default_str();
-    // With fewer bits the compliance of a sound machine is within a step or so of the lower bound.
-    add_number(command, "--bits", options.bits, 6, 52, "of a compliance")->capture_default_str();
-    add_choice(command, "--coding", options.coding, "of the bits; the way's own if not given", {"natural", "gray"});
-    add_number(command, "--elite", options.elite, 0, a_million,
-               "best individuals that go over unchanged; the way's own if not given");
-    add_number(command, "--population", options.population, 2, a_million, "individuals")->capture_default_str();
-    add_number(command, "--trials", options.trials, 1, a_million, "generations for each new sample")
-        ->capture_default_str();
-    add_number(command, "--window", options.window, 1, 1024, "samples that a fitness is summed over")
-        ->capture_default_str();
-    command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")
-        ->type_name("NUMBER")
-        ->capture_default_str();
-    add_seed(command, options.seed);
-}
-
-void declare_options(CLI::App& command, Options& options) {
-    declare_question(command, options);
-    declare_way(command, options);
-    auto* netlist = command
-                        .add_option("--on", options.netlist,
-                                    "searches as the processes of this netlist, too; exit code 3 if they do not find "
-                                    "the same")
-                        ->type_name("NETLIST");
-    command.add_option("--set", options.set, "gives a val of that netlist another value")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false)
-        ->needs(netlist);
-    add_output(command, "--json", options.json, "writes the result for machines");
-    command.footer(
-        "It prints, in in^3/psi, the compliance of each link (the median of the searches) and where 90 % of the "
-        "searches end;\n"
-        "the standard error that the record's own noise leaves; the best of all codes on the last window, and "
-        "how many codes\n"
-        "the searches end from it. A line with ! says where that should not be believed as it stands.\n"
-        "What a record looks like: docs/records.md. Records to try: examples/records.");
-}
-
 } // namespace
 
 void declare_identify(CLI::App& app, ChosenCommand& chosen, const std::string& command_line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<IdentifyOptions>();
     auto* command = app.add_subcommand("identify", "Finds the hydraulic compliances that a record of motion shows");
-    declare_options(*command, *options);
+    declare_identify_options(*command, *options);
     command->callback([&chosen, &command_line, options] {
         chosen = [&, options] { return identify_record(*options, command_line); };
     });
