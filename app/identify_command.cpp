@@ -9,6 +9,7 @@
 #include "app/overrides.hpp"
 #include "app/refused_input.hpp"
 #include "app/run_report.hpp"
+#include "app/standard_output.hpp"
 #include "app/text_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -141,15 +142,28 @@ boost::json::object warning_json(const TextFault& warning) {
 ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
                         boost::json::object& json) {
     RunReport report = search.run(seed);
-    fmt::print("\n{}\n", print_report(report, search.network));
+    print_out(fmt::format("\n{}\n", print_report(report, search.network)));
     if (report.result.ending != Ending::completed)
         return exit_code_of(report.result.ending);
     std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
     for (std::size_t j = 0; j < native.links.size(); ++j)
-        fmt::print("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n", symbol_of(native.links[j].link),
-                   here[j], there[j], here[j] == there[j] ? "the same" : "not the same");
+        print_out(fmt::format("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
+                              symbol_of(native.links[j].link), here[j], there[j],
+                              here[j] == there[j] ? "the same" : "not the same"));
     json["by_processes"] = boost::json::array(there.begin(), there.end());
     return here == there ? ExitCode::success : ExitCode::missed_tolerance;
+}
+
+/// Those of --on, if it is given.
+std::optional<ProcessSearch> processes_of(const IdentifyOptions& options, const Case& asked,
+                                          const RecordProblem& prepared, const Identified& native) {
+    if (options.netlist.empty())
+        return std::nullopt;
+    ProcessSearch search = search_by_processes(options.netlist, overrides_of(options.set), prepared, asked.way, native);
+    const std::filesystem::path output[] = {options.json};
+    for (const std::string& included : search.network.included_paths)
+        require_apart(output, included);
+    return search;
 }
 
 ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost::json::object& json) {
@@ -157,12 +171,10 @@ ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost:
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
     if (asked.calibration)
         flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
-    std::optional<ProcessSearch> processes;
-    if (!options.netlist.empty())
-        processes = search_by_processes(options.netlist, overrides_of(options.set), prepared, asked.way, identified);
+    std::optional<ProcessSearch> processes = processes_of(options, asked, prepared, identified);
     if (asked.calibrates)
-        fmt::print("{}", print_calibration(asked.calibration));
-    fmt::print("{}", print_identified(identified, prepared, asked.way));
+        print_out(print_calibration(asked.calibration));
+    print_out(print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared, asked.way))
         json[key] = value;
     return processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
@@ -171,8 +183,7 @@ ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost:
 void require_files(const IdentifyOptions& options) {
     const std::filesystem::path output[] = {options.json};
     for (const std::string& input : {options.record, options.machine, options.netlist})
-        if (!input.empty())
-            require_apart(output, input);
+        require_apart(output, input);
     if (!options.json.empty())
         require_writable(options.json);
 }

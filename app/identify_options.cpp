@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <system_error>
 
 namespace placedpar {
 
@@ -26,8 +25,8 @@ CLI::Option* add_number(CLI::App& command, const char* name, Number& value, std:
                         const char* about) {
     auto check = [least, most](const std::string& text) {
         std::uint64_t number = 0;
-        auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        bool right = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
+        std::from_chars(text.data(), text.data() + text.size(), number);
+        bool right = not_a_whole_number(text).empty() && number >= least && number <= most;
         return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
     };
     return command.add_option(name, value, about)
@@ -49,8 +48,7 @@ void declare_question(CLI::App& command, IdentifyOptions& options) {
     add_choice(command, "--configuration", options.configuration, "of the main valve as the record was taken",
                {"a", "b", "c", "d", "e"})
         ->capture_default_str();
-    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
-        ->type_name("FILE");
+    add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
     add_choice(
         command, "--areas-from", options.areas,
         "the orifices' areas as they were read, by the spool, or by the servo-valve's voltage; the first of them "
@@ -94,16 +92,14 @@ void declare_way(CLI::App& command, IdentifyOptions& options) {
 void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
     declare_question(command, options);
     declare_way(command, options);
-    auto* netlist = command
-                        .add_option("--on", options.netlist,
-                                    "searches as the processes of this netlist, too; exit code 3 if they do not find "
-                                    "the same")
-                        ->type_name("NETLIST");
+    auto* netlist =
+        add_file(command, "--on", options.netlist,
+                 "searches as the processes of this netlist, too; exit code 3 if they do not find the same", "NETLIST");
     command.add_option("--set", options.set, "gives a val of that netlist another value")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->needs(netlist);
-    add_output(command, "--json", options.json, "writes the result for machines");
+    add_file(command, "--json", options.json, "writes the result for machines");
     command.footer(
         "It prints, in in^3/psi, the compliance of each link (the median of the searches) and where 90 % of the "
         "searches end;\n"

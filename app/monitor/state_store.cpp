@@ -78,9 +78,9 @@ std::string StateStore::restore(Machines& machines) {
 void StateStore::read_state_file(Machines& machines) {
     if (!fs::exists(path_))
         return;
-    std::ifstream in(path_, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(in), {});
     try {
+        std::ifstream in(path_, std::ios::binary);
+        std::string text(std::istreambuf_iterator<char>(in), {});
         json::value value = json::parse(text);
         if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
             throw std::runtime_error(fmt::format("it is of another version than {}", file_version));

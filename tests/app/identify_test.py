@@ -188,6 +188,19 @@ class Identification(unittest.TestCase):
         self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
         self.assertIn("processes search, expected one", self.refused(STEP, "--on", FIGURE_E2))
 
+    def test_processes_that_do_not_find_the_same_end_with_3(self):
+        # An island that is its own neighbour: its best takes the place of its worst every third generation.
+        ring = self.file("ring.cfs", """
+            T800 t; workstation sun; connect sun.link[0] to t.link[0];
+            process (interface (output to_masters[1])) host;
+            process (interface (input from_host, output ring_out, input ring_in)) island;
+            use "ga.host" for host; use "ga.island" for island;
+            connect host.to_masters[0] to island.from_host; connect island.ring_out to island.ring_in;
+            place host on sun; place island on t;""")
+        run = placedpar("identify", STEP, "--population", 20, "--on", ring)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertTrue(run.stdout.endswith("by the processes: not the same\n"))
+
     def test_processes_that_cannot_search_as_natively_are_refused(self):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
         self.assertIn("processes know no gaps. --samples", self.refused(gap, "--on", CLUSTER))

@@ -119,9 +119,20 @@ class Restart(ServiceTest):
         self.state.write_text("rubbish")
         self.assertIn(f"{self.state}: this state file cannot be used", self.refusal("--state", self.state, *UNSETTLED))
         self.assertIn("cannot be opened", self.refusal("--state", self.folder / "none" / "state"))
+        self.assertIn("cannot be used", self.refusal("--state", self.folder))
         self.assertIn("--address nowhere", self.refusal("--address", "nowhere"))
         self.assertIn("population", self.refusal("--population", 1))
         self.assertIn("bits", self.refusal("--bits", 40))
+        for option in ("--port", "--max-clients", "--max-machines", "--max-line", "--max-queue", "--population",
+                       "--bits", "--window", "--trials", "--transients"):
+            for value in ("-1", "1.5", "010", "99999999999999999999"):
+                self.assertIn(f'{option}: "{value}" is no whole number', self.refusal(f"{option}={value}"))
+        for option in ("--max-clients", "--max-machines", "--max-line", "--max-queue"):
+            self.assertIn(f"{option}: it is at least 1", self.refusal(option, 0))
+        for option in ("--sync", "--hello-timeout", "--line-timeout", "--idle-timeout", "--stall-timeout",
+                       "--closing-timeout"):
+            for value in ("0", "-1", "nan", "inf", "1e300", "x"):
+                self.assertIn(f'{option}: "{value}" is no number of seconds', self.refusal(f"{option}={value}"))
 
 
 if __name__ == "__main__":
