@@ -154,24 +154,15 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
     return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-/// Those of --on, if it is given.
-std::optional<ProcessSearch> processes_of(const IdentifyOptions& options, const Case& asked,
-                                          const RecordProblem& prepared, const Identified& native) {
-    if (options.netlist.empty())
-        return std::nullopt;
-    ProcessSearch search = search_by_processes(options.netlist, overrides_of(options.set), prepared, asked.way, native);
-    const std::filesystem::path output[] = {options.json};
-    for (const std::string& included : search.network.included_paths)
-        require_apart(output, included);
-    return search;
-}
-
 ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost::json::object& json) {
     RecordProblem prepared = prepare(asked.record, asked.machine, asked.question, asked.way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
     if (asked.calibration)
         flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
-    std::optional<ProcessSearch> processes = processes_of(options, asked, prepared, identified);
+    std::optional<ProcessSearch> processes;
+    if (!options.netlist.empty())
+        processes = search_by_processes({options.netlist, overrides_of(options.set), options.json}, prepared, asked.way,
+                                        identified);
     if (asked.calibrates)
         print_out(print_calibration(asked.calibration));
     print_out(print_identified(identified, prepared, asked.way));

@@ -1,6 +1,7 @@
 #include "app/identification/process_search.hpp"
 
 #include "app/netlist_run.hpp"
+#include "app/output_file.hpp"
 #include "app/problems.hpp"
 #include "app/refused_input.hpp"
 #include "gaprocs/search_problem.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -93,18 +95,17 @@ std::optional<Difference> first_difference(const Network& network, const Setting
 }
 
 /// Reads the netlist with the settings; those that it fixes otherwise go by the vals of their names.
-Network load_with(const Settings& settings, const std::filesystem::path& netlist, const Overrides& overrides,
-                  const ProblemRegistry& problems) {
+Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems) {
     Catalogue catalogue = kinds_with(settings, problems);
-    ReadResult read = read_netlist(netlist, catalogue, overrides);
+    ReadResult read = read_netlist(netlist.path, catalogue, netlist.overrides);
     if (!read.network)
         throw RefusedInput(render(read.diagnostics));
     std::size_t samples = problems.find("boom").record.size();
-    Overrides ours = overrides;
+    Overrides ours = netlist.overrides;
     while (auto difference = first_difference(*read.network, settings, samples)) {
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
             refuse(*difference);
-        ReadResult again = read_netlist(netlist, catalogue, ours);
+        ReadResult again = read_netlist(netlist.path, catalogue, ours);
         if (!again.network)
             refuse(*difference);
         read = std::move(again);
@@ -157,13 +158,14 @@ std::vector<double> ProcessSearch::compliances(const RunReport& report) const {
     return found;
 }
 
-ProcessSearch search_by_processes(const std::filesystem::path& netlist, const Overrides& overrides,
-                                  const RecordProblem& prepared, const IdentificationWay& way,
-                                  const Identified& native) {
+ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
+                                  const IdentificationWay& way, const Identified& native) {
     ProcessSearch search;
     search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared, native));
-    search.network = load_with(settings_of(way), netlist, overrides, search.problems);
-    search.master = searching_process(search.network, netlist);
+    search.network = load_with(settings_of(way), netlist, search.problems);
+    for (const std::string& included : search.network.included_paths)
+        require_apart(std::span(&netlist.output, 1), included);
+    search.master = searching_process(search.network, netlist.path);
     return search;
 }
 

@@ -13,6 +13,13 @@
 
 namespace placedpar {
 
+/// What processes are to search.
+struct NetlistAsked {
+    std::filesystem::path path;
+    Overrides overrides;
+    std::filesystem::path output; ///< that will be written: none of the netlist's own files
+};
+
 /// The first search of identify(), ready to run as the processes of a netlist.
 struct ProcessSearch {
     ProblemRegistry problems; ///< "boom" is what the record asks
@@ -25,12 +32,12 @@ struct ProcessSearch {
 };
 
 /// Hands the way over to the netlist: what its processes leave to their defaults, and what it has a val of the same
-/// name for (population, elite), unless `overrides` set it. The processes know neither gaps nor a gate; they are sent
+/// name for (population, elite), unless an override sets it. The processes know neither gaps nor a gate; they are sent
 /// the samples up to where the gate froze the search for good.
 /// Throws RefusedInput or std::runtime_error for what cannot be the same search: another number of searching processes
-/// than one, a setting that the netlist fixes otherwise, a gap, a search frozen for a while.
-ProcessSearch search_by_processes(const std::filesystem::path& netlist, const Overrides& overrides,
-                                  const RecordProblem& prepared, const IdentificationWay& way,
-                                  const Identified& native);
+/// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
+/// a while.
+ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
+                                  const IdentificationWay& way, const Identified& native);
 
 } // namespace placedpar
