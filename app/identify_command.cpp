@@ -4,6 +4,7 @@
 #include "app/identification/identification_report.hpp"
 #include "app/identification/process_search.hpp"
 #include "app/identify_options.hpp"
+#include "app/link_options.hpp"
 #include "app/manifest.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
@@ -26,22 +27,6 @@
 namespace placedpar {
 
 namespace {
-
-LinkSet links_of(const std::string& text) {
-    LinkSet links;
-    for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
-        end = text.find(',', start);
-        std::string name = text.substr(start, end - start);
-        auto link = link_named(name);
-        if (!link)
-            throw std::runtime_error(
-                fmt::format("--link {}: there is no link \"{}\"; there are bucket, boom, stick and swing", text, name));
-        if (links.contains(*link))
-            throw std::runtime_error(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
-        links.insert(*link);
-    }
-    return links;
-}
 
 IdentificationWay way_of(const IdentifyOptions& options) {
     IdentificationWay way = options.way == "thesis" ? thesis_way() : service_way();

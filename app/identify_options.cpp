@@ -1,6 +1,7 @@
 #include "app/identify_options.hpp"
 
 #include "app/common_options.hpp"
+#include "app/link_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,13 +41,10 @@ void declare_question(CLI::App& command, IdentifyOptions& options) {
     command.add_option("RECORD", options.record, "measurements: comma-separated values, units in the header")
         ->type_name("FILE")
         ->required();
-    command
-        .add_option("--link", options.links,
-                    "whose compliance: bucket, boom, stick, swing; or of several that share a pump: bucket,boom")
-        ->type_name("LINK[,LINK]")
+    add_links(command, options.links,
+              "whose compliance: bucket, boom, stick, swing; or of several that share a pump: bucket,boom")
         ->capture_default_str();
-    add_choice(command, "--configuration", options.configuration, "of the main valve as the record was taken",
-               {"a", "b", "c", "d", "e"})
+    add_configuration(command, options.configuration, "of the main valve as the record was taken")
         ->capture_default_str();
     add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
     add_choice(

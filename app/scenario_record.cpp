@@ -6,6 +6,7 @@
 #include "runtime/random.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -82,9 +83,21 @@ std::string cell(const std::string& text) {
     return text.find_first_of(",\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
 }
 
-std::string description_of(const RecordScenario& scenario, const Parameters& parameters, std::uint64_t seed) {
+/// The options that say so.
+std::string shown(const LinksInMotion& moving) {
+    std::vector<std::string_view> names;
+    for (MachineLink link : all_links)
+        if (moving.links.contains(link))
+            names.push_back(name_of(link));
+    return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));
+}
+
+std::string description_of(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                           std::uint64_t seed) {
     const Parameters own = scenario.parameters(Parameters::excavator());
-    std::string command = fmt::format("placedpar record {} --seed {}", scenario.name, seed), changed;
+    std::string command = fmt::format("placedpar record {}{} --seed {}", scenario.name,
+                                      scenario.any_links ? shown(moving) : "", seed),
+                changed;
     for (const Parameter& parameter : parameters.all()) {
         const Parameter& before = *own.find(parameter.name);
         if (!scenario.uses(parameter.name) || parameter.value == before.value)
@@ -94,7 +107,9 @@ std::string description_of(const RecordScenario& scenario, const Parameters& par
     }
     std::string truth;
     for (const Parameter& parameter : parameters.all())
-        if (scenario.uses(parameter.name) && parameter.name.ends_with("let_compliance"))
+        if (scenario.uses(parameter.name) && parameter.name.ends_with("let_compliance") &&
+            (!scenario.any_links ||
+             moving.links.contains(*link_named(parameter.name.substr(0, parameter.name.find('.'))))))
             truth += fmt::format("{}true {} {} {}", truth.empty() ? "" : ", ", parameter.name, parameter.value,
                                  parameter.unit);
     return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
@@ -133,11 +148,12 @@ Parameters scenario_parameters(const RecordScenario& scenario, const Parameters&
     return parameters;
 }
 
-Record scenario_record(const RecordScenario& scenario, const Parameters& parameters, std::uint64_t seed) {
+Record scenario_record(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                       std::uint64_t seed) {
     RandomStream noise(seed, "sensors");
-    Record record = scenario.make(parameters, [&] { return noise.uniform(); });
+    Record record = scenario.make(parameters, moving, [&] { return noise.uniform(); });
     require_measurable(record, scenario);
-    record.description = description_of(scenario, parameters, seed);
+    record.description = description_of(scenario, moving, parameters, seed);
     return record;
 }
 

@@ -24,7 +24,8 @@ Parameters scenario_parameters(const RecordScenario& scenario, const Parameters&
 /// The record, whose description says how to make it again: the command, with every parameter that is not the
 /// program's own, and the true compliance. Throws std::runtime_error, naming the first instant and channel, where
 /// parameters far from any machine's make a record that no sensor could have read.
-Record scenario_record(const RecordScenario& scenario, const Parameters& parameters, std::uint64_t seed);
+Record scenario_record(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                       std::uint64_t seed);
 
 /// The scenario's parameters as a table that --machine reads.
 std::string list_parameters(const RecordScenario& scenario, const Parameters& parameters);

@@ -69,15 +69,15 @@ Record record_simple_plant(const Parameters& parameters, const std::string& scen
     return record;
 }
 
-Record record_scenario_a(const Parameters& parameters, const UniformSource& uniform) {
+Record record_scenario_a(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
     return record_simple_plant(parameters, "scenario_a", uniform);
 }
 
-Record record_scenario_b(const Parameters& parameters, const UniformSource& uniform) {
+Record record_scenario_b(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
     return record_simple_plant(parameters, "scenario_b", uniform);
 }
 
-Record record_excavator(const Parameters& parameters, const UniformSource& uniform) {
+Record record_excavator(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
     MeasuredMachine machine(parameters);
     BoomSensors sensors(parameters);
     return read_boom_sensors(simulate_measured_machine(machine), machine, sensors, uniform);
@@ -93,18 +93,37 @@ bool two_links_use(std::string_view name) {
     return name.starts_with("two_links.") && !in_group(name, {"two_links.stick", "two_links.swing"});
 }
 
-Record record_two_links(const Parameters& parameters, const UniformSource& uniform) {
-    ExcavatorScenario scenario = two_link_scenario(parameters);
+Record measure_links(const ExcavatorScenario& scenario, const Parameters& parameters, const UniformSource& uniform) {
     MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], 0, parameters["noise.area"]};
     return measure_excavator(simulate_excavator(scenario), scenario, parameters["sensors.period"], noise, uniform);
 }
 
-constexpr std::array<RecordScenario, 4> scenarios{{
+Record record_two_links(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
+    return measure_links(two_link_scenario(parameters), parameters, uniform);
+}
+
+bool links_use(std::string_view name) {
+    if (in_group(name, {"boom.", "stick.", "swing."}))
+        return two_links_use(fmt::format("bucket{}", name.substr(name.find('.')))) &&
+               Parameters::excavator().find(fmt::format("bucket{}", name.substr(name.find('.'))));
+    if (name.starts_with("two_links."))
+        return name.ends_with("_damping") ||
+               !in_group(name, {"two_links.boom", "two_links.bucket_inlet_final", "two_links.bucket_bypass_final"});
+    return two_links_use(name) || name.starts_with("controller.");
+}
+
+Record record_links(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform) {
+    return measure_links(step_scenario(moving.configuration, moving.links, parameters), parameters, uniform);
+}
+
+constexpr std::array<RecordScenario, 5> scenarios{{
     {"scenario-a", "the simple plant, a step to 4 deg/s of boom", as_they_are, scenario_a_uses, record_scenario_a},
     {"scenario-b", "the simple plant made heavy and slow, a ramp to 4 deg/s of boom", with_machine_of_b,
      scenario_b_uses, record_scenario_b},
     {"two-links", "bucket and boom, branch 1 of configuration a, a step of both (3.2)", as_they_are, two_links_use,
      record_two_links},
+    {"links", "any links in any configuration of the main valve, a step of all", as_they_are, links_use, record_links,
+     true},
     {"excavator", "the measured machine: hoses with inertia, pump ripple, stiction, dead time, converters", as_they_are,
      excavator_uses, record_excavator},
 }};

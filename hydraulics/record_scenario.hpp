@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hydraulics/circuit.hpp"
 #include "hydraulics/measurement.hpp"
 #include "hydraulics/parameters.hpp"
 #include "hydraulics/record.hpp"
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace placedpar {
+
+/// The links that move, in a configuration of the main valve.
+struct LinksInMotion {
+    Configuration configuration = Configuration::a;
+    LinkSet links;
+};
 
 /// A motion of a simulated machine that can be recorded.
 struct RecordScenario {
@@ -20,10 +27,13 @@ struct RecordScenario {
     /// Does the record depend on this parameter?
     bool (*uses)(std::string_view parameter);
     /// Simulates and measures. Throws std::invalid_argument when a parameter is out of its range.
-    Record (*make)(const Parameters& parameters, const UniformSource& uniform);
+    Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
+    /// Takes any links in any configuration; the others look at `parameters` only.
+    bool any_links = false;
 };
 
-/// scenario-a and scenario-b of the simple plant, and the measured machine, excavator.
+/// scenario-a and scenario-b of the simple plant, two-links and links of appendix B, and the measured machine,
+/// excavator.
 std::span<const RecordScenario> record_scenarios();
 
 /// None when there is no such scenario.

@@ -37,7 +37,7 @@ Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed) {
     for (Parameter& row : noise_rows(parameters, plant.noise))
         parameters.put(std::move(row));
     RandomStream sensors(seed, "sensors");
-    return scenario.make(parameters, [&] { return sensors.uniform(); });
+    return scenario.make(parameters, {}, [&] { return sensors.uniform(); });
 }
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {

@@ -1,5 +1,6 @@
 """Records: what the program writes, that it can be made again, and what it says of records that are wrong."""
 
+import json
 import pathlib
 import re
 import tempfile
@@ -8,7 +9,7 @@ import unittest
 from program import EXAMPLES, placedpar
 
 RECORDS = EXAMPLES / "records"
-SCENARIOS = ("scenario-a", "scenario-b", "two-links", "excavator")
+SCENARIOS = ("scenario-a", "scenario-b", "two-links", "links", "excavator")
 
 
 def record(*arguments):
@@ -53,6 +54,31 @@ class Records(unittest.TestCase):
         self.assertIn("# fault.leak = 0.002 in^3/(s psi), not 0\n", text)
         compliance = float(re.search(r"true boom.inlet_compliance (\S+)", text)[1])
         self.assertAlmostEqual(compliance, 4e-11 / 2.37672e-9, delta=1e-6)
+
+    def test_any_links_in_any_configuration_and_each_compliance_is_found_again(self):
+        true = {"bucket": 0.0050, "boom": 0.0086, "stick": 0.0065, "swing": 0.0040}
+        path = self.folder / "links.csv"
+        for links, configuration in (("bucket", "a"), ("swing", "c"), ("bucket,boom", "a"), ("stick,swing", "a"),
+                                     ("boom,stick", "b"), ("bucket,stick", "d"), ("bucket,swing", "e")):
+            choice = ("--link", links, "--configuration", configuration)
+            text = record("links", *choice, "--noise", "none")
+            command = re.search(r"^# made by: placedpar record (.*)$", text, re.MULTILINE)[1]
+            self.assertEqual(record(*command.split()), text)
+            self.assertEqual({name.split(".")[0] for name in columns(text)} - {"time"}, set(links.split(",")))
+            self.assertEqual(set(re.findall(r"true (\w+)\.inlet_compliance", text)), set(links.split(",")))
+            path.write_text(text)
+            found = placedpar("identify", path, "--way", "service", "--json", self.folder / "found.json", *choice)
+            self.assertEqual(found.returncode, 0, found.stderr)
+            answers = json.loads((self.folder / "found.json").read_text())["links"]
+            self.assertEqual({answer["link"] for answer in answers}, set(links.split(",")))
+            for answer in answers:
+                self.assertAlmostEqual(answer["compliance"] / true[answer["link"]], 1, delta=0.05, msg=str(choice))
+
+    def test_links_are_chosen_where_they_can_be(self):
+        self.assertIn("scenario-a has links and a configuration of its own",
+                      self.refused("record", "scenario-a", "--link", "boom"))
+        self.assertIn("--configuration: excavator has", self.refused("record", "excavator", "--configuration", "b"))
+        self.assertIn('there is no link "arm"', self.refused("record", "links", "--link", "boom,arm"))
 
     def test_stored_records_are_what_their_descriptions_make(self):
         stored = sorted(RECORDS.glob("*.csv"))
@@ -108,7 +134,7 @@ class Records(unittest.TestCase):
 
     def test_wrong_use_says_what_would_be_right(self):
         self.assertEqual(self.refused("record", "crane"),
-                         'placedpar: there is no scenario "crane"; there are scenario-a, scenario-b, two-links and excavator\n')
+                         'placedpar: there is no scenario "crane"; there are scenario-a, scenario-b, two-links, links and excavator\n')
         self.assertIn('did you mean "boom.mass"?', self.refused("record", "excavator", "--set", "boom.mas=1"))
         self.assertIn("no such parameter", self.refused("record", "scenario-a", "--set", "pump.ripple=0"))
         self.assertIn("is not a unit of mass; it takes lbf s^2/in or kg",
