@@ -26,6 +26,16 @@ Cell judged_cell(std::string row, std::string column, std::string unit, double k
     return cell;
 }
 
+Cell at_least(double bound, Cell cell) {
+    cell.at_least = bound;
+    return cell;
+}
+
+Cell at_most(double bound, Cell cell) {
+    cell.at_most = bound;
+    return cell;
+}
+
 double share_below(std::vector<double> values, double share) {
     std::ranges::sort(values);
     auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));

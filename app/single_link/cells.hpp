@@ -13,6 +13,9 @@ Cell judged_cell(std::string row, std::string column, std::string unit, double k
 /// A figure that is printed, beside a known one or alone.
 Cell compared_cell(std::string row, std::string column, std::string unit, double known, double value, int decimals);
 Cell plain_cell(std::string row, std::string column, std::string unit, double value, int decimals);
+/// A figure that is judged from one side: beside a known one that need not be met, or alone.
+Cell at_least(double bound, Cell cell);
+Cell at_most(double bound, Cell cell);
 
 /// The value that the given share of the sample does not exceed. REQUIRES: not empty.
 double share_below(std::vector<double> values, double share);

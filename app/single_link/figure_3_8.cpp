@@ -1,4 +1,5 @@
 #include "app/experiment.hpp"
+#include "app/record_seeds.hpp"
 #include "app/single_link/boom_search.hpp"
 #include "app/single_link/cells.hpp"
 #include "app/single_link/pressure_check.hpp"
@@ -94,21 +95,24 @@ void add_motion(Reading& reading, double deg_per_s, const BoomData& data, double
     }
 }
 
+/// Of the record that is identified, and of two other motions.
+using Seeds = std::vector<std::uint64_t>;
+
 /// What experiment 2 identifies on scenario A.
-double identified_by_voltage(BoomPlant plant, std::uint64_t seed) {
-    BoomData data = measure(motion_at(4, plant, noise_of(plant)), seed);
-    return identify_boom(data, model_of(data, AreasFrom::servo), rising_way(), seed).compliance_in3_per_psi;
+double identified_by_voltage(BoomPlant plant, const Seeds& seeds) {
+    BoomData data = measure(motion_at(4, plant, noise_of(plant)), seeds[0]);
+    return identify_boom(data, model_of(data, AreasFrom::servo), rising_way(), seeds[0]).compliance_in3_per_psi;
 }
 
 /// The other motions, with noise of their own.
 constexpr std::array other_speeds{3.0, 5.0};
-BoomData other_motion(BoomPlant plant, std::size_t number, std::uint64_t seed) {
-    return measure(motion_at(other_speeds[number], plant, noise_of(plant)), seed + 1 + number);
+BoomData other_motion(BoomPlant plant, std::size_t number, const Seeds& seeds) {
+    return measure(motion_at(other_speeds[number], plant, noise_of(plant)), seeds[1 + number]);
 }
 
-Reading other_reading(BoomPlant plant, std::uint64_t seed) {
+Reading other_reading(BoomPlant plant, const Seeds& seeds) {
     bool simple = plant == BoomPlant::simple;
-    double identified = identified_by_voltage(plant, seed);
+    double identified = identified_by_voltage(plant, seeds);
     Reading reading{fmt::format("{}: C_BOi = {:.5f}, identified at 4 deg/s from the voltage, simulates other motions "
                                 "from their voltage and angle",
                                 simple ? "simple plant, low noise" : "measured machine, mid noise", identified),
@@ -117,16 +121,16 @@ Reading other_reading(BoomPlant plant, std::uint64_t seed) {
                     "thesis",
                     true};
     for (std::size_t i = 0; i < other_speeds.size(); ++i)
-        add_motion(reading, other_speeds[i], other_motion(plant, i, seed), identified, simple ? 18 : 40);
+        add_motion(reading, other_speeds[i], other_motion(plant, i, seeds), identified, simple ? 18 : 40);
     reading.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
     return reading;
 }
 
 /// The thesis simulates with the voltage that it identifies from. An a_0 that is wrong in both is not found out.
-Reading blind_reading(std::uint64_t seed) {
-    BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, by_spool_in3_per_psi), seed);
+Reading blind_reading(const Seeds& seeds) {
+    BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
-    BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, by_spool_in3_per_psi), seed + 1);
+    BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, by_spool_in3_per_psi), seeds[1]);
     Reading reading{fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
                                 "3 deg/s",
                                 lag),
@@ -176,9 +180,9 @@ Panel pressure_panel(std::string title, const BoomData& data, double identified_
     return panel;
 }
 
-Plot plot_of_check(std::uint64_t seed) {
-    double identified = identified_by_voltage(BoomPlant::measured, seed);
-    BoomData data = other_motion(BoomPlant::measured, 0, seed);
+Plot plot_of_check(const Seeds& seeds) {
+    double identified = identified_by_voltage(BoomPlant::measured, seeds);
+    BoomData data = other_motion(BoomPlant::measured, 0, seeds);
     return {"Figure 3.8: pressure of the measured machine, and simulated, 3 deg/s",
             {pressure_panel("a: with the identified compliance C [in³/psi]", data, identified, false),
              pressure_panel("b: with half and twice of it, too", data, identified, true)}};
@@ -188,10 +192,11 @@ Plot plot_of_check(std::uint64_t seed) {
 
 Replay replay_figure_3_8(const ReplayContext& context) {
     Replay replay;
-    replay.readings = {other_reading(BoomPlant::simple, context.seed), other_reading(BoomPlant::measured, context.seed),
-                       known_reading(), blind_reading(context.seed)};
+    Seeds seeds = record_seeds(context.seed, 1 + other_speeds.size());
+    replay.readings = {other_reading(BoomPlant::simple, seeds), other_reading(BoomPlant::measured, seeds),
+                       known_reading(), blind_reading(seeds)};
     replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"figure-3-8", plot_of_check(context.seed)}};
+    replay.plots = {{"figure-3-8", plot_of_check(seeds)}};
     return replay;
 }
 

@@ -1,4 +1,5 @@
 #include "app/experiment.hpp"
+#include "app/record_seeds.hpp"
 #include "app/single_link/cells.hpp"
 #include "app/two_links/two_link_plots.hpp"
 #include "app/two_links/two_link_study.hpp"
@@ -10,6 +11,8 @@
 namespace placedpar {
 
 namespace {
+
+using Seeds = std::vector<std::uint64_t>;
 
 constexpr std::size_t trials_a_sample = 5;
 constexpr std::size_t lost_for = 20; // samples: 100 generations, a sixth of the figure
@@ -43,30 +46,28 @@ void add_shares(Reading& reading, const char* row, const std::vector<SearchRun>&
 }
 
 /// The share of seeds that is still right, which the thesis saw falling after generation 425.
-Reading share_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Reading share_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
     Reading reading{
-        fmt::format("two links without noise, {} seeds: both within 10 %, while the motion grows steady", search_seeds),
+        fmt::format("two links without noise, {} seeds: both within 10 %, while the motion grows steady", seeds.size()),
         {},
         "",
         "known"};
-    auto plain = search_many(motion, no_noise, long_way(), search_seeds, seed);
+    auto plain = search_many(motion, no_noise, long_way(), seeds);
     for (const Known& each : known)
         reading.cells.push_back(judged_cell("without a gate", column_of(each), "% of seeds", each.percent,
                                             both_within_ten_percent(plain, each.generation, trials_a_sample),
                                             each.tolerance, 0));
-    add_shares(reading, "with the gate", search_many(motion, no_noise, gated(long_way()), search_seeds, seed));
-    add_shares(reading, "elite and Gray code, no gate",
-               search_many(motion, no_noise, prolonged(gray_way()), search_seeds, seed));
-    add_shares(reading, "  and with the gate",
-               search_many(motion, no_noise, gated(prolonged(gray_way())), search_seeds, seed));
+    add_shares(reading, "with the gate", search_many(motion, no_noise, gated(long_way()), seeds));
+    add_shares(reading, "elite and Gray code, no gate", search_many(motion, no_noise, prolonged(gray_way()), seeds));
+    add_shares(reading, "  and with the gate", search_many(motion, no_noise, gated(prolonged(gray_way())), seeds));
     return reading;
 }
 
 /// An elite keeps the answer only while the samples are without noise.
-Reading low_noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Reading low_noise_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
     Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
-        add_shares(reading, row, search_many(motion, low_noise, way, search_seeds, seed));
+        add_shares(reading, row, search_many(motion, low_noise, way, seeds));
     };
     add("without a gate", long_way());
     add("with the gate", gated(long_way()));
@@ -88,15 +89,15 @@ double lost_from(const SearchRun& run, double percent) {
 }
 
 /// When a search loses its way, which an eye reads off a figure.
-Reading single_run_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Reading single_run_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
     Reading reading{fmt::format("without noise and gate, {} seeds: the generation from which on one of both is off for "
                                 "100 generations",
-                                search_seeds),
+                                seeds.size()),
                     {},
                     "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
                     "thesis",
                     true};
-    auto runs = search_many(motion, no_noise, long_way(), search_seeds, seed);
+    auto runs = search_many(motion, no_noise, long_way(), seeds);
     auto add = [&](double percent, bool is_judged) {
         std::string row = fmt::format("off by more than {} %", percent);
         std::vector<double> lost;
@@ -117,13 +118,14 @@ Reading single_run_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
 Replay replay_loss_of_excitation(const ReplayContext& context) {
     TwoLinkMotion motion = simulate_two_links();
     Replay replay;
+    Seeds seeds = record_seeds(context.seed, search_records);
     context.progress("600 generations of 50 seeds, with and without the gate");
-    replay.readings = {share_reading(motion, context.seed), single_run_reading(motion, context.seed),
-                       low_noise_reading(motion, context.seed)};
+    replay.readings = {share_reading(motion, seeds), single_run_reading(motion, seeds),
+                       low_noise_reading(motion, seeds)};
     IdentificationWay way = long_way();
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, context.seed);
+    RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
     auto search = [&](const IdentificationWay& by) {
-        return search_transient(prepared.problem, prepared.samples, by, RandomStream(context.seed, "master"));
+        return search_transient(prepared.problem, prepared.samples, by, RandomStream(seeds.front(), "master"));
     };
     replay.plots = {{"figure-3-11", plot_of_compliances(prepared, search(way), search(gated(way)), trials_a_sample)}};
     replay.fingerprint = fingerprint_of(replay.readings);

@@ -110,7 +110,8 @@ Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& 
         add_state(pressures, static_cast<std::size_t>(which), motion, prepared, run, which);
     for (int which = 2; which < 6; ++which)
         add_state(flows, static_cast<std::size_t>(which), motion, prepared, run, which);
-    return {"Internal states by the best individual (Figure 3.10)", {pressures, flows}};
+    return {"Figure 3.10: internal states by the best individual (no noise; elite, 2 skipped, Gray code)",
+            {pressures, flows}};
 }
 
 Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& plain, const SearchRun& gated,
