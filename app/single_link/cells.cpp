@@ -55,6 +55,16 @@ double deviation(const std::vector<double>& values) {
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
+double share_tolerance(double known_percent, std::size_t records) {
+    auto n = static_cast<double>(records);
+    double share = (0.01 * known_percent * n + 2) / (n + 4);
+    return 300 * std::sqrt(2 * share * (1 - share) / n);
+}
+
+double deviation_tolerance(double known, std::size_t records, double rounding) {
+    return 3 * known / std::sqrt(static_cast<double>(records - 1)) + rounding;
+}
+
 double percent_within(const std::vector<double>& values, double limit) {
     auto within = std::ranges::count_if(values, [&](double value) { return value <= limit; });
     return 100 * static_cast<double>(within) / static_cast<double>(values.size());

@@ -36,8 +36,8 @@ IdentificationWay elite_way();
 /// That, and Gray code.
 IdentificationWay gray_way();
 
-/// Searches a share is counted over.
-inline constexpr std::size_t search_records = 50;
+/// Records that a judged share is counted over: one of p scatters by sqrt(p (1 - p) / 200), 3.5 points at one half.
+inline constexpr std::size_t search_records = 200;
 
 /// Many searches, each with noise and random numbers of its own.
 std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
