@@ -128,12 +128,13 @@ Replay replay_loss_of_excitation(const ReplayContext& context) {
     Seeds shown(seeds.begin(), seeds.begin() + records_shown);
     replay.readings = {share_reading(motion, plain, shown), single_run_reading(plain),
                        low_noise_reading(motion, shown)};
-    IdentificationWay way = long_way();
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
-    auto search = [&](const IdentificationWay& by) {
-        return search_transient(prepared.problem, prepared.samples, by, RandomStream(seeds.front(), "master"));
+    auto search = [&](const IdentificationWay& way) {
+        RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
+        return search_transient(prepared.problem, prepared.samples, way, RandomStream(seeds.front(), "master"));
     };
-    replay.plots = {{"figure-3-11", plot_of_compliances(prepared, search(way), search(gated(way)), trials_a_sample)}};
+    RecordProblem prepared = measure_two_links(motion, no_noise, long_way(), seeds.front());
+    replay.plots = {{"figure-3-11", plot_of_compliances(prepared, plain.front(), search(gated(prolonged(gray_way()))),
+                                                        trials_a_sample)}};
     replay.fingerprint = fingerprint_of(replay.readings);
     return replay;
 }

@@ -118,7 +118,7 @@ Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& plain, 
                          std::size_t trials) {
     return {"Two compliances found, and lost again when the motion is steady (Figure 3.11)",
             {panel_of_compliances("a: as the thesis has it", plain, trials),
-             panel_of_compliances("b: with the gate, which stops the search", gated, trials),
+             panel_of_compliances("b: with an elite, Gray code, and the gate, which stops the search", gated, trials),
              panel_of_excitation(prepared, plain, trials)}};
 }
 
