@@ -1,19 +1,22 @@
 #include "app/identify_command.hpp"
 
-#include "app/common_options.hpp"
+#include "app/identification/flags.hpp"
 #include "app/identification/identification_report.hpp"
+#include "app/identification/process_search.hpp"
+#include "app/identify_options.hpp"
 #include "app/manifest.hpp"
-#include "app/netlist_run.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
+#include "app/refused_input.hpp"
 #include "app/run_report.hpp"
+#include "app/standard_output.hpp"
 #include "app/text_file.hpp"
-#include "gaprocs/search_problem.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -24,31 +27,23 @@ namespace placedpar {
 
 namespace {
 
-/// What the command line may say.
-struct Options {
-    std::string record, links = "boom", configuration = "a", way = "thesis", offset = "auto", areas, coding, machine,
-                        netlist, json;
-    std::vector<std::string> set;
-    std::uint64_t seed = 1;
-    std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
-    double bias = 400;
-    std::optional<std::size_t> elite;
-    bool rising = false;
-};
-
 LinkSet links_of(const std::string& text) {
     LinkSet links;
-    for (const std::string& name : CLI::detail::split(text, ',')) {
+    for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
+        end = text.find(',', start);
+        std::string name = text.substr(start, end - start);
         auto link = link_named(name);
         if (!link)
             throw std::runtime_error(
                 fmt::format("--link {}: there is no link \"{}\"; there are bucket, boom, stick and swing", text, name));
+        if (links.contains(*link))
+            throw std::runtime_error(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
         links.insert(*link);
     }
     return links;
 }
 
-IdentificationWay way_of(const Options& options) {
+IdentificationWay way_of(const IdentifyOptions& options) {
     IdentificationWay way = options.way == "thesis" ? thesis_way() : service_way();
     way.bits = options.bits;
     if (auto coding = coding_named(options.coding))
@@ -61,10 +56,13 @@ IdentificationWay way_of(const Options& options) {
     way.usable.count = options.samples;
     way.usable.rising = options.rising;
     way.search.validate();
+    if (std::size_t needed = samples_for_first_generation(way); options.samples < needed)
+        throw std::runtime_error(
+            fmt::format("--samples {}: expected at least {}, for the first generation", options.samples, needed));
     return way;
 }
 
-std::optional<AreasFrom> areas_of(const Options& options) {
+std::optional<AreasFrom> areas_of(const IdentifyOptions& options) {
     if (options.areas.empty())
         return std::nullopt;
     return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
@@ -73,135 +71,135 @@ std::optional<AreasFrom> areas_of(const Options& options) {
 double inches_of(const std::string& text) {
     double inches = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), inches);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw std::runtime_error(fmt::format("--offset {}: it takes auto, none, or a number of inches", text));
+    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(inches) <= greatest_spool_offset_in))
+        throw std::runtime_error(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}",
+                                             text, greatest_spool_offset_in, greatest_spool_offset_in));
     return inches;
 }
 
-/// The offset that --offset asks for; says what came of "auto".
-std::optional<double> spool_offset(const Options& options, const Record& record, const Parameters& machine) {
-    if (options.offset == "none")
-        return std::nullopt;
-    if (options.offset != "auto")
-        return inches_of(options.offset);
-    if (!record.has(MachineLink::boom, Sensor::spool))
-        return std::nullopt;
-    auto found = calibrate_spool_offset(record, link_readings(machine), flow_constants(machine));
-    if (found)
-        fmt::print("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
-                   found->offset_in, found->deviation_in, found->samples);
-    else
-        fmt::print("spool offset: not calibrated, for the record has no second of steady motion\n");
-    return found ? std::optional(found->offset_in) : std::nullopt;
+/// Do the boom's areas come from its spool, as it is read or by A.1?
+bool uses_spool(const Record& record, const Question& question) {
+    LinkReading boom;
+    boom.from = question.areas_from;
+    return question.links.contains(MachineLink::boom) &&
+           areas_from(record, MachineLink::boom, boom) != AreasFrom::areas;
 }
 
-/// The record's problem takes the place of the program's own "boom".
-ProblemRegistry problems_with(const RecordProblem& prepared) {
-    std::vector<Sample> record;
-    for (const CircuitSample& sample : prepared.samples)
-        record.push_back(sample.values());
-    ProblemRegistry problems;
-    problems.add("boom", make_search_problem(prepared.problem), std::move(record));
-    return problems;
+/// A record, and what was asked of it.
+struct Case {
+    Parameters machine;
+    std::vector<TextFault> warnings;
+    Record record;
+    IdentificationWay way;
+    Question question;
+    bool calibrates = false;                ///< --offset auto, and it matters
+    std::optional<SpoolOffset> calibration; ///< where the record shows the offset
+};
+
+std::string print_calibration(const std::optional<SpoolOffset>& found) {
+    if (!found)
+        return "spool offset: not calibrated, for the record has no second of steady motion\n";
+    return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
+                       found->offset_in, found->deviation_in, found->samples);
+}
+
+/// By its own steady motion.
+void calibrate(Case& asked) {
+    asked.calibrates = asked.record.has(MachineLink::boom, Sensor::spool);
+    if (asked.calibrates)
+        asked.calibration =
+            calibrate_spool_offset(asked.record, link_readings(asked.machine), flow_constants(asked.machine));
+    if (asked.calibration)
+        asked.question.spool_offset_in = asked.calibration->offset_in;
+}
+
+Case read_case(const IdentifyOptions& options) {
+    Case asked;
+    asked.way = way_of(options);
+    asked.question = {*configuration_named(options.configuration), links_of(options.links), std::nullopt,
+                      areas_of(options)};
+    bool automatic = options.offset == "auto";
+    if (!automatic && options.offset != "none")
+        asked.question.spool_offset_in = inches_of(options.offset);
+    asked.machine = load_machine(options.machine);
+    asked.record = load_record(options.record, &asked.warnings);
+    if (!uses_spool(asked.record, asked.question)) {
+        if (asked.question.spool_offset_in)
+            throw std::runtime_error(fmt::format("--offset {}: the areas of these links do not come from the boom's "
+                                                 "spool, so that it has no effect",
+                                                 options.offset));
+    } else if (automatic) {
+        calibrate(asked);
+    }
+    return asked;
+}
+
+boost::json::object warning_json(const TextFault& warning) {
+    return {{"line", warning.line}, {"column", warning.column}, {"message", warning.message}, {"hint", warning.hint}};
 }
 
 /// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
-ExitCode run_on_machine(const Options& options, const RecordProblem& prepared, const Identified& native) {
-    ProblemRegistry problems = problems_with(prepared);
-    Network network = load_network(options.netlist, overrides_of(options.set), problems);
-    RunReport report = run_netlist(network, problems, options.seed);
-    fmt::print("\n{}\n", print_report(report, network));
-    for (std::size_t j = 0; j < native.links.size(); ++j) {
-        double here = native.estimates.back().compliance_in3_per_psi[j];
-        double there = report.measured("master", prepared.problem.parameter_names()[j]);
-        fmt::print("{}: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n", prepared.problem.parameter_names()[j],
-                   here, there, here == there ? "the same" : "not the same");
-    }
-    return exit_code_of(report.result.ending);
+ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
+                        boost::json::object& json) {
+    RunReport report = search.run(seed);
+    print_out(fmt::format("\n{}\n", print_report(report, search.network)));
+    if (report.result.ending != Ending::completed)
+        return exit_code_of(report.result.ending);
+    std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
+    for (std::size_t j = 0; j < native.links.size(); ++j)
+        print_out(fmt::format("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
+                              symbol_of(native.links[j].link), here[j], there[j],
+                              here[j] == there[j] ? "the same" : "not the same"));
+    json["by_processes"] = boost::json::array(there.begin(), there.end());
+    return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-ExitCode identify_record(const Options& options, const std::string& command_line) {
-    if (!options.json.empty()) {
-        const std::filesystem::path output[] = {options.json};
-        for (const std::string& input : {options.record, options.machine, options.netlist})
-            require_apart(output, input);
+ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost::json::object& json) {
+    RecordProblem prepared = prepare(asked.record, asked.machine, asked.question, asked.way);
+    Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
+    if (asked.calibration)
+        flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
+    std::optional<ProcessSearch> processes;
+    if (!options.netlist.empty())
+        processes = search_by_processes({options.netlist, overrides_of(options.set), options.json}, prepared, asked.way,
+                                        identified);
+    if (asked.calibrates)
+        print_out(print_calibration(asked.calibration));
+    print_out(print_identified(identified, prepared, asked.way));
+    for (auto& [key, value] : identified_json(identified, prepared, asked.way))
+        json[key] = value;
+    return processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+}
+
+void require_files(const IdentifyOptions& options) {
+    const std::filesystem::path output[] = {options.json};
+    for (const std::string& input : {options.record, options.machine, options.netlist})
+        require_apart(output, input);
+    if (!options.json.empty())
         require_writable(options.json);
-    }
-    Parameters machine = load_machine(options.machine);
-    Record record = load_record(options.record);
-    IdentificationWay way = way_of(options);
-    Question question{*configuration_named(options.configuration), links_of(options.links),
-                      spool_offset(options, record, machine), areas_of(options)};
-    RecordProblem prepared = prepare(record, machine, question, way);
-    Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, way, options.seed);
-    fmt::print("{}", print_identified(identified, prepared, way));
-    if (!options.json.empty()) {
-        boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
-        for (auto& [key, value] : identified_json(identified, prepared))
-            json[key] = value;
-        write_whole(options.json, print_pretty(json));
-    }
-    return options.netlist.empty() ? ExitCode::success : run_on_machine(options, prepared, identified);
 }
 
-void declare_options(CLI::App& command, Options& options) {
-    command.add_option("RECORD", options.record, "measurements: comma-separated values, units in the header")
-        ->required();
-    command.add_option("--link", options.links, "bucket, boom, stick, swing; or several, coupled: bucket,boom")
-        ->type_name("LINK[,LINK]")
-        ->capture_default_str();
-    command.add_option("--configuration", options.configuration, "of the main valve: a to e")
-        ->check(CLI::IsMember({"a", "b", "c", "d", "e"}))
-        ->capture_default_str();
-    command
-        .add_option(
-            "--way", options.way,
-            "thesis: as chapter 3 describes it; service: Gray code, an elite, a gate on excitation, the spool's "
-            "offset calibrated, 21 searches")
-        ->check(CLI::IsMember({"thesis", "service"}))
-        ->capture_default_str();
-    command.add_option("--offset", options.offset, "of the boom's spool: auto, none, or a number of inches")
-        ->capture_default_str();
-    command
-        .add_option("--areas-from", options.areas,
-                    "areas, spool or servo (experiments 1 and 2 of the thesis: the spool, the servo-valve's voltage)")
-        ->check(CLI::IsMember({"areas", "spool", "servo"}));
-    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
-        ->type_name("FILE");
-    command.add_option("--bits", options.bits, "of a compliance")->check(CLI::Range(1, 52))->capture_default_str();
-    command.add_option("--coding", options.coding, "natural or gray; the way's own if not given")
-        ->check(CLI::IsMember({"natural", "gray"}));
-    command.add_option("--elite", options.elite, "best individuals that go over unchanged; the way's own if not given")
-        ->check(not_a_whole_number);
-    command.add_option("--population", options.population, "individuals")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--trials", options.trials, "generations a sample")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--window", options.window, "samples that a fitness is summed over")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")->capture_default_str();
-    command.add_option("--samples", options.samples, "usable samples from the valve's opening on: 20 are 0.4 s")
-        ->check(not_a_whole_number)
-        ->capture_default_str();
-    command.add_flag("--rising", options.rising, "nothing from the first falling pressure on");
-    add_seed(command, options.seed);
-    command.add_option("--on", options.netlist, "then runs it as the processes of this netlist, too")
-        ->type_name("NETLIST");
-    command.add_option("--set", options.set, "NAME=VALUE: gives a val of that netlist another value")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
-    add_output(command, "--json", options.json, "writes the result for machines");
+ExitCode identify_record(const IdentifyOptions& options, const std::string& command_line) try {
+    require_files(options);
+    Case asked = read_case(options);
+    boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
+    boost::json::array& warnings = json["warnings"].emplace_array();
+    for (const TextFault& warning : asked.warnings)
+        warnings.push_back(warning_json(warning));
+    ExitCode code = identify_case(options, asked, json);
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(json));
+    return code;
+} catch (const UnfitRecord& unfit) {
+    throw RefusedInput(fmt::format("{}: error: {}\n", options.record, unfit.what()));
 }
 
 } // namespace
 
 void declare_identify(CLI::App& app, ChosenCommand& chosen, const std::string& command_line) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<IdentifyOptions>();
     auto* command = app.add_subcommand("identify", "Finds the hydraulic compliances that a record of motion shows");
-    declare_options(*command, *options);
+    declare_identify_options(*command, *options);
     command->callback([&chosen, &command_line, options] {
         chosen = [&, options] { return identify_record(*options, command_line); };
     });

@@ -12,6 +12,7 @@
 #include "app/refused_input.hpp"
 #include "app/replay_command.hpp"
 #include "app/run_report.hpp"
+#include "app/standard_output.hpp"
 #include "hydraulics/parameters.hpp"
 #include "netlist/print.hpp"
 
@@ -19,11 +20,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -47,12 +47,14 @@ ExitCode run(const Options& options) {
         if (!path.empty())
             require_writable(path);
     Network network = load_network(options.file, manifest.overrides);
+    for (const std::string& included : network.included_paths)
+        require_apart(outputs, included);
     std::optional<OutputFile> timeline;
     std::optional<PerfettoTrace> trace;
     if (!options.trace.empty())
         trace.emplace(timeline.emplace(options.trace));
     RunReport report = run_netlist(network, options.seed, Time::max(), trace ? &*trace : nullptr);
-    fmt::print("{}", print_report(report, network));
+    print_out(print_report(report, network));
     if (!options.json.empty())
         write_whole(options.json, print_pretty(report_json(report, network, manifest)));
     if (trace)
@@ -62,27 +64,27 @@ ExitCode run(const Options& options) {
 
 ExitCode check(const Options& options) {
     Network network = load_network(options.file, overrides_of(options.set));
-    fmt::print("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n", network.source_path,
-               std::ranges::count(network.nodes, NodeKind::processor, &Node::kind), network.connections.size(),
-               network.processes.size(), network.channels.size(), network.hash);
+    print_out(fmt::format("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n",
+                          network.source_path, std::ranges::count(network.nodes, NodeKind::processor, &Node::kind),
+                          network.connections.size(), network.processes.size(), network.channels.size(), network.hash));
     return ExitCode::success;
 }
 
 ExitCode show(const Options& options) {
     Network network = load_network(options.file, overrides_of(options.set));
-    fmt::print("{}", options.format == "cfs"   ? print_cfs(network)
-                     : options.format == "dot" ? print_dot(network)
-                                               : print_json(network));
+    print_out(options.format == "cfs"   ? print_cfs(network)
+              : options.format == "dot" ? print_dot(network)
+                                        : print_json(network));
     return ExitCode::success;
 }
 
 ExitCode kinds(const Options& options) {
-    fmt::print("{}", options.kind.empty() ? print_kinds() : print_kind(options.kind));
+    print_out(options.kind.empty() ? print_kinds() : print_kind(options.kind));
     return ExitCode::success;
 }
 
 ExitCode parameters(const Options&) {
-    fmt::print("{}", excavator_text());
+    print_out(excavator_text());
     return ExitCode::success;
 }
 
@@ -103,8 +105,8 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
     auto* run_command = add("run", "Runs a netlist and reports what it computed and what it cost", run);
     add_netlist_arguments(*run_command, options);
     add_seed(*run_command, options.seed);
-    add_output(*run_command, "--json", options.json, "writes the report for machines");
-    add_output(*run_command, "--trace", options.trace, "writes a timeline that ui.perfetto.dev shows");
+    add_file(*run_command, "--json", options.json, "writes the report for machines");
+    add_file(*run_command, "--trace", options.trace, "writes a timeline that ui.perfetto.dev shows");
 
     add_netlist_arguments(*add("check", "Reads and checks a netlist", check), options);
 
@@ -123,8 +125,8 @@ void declare_commands(CLI::App& app, Options& options, ChosenCommand& chosen) {
         });
     replay_sub->add_option("EXPERIMENT", options.experiment, "one of those below")->required();
     add_seed(*replay_sub, options.seed);
-    add_output(*replay_sub, "--json", options.json, "writes the cells for machines");
-    replay_sub->add_option("--plots", options.plots, "writes the experiment's plots, SVG")->type_name("FOLDER");
+    add_file(*replay_sub, "--json", options.json, "writes the cells for machines");
+    add_file(*replay_sub, "--plots", options.plots, "writes the experiment's plots, SVG", "FOLDER");
     replay_sub->footer("experiments:\n" + list_experiments());
 
     declare_identify(app, chosen, options.command);
@@ -145,16 +147,13 @@ int execute(CLI::App& app, const ChosenCommand& chosen, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+        std::ostringstream help, wrong;
+        bool asked_for_help = app.exit(error, help, wrong) == 0;
+        print_out(help.str());
+        fmt::print(stderr, "{}", wrong.str());
+        return static_cast<int>(asked_for_help ? ExitCode::success : ExitCode::bad_input);
     }
     return static_cast<int>(chosen());
-}
-
-/// A report that was lost on its way to a full disk is no success.
-void require_printed() {
-    std::cout.flush();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        throw std::runtime_error("standard output cannot be written");
 }
 
 int main(int argc, char** argv) {
@@ -170,9 +169,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + std::string(i ? argv[i] : "placedpar");
     try {
-        int code = execute(app, chosen, argc, argv);
-        require_printed();
-        return code;
+        return execute(app, chosen, argc, argv);
     } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const std::exception& error) {

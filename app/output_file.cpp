@@ -146,7 +146,7 @@ void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         if (outputs[i].empty())
             continue;
-        if (are_one_file(outputs[i], input))
+        if (!input.empty() && are_one_file(outputs[i], input))
             refuse(outputs[i], "it is what is read; say another name");
         for (std::size_t j = 0; j < i; ++j)
             if (!outputs[j].empty() && are_one_file(outputs[i], outputs[j]))

@@ -42,8 +42,8 @@ void write_whole(const std::filesystem::path&, std::string_view content);
 /// folder that is not there, a file that nobody may write, the file that standard output goes to.
 void require_writable(const std::filesystem::path&);
 
-/// Throws std::runtime_error if one of the outputs is also the input or another output. Those that are empty are
-/// passed over.
+/// Throws std::runtime_error if one of the outputs is also the input or another output. Those that are empty, of
+/// outputs and input, are passed over.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
 } // namespace placedpar

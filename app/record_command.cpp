@@ -1,17 +1,17 @@
 #include "app/record_command.hpp"
 
+#include "app/common_options.hpp"
 #include "app/output_file.hpp"
 #include "app/overrides.hpp"
 #include "app/scenario_record.hpp"
+#include "app/standard_output.hpp"
 #include "app/text_file.hpp"
 #include "hydraulics/record_table.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
-#include <cstdio>
+#include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,21 +27,19 @@ struct Options {
     bool list = false;
 };
 
-void write_to_standard_output(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        throw std::runtime_error("standard output cannot be written");
-}
-
 ExitCode record(const Options& options) {
+    if (!options.out.empty()) {
+        const std::filesystem::path output[] = {options.out};
+        require_apart(output, options.machine);
+        require_writable(options.out);
+    }
     const RecordScenario& scenario = scenario_called(options.scenario);
     Parameters parameters =
         scenario_parameters(scenario, load_machine(options.machine), options.noise, overrides_of(options.set));
-    if (!options.out.empty())
-        require_writable(options.out);
     std::string text = options.list ? list_parameters(scenario, parameters)
                                     : print_record(scenario_record(scenario, parameters, options.seed));
     if (options.out.empty())
-        write_to_standard_output(text);
+        print_out(text);
     else
         write_whole(options.out, text);
     return ExitCode::success;
@@ -53,10 +51,9 @@ void declare_options(CLI::App& command, Options& options) {
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     command.add_option("--noise", options.noise, "of the sensors: none, low, mid or high")->type_name("LEVEL");
-    command.add_option("--machine", options.machine, "constants that differ from those of placedpar parameters")
-        ->type_name("FILE");
-    command.add_option("--seed", options.seed, "of the sensors' noise")->type_name("N")->capture_default_str();
-    command.add_option("--out", options.out, "writes the record there, not to standard output")->type_name("FILE");
+    add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
+    add_seed(command, options.seed, "of the sensors' noise");
+    add_file(command, "--out", options.out, "writes the record there, not to standard output");
     command.add_flag("--list", options.list,
                      "lists the scenario's parameters instead: name, value, unit, mark, source");
     command.footer("scenarios:\n" + list_record_scenarios());

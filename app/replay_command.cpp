@@ -9,6 +9,7 @@
 #include "app/output_file.hpp"
 #include "app/progress.hpp"
 #include "app/run_report.hpp"
+#include "app/standard_output.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -94,11 +95,11 @@ void require_folder_for_plots(const std::filesystem::path& folder) {
 
 void write_plots(const Replay& replay, const std::filesystem::path& folder) {
     if (replay.plots.empty())
-        fmt::print("this experiment has no plots\n");
+        print_out("this experiment has no plots\n");
     for (const NamedPlot& plot : replay.plots) {
         std::filesystem::path path = folder / (plot.name + ".svg");
         write_whole(path, draw_svg(plot.plot));
-        fmt::print("plot: {}\n", path.string());
+        print_out(fmt::format("plot: {}\n", path.string()));
     }
 }
 
@@ -133,8 +134,8 @@ ExitCode replay(const std::string& name, std::uint64_t seed, const ReplayOutput&
     }
     progress.clear();
     for (const Reading& reading : result.readings)
-        fmt::print("{}\n", print_reading(reading));
-    fmt::print("{}fingerprint: {:016x}\n{}", result.constants, result.fingerprint, print_verdict(result));
+        print_out(print_reading(reading) + "\n");
+    print_out(fmt::format("{}fingerprint: {:016x}\n{}", result.constants, result.fingerprint, print_verdict(result)));
     if (!output.json.empty())
         write_whole(output.json, print_pretty(replay_json(result, name, seed, command)));
     if (!output.plots.empty())

@@ -1,5 +1,6 @@
 #include "app/scenario_record.hpp"
 
+#include "hydraulics/parameter_range.hpp"
 #include "hydraulics/units.hpp"
 #include "netlist/nearest.hpp"
 #include "runtime/random.hpp"
@@ -15,15 +16,17 @@ namespace placedpar {
 
 namespace {
 
+[[noreturn]] void refuse(const Parameter& parameter, const std::string& text, const std::string& why) {
+    throw std::runtime_error(fmt::format("--set {}={}: {}", parameter.name, text, why));
+}
+
 /// A number, and perhaps a unit behind it.
-double value_of(const Parameter& parameter, const std::string& text) {
-    auto refuse = [&](const std::string& why) {
-        throw std::runtime_error(fmt::format("--set {}={}: {}", parameter.name, text, why));
-    };
+double number_of(const Parameter& parameter, const std::string& text) {
     double number = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || !std::isfinite(number))
-        refuse(fmt::format("it takes a number, of {} where no unit is named",
+        refuse(parameter, text,
+               fmt::format("it takes a number, of {} where no unit is named",
                            parameter.unit.empty() ? "no unit" : parameter.unit));
     std::string_view rest(end, text.data() + text.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
@@ -32,10 +35,31 @@ double value_of(const Parameter& parameter, const std::string& text) {
     Quantity quantity = unit_named(parameter.unit)->quantity;
     const Unit* unit = unit_named(rest);
     if (!unit || unit->quantity != quantity)
-        refuse(quantity == Quantity::number ? std::string("it has no unit")
+        refuse(parameter, text,
+               quantity == Quantity::number ? std::string("it has no unit")
                                             : fmt::format("\"{}\" is not a unit of {}; it takes {}", rest,
                                                           name_of(quantity), list_units(quantity)));
     return number * unit->factor;
+}
+
+double value_of(const Parameter& parameter, const std::string& text) {
+    double value = number_of(parameter, text);
+    if (ParameterRange range = range_of(parameter.name); !range.contains(value))
+        refuse(parameter, text, fmt::format("expected {}", range.expected()));
+    return value;
+}
+
+/// What a sensor could not have read is no record: the motion ran away, or the noise did.
+void require_measurable(const Record& record, const RecordScenario& scenario) {
+    auto reading = first_unmeasurable(record);
+    if (!reading)
+        return;
+    std::string value = std::isnan(reading->value) ? "nan" : fmt::format("{:.3g}", reading->value);
+    throw std::runtime_error(fmt::format(
+        "{} cannot be simulated with these parameters: {}.{} would be {} {} at {:.3f} s; one of them is far too large "
+        "or far too small",
+        scenario.name, name_of(reading->link), name_of(reading->sensor), value,
+        units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
 }
 
 const Parameter& parameter_called(const RecordScenario& scenario, const Parameters& parameters,
@@ -112,6 +136,7 @@ Parameters scenario_parameters(const RecordScenario& scenario, const Parameters&
 Record scenario_record(const RecordScenario& scenario, const Parameters& parameters, std::uint64_t seed) {
     RandomStream noise(seed, "sensors");
     Record record = scenario.make(parameters, [&] { return noise.uniform(); });
+    require_measurable(record, scenario);
     record.description = description_of(scenario, parameters, seed);
     return record;
 }

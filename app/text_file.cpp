@@ -49,10 +49,12 @@ File load_text(const std::filesystem::path& path) {
 
 } // namespace
 
-Record load_record(const std::filesystem::path& path) {
+Record load_record(const std::filesystem::path& path, std::vector<TextFault>* warnings) {
     File file = load_text(path);
     ReadRecord read = read_record(file->text());
     report(read.faults, file);
+    if (warnings)
+        *warnings = std::move(read.faults);
     return std::move(*read.record);
 }
 

@@ -2,14 +2,16 @@
 
 #include "hydraulics/parameters.hpp"
 #include "hydraulics/record.hpp"
+#include "hydraulics/text_table.hpp"
 
 #include <filesystem>
+#include <vector>
 
 namespace placedpar {
 
-/// Reads a record of measurement. Warnings go to standard error. Throws std::runtime_error whose text is all
-/// that is wrong, each with file, line, column and a caret.
-Record load_record(const std::filesystem::path& path);
+/// Reads a record of measurement. Warnings go to standard error, and to `warnings` if it is given. Throws
+/// std::runtime_error whose text is all that is wrong, each with file, line, column and a caret.
+Record load_record(const std::filesystem::path& path, std::vector<TextFault>* warnings = nullptr);
 
 /// The excavator's constants, with those of the file in place of those of the same name; no file when the path
 /// is empty. Throws as load_record().

@@ -3,13 +3,14 @@
 // over TCP, as control systems do. Every pressure moves all the time, so that every sample gets its generations: a real
 // machine's transients are a small part of its day.
 //
-//     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the second and third part
+//     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the last three parts
 
 #include "app/monitor/load_meter.hpp"
 #include "app/monitor/service.hpp"
 #include "runtime/fingerprint.hpp"
 #include "tests/monitor/transient.hpp"
 
+#include <CLI/CLI.hpp>
 #include <boost/asio.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -181,7 +182,7 @@ void run(const Part& part, std::size_t samples) {
     placedpar::monitor::ServiceSettings settings;
     settings.limits.clients = part.clients + 1;
     placedpar::monitor::Service service(settings, [](const std::string&) {});
-    std::thread thread([&] { service.run(false); });
+    std::thread thread([&] { service.run(); });
     asio::io_context io;
     std::vector<std::shared_ptr<ControlSystem>> systems;
     auto begin = Clock::now();
@@ -213,9 +214,14 @@ void run(const Part& part, std::size_t samples) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-    std::size_t samples = argc > 1 ? std::stoul(argv[1]) : 250;
-    std::size_t clients = argc > 2 ? std::stoul(argv[2]) : 200;
+int main(int argc, char** argv) try {
+    CLI::App command{"The on-line diagnosis under load: what it costs the service, and how long clients wait"};
+    std::size_t samples = 250, clients = 200;
+    command.add_option("SAMPLES", samples, "of each client")->check(CLI::Range(1, 1000000))->capture_default_str();
+    command.add_option("CLIENTS", clients, "of the last three parts")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    CLI11_PARSE(command, argc, argv);
     const std::vector<Part> parts{
         {"four-links", "d", R"(["BU","BO","ST","SW"])", {"BU", "BO", "ST", "SW"}, 1, true},
         {"two-sets-of-two", "a", R"(["BU","BO","ST","SW"])", {"BU", "BO", "ST", "SW"}, 1, true},
@@ -228,4 +234,7 @@ int main(int argc, char** argv) {
                "work [%]", "cpu [%]", "us a sample", "p50 [ms]", "p99 [ms]", "max [ms]", "fingerprint");
     for (const Part& part : parts)
         run(part, samples);
+} catch (const std::exception& error) {
+    fmt::print(stderr, "monitor_load: {}\n", error.what());
+    return 1;
 }

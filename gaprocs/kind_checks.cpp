@@ -107,9 +107,9 @@ private:
             refuse("slaves", fmt::format("slaves = {}, but the chain at \"{}.to_slaves\" has {}", slaves,
                                          name(process_), chain.slaves.size()));
         else if (slaves >= population)
-            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slaves at the most, the "
+            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, the "
                                          "master being an evaluator too",
-                                         slaves, population, population - 1));
+                                         slaves, population, population - 1, population == 2 ? "" : "s"));
         std::size_t individuals = most_individuals(static_cast<std::size_t>(population),
                                                    static_cast<std::size_t>(slaves) + 1, split_named(text("split")));
         check_message(process_, individuals, "string_bytes", integer("measurement_bytes"));

@@ -3,6 +3,7 @@
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/kind_checks.hpp"
 #include "gaprocs/messages.hpp"
+#include "gaprocs/settings.hpp"
 #include "netlist/catalogue.hpp"
 #include "runtime/channel.hpp"
 
@@ -57,7 +58,8 @@ Parameters operator+(Parameters a, const Parameters& b) {
 Parameters search_parameters() {
     return {
         problem(),
-        integer("population", "individuals", 120, 2, 1e6, "size of this process's population (thesis 4.3: 120 in all)"),
+        integer("population", "individuals", 120, 2, largest_population,
+                "size of this process's population (thesis 4.3: 120 in all)"),
         integer("window", "samples", 10, 1, 1024, "samples that the fitness is summed over (eq. 3.9)"),
         integer("first_window", "samples", 5, 1, 1024,
                 "samples needed for the first generation; a shorter window must only be full"),

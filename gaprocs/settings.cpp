@@ -44,6 +44,9 @@ void SearchSettings::validate() const {
     if (population < 2)
         throw std::invalid_argument(
             fmt::format("the population is {}, expected at least 2: crossover needs two parents", population));
+    if (population > largest_population)
+        throw std::invalid_argument(
+            fmt::format("the population is {}, expected at most {}", population, largest_population));
     if (elite > population - 2)
         throw std::invalid_argument(fmt::format("an elite of {} in a population of {}, expected at most {}: crossover "
                                                 "needs two parents",

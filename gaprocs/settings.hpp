@@ -22,6 +22,9 @@ struct WindowSettings {
 /// How parents are drawn (gaprocs/operators.hpp): by roulette with replacement, or by stochastic universal sampling.
 enum class Reproduction : unsigned char { roulette, universal };
 
+/// Ours: what keeps a number with too many digits from filling the memory.
+inline constexpr int largest_population = 1'000'000;
+
 /// A genetic algorithm's numbers; the defaults are the thesis's (rates of 5.4, "identical" by 4.3).
 struct SearchSettings {
     std::size_t population = 120;
@@ -31,8 +34,8 @@ struct SearchSettings {
     Reproduction reproduction = Reproduction::roulette;
     WindowSettings window;
 
-    /// Throws std::invalid_argument: population < 2, an elite that leaves no pair to be bred, a probability outside
-    /// 0 ... 1, or as the window's.
+    /// Throws std::invalid_argument: population < 2 or > largest_population, an elite that leaves no pair to be bred, a
+    /// probability outside 0 ... 1, or as the window's.
     void validate() const;
 };
 

@@ -9,23 +9,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <string>
 
 namespace placedpar {
 
 namespace {
 
-void require(const Record& record, MachineLink link, Sensor sensor) {
-    if (!record.has(link, sensor))
-        throw std::invalid_argument(fmt::format("the record has no channel {}.{}", name_of(link), name_of(sensor)));
+std::string list_channels(const Record& record) {
+    std::string channels;
+    for (MachineLink link : all_links)
+        for (Sensor sensor : all_sensors)
+            if (record.has(link, sensor))
+                channels += fmt::format("{}{}.{}", channels.empty() ? "" : ", ", name_of(link), name_of(sensor));
+    return channels;
 }
 
-AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading) {
-    if (reading.from)
-        return *reading.from;
-    if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
-        return AreasFrom::areas;
-    return record.has(link, Sensor::spool) || !record.has(link, Sensor::servo) ? AreasFrom::spool : AreasFrom::servo;
+void require(const Record& record, MachineLink link, Sensor sensor) {
+    if (!record.has(link, sensor))
+        throw UnfitRecord(fmt::format("the record has no channel {}.{}; it has {}", name_of(link), name_of(sensor),
+                                      list_channels(record)));
 }
 
 /// The areas of one link at every instant, as far as identification needs them.
@@ -40,9 +42,10 @@ std::vector<OrificeAreas> areas_of(const Record& record, MachineLink link, const
         return areas;
     }
     require(record, link, from == AreasFrom::spool ? Sensor::spool : Sensor::servo);
-    std::vector<double> spool = from == AreasFrom::spool ? record.of(link, Sensor::spool)
-                                                         : spool_from_volts(record.of(link, Sensor::servo),
-                                                                            reading.spool_lag_per_s, record.period_s);
+    std::vector<double> spool =
+        from == AreasFrom::spool
+            ? record.of(link, Sensor::spool)
+            : spool_from_volts(record.of(link, Sensor::servo), record.time_s, reading.spool_lag_per_s, record.period_s);
     for (double spool_in : spool) // sensor noise may take it a little below 0
         areas.push_back(boom_orifices(std::max(spool_in - reading.spool_offset_in, 0.0)));
     return areas;
@@ -80,6 +83,14 @@ std::vector<double> CircuitSample::values() const {
     return values;
 }
 
+AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading) {
+    if (reading.from)
+        return *reading.from;
+    if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
+        return AreasFrom::areas;
+    return record.has(link, Sensor::spool) || !record.has(link, Sensor::servo) ? AreasFrom::spool : AreasFrom::servo;
+}
+
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit, const LinkReadings& readings) {
     std::vector<LinkChannels> links;
     for (const Junction& junction : circuit)
@@ -89,9 +100,10 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
         return samples;
     CentredLineFit fit(record.period_s);
     constexpr std::size_t side = line_fit_points / 2;
-    for (Stretch stretch : record.stretches())
-        for (std::size_t i = stretch.first + side; i + side < stretch.last; ++i) {
-            CircuitSample sample{i, record.time_s[i], {}};
+    std::vector<Stretch> stretches = record.stretches();
+    for (std::size_t s = 0; s < stretches.size(); ++s)
+        for (std::size_t i = stretches[s].first + side; i + side < stretches[s].last; ++i) {
+            CircuitSample sample{i, record.time_s[i], {}, s};
             for (const LinkChannels& link : links)
                 sample.links.push_back(sample_at(link, fit, i));
             samples.push_back(std::move(sample));

@@ -26,11 +26,15 @@ struct LinkReading {
 };
 using LinkReadings = std::array<LinkReading, all_links.size()>; // by index_of(link)
 
+/// As asked for, or the first of the three that the record has of the link.
+AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading);
+
 /// What the links of a circuit did at one instant.
 struct CircuitSample {
     std::size_t index; // in the record
     double time_s;
     std::vector<LinkSample> links; // in the circuit's order
+    std::size_t stretch = 0;       // of the record, between its gaps
 
     /// As plain numbers, end to end: a sample of CircuitProblem.
     std::vector<double> values() const;
@@ -38,8 +42,8 @@ struct CircuitSample {
 
 /// Every instant of the record at which the slopes are known: two samples on either side, none missing. Slopes
 /// from 5-point lines.
-/// Throws std::invalid_argument, naming the channel, when a link of the circuit lacks pressure, angle, or what its
-/// areas come from.
+/// Throws UnfitRecord, naming the channel and those there are, when a link of the circuit lacks pressure, angle, or
+/// what its areas come from.
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit, const LinkReadings& readings);
 
 /// Are all inlets open and all load checks, even if every link's pressure were `margin_psi` higher? By the steady

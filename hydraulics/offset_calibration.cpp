@@ -13,8 +13,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr double greatest_offset_in = 0.08;
-
 /// A sample of steady motion: the flow is known, the spool is in doubt.
 struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
@@ -101,10 +99,10 @@ std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const Li
     if (samples.empty())
         return std::nullopt;
     auto missing = [&](double offset_in) { return mean_missing(samples, offset_in, flow); };
-    if (missing(-greatest_offset_in) * missing(greatest_offset_in) > 0)
+    if (missing(-greatest_spool_offset_in) * missing(greatest_spool_offset_in) > 0)
         return std::nullopt;
     std::uintmax_t iterations = 100;
-    auto [low, high] = boost::math::tools::toms748_solve(missing, -greatest_offset_in, greatest_offset_in,
+    auto [low, high] = boost::math::tools::toms748_solve(missing, -greatest_spool_offset_in, greatest_spool_offset_in,
                                                          boost::math::tools::eps_tolerance<double>(40), iterations);
     double offset = (low + high) / 2;
     return SpoolOffset{offset, standard_error(samples, offset, flow), samples.size()};

@@ -16,6 +16,9 @@ struct SteadyMotion {
     double least_flow_in3_per_s = 10; // at every instant: the piston moves
 };
 
+/// Beyond it no spool is read that could be used.
+inline constexpr double greatest_spool_offset_in = 0.08;
+
 struct SpoolOffset {
     double offset_in;    // by which the readings are too high
     double deviation_in; // standard error, from how the single samples scatter

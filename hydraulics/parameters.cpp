@@ -1,5 +1,6 @@
 #include "hydraulics/parameters.hpp"
 
+#include "hydraulics/parameter_range.hpp"
 #include "hydraulics/units.hpp"
 
 #include <fmt/format.h>
@@ -99,13 +100,18 @@ void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
     }
     Quantity quantity = unit_named(parameter->unit)->quantity;
     const Unit* unit = unit_named(row.cells[2].text);
+    std::size_t before = faults.size();
     double value = number_in(row.cells[1], row.line, faults);
+    bool is_number = faults.size() == before;
     if (!unit || unit->quantity != quantity)
         refuse(faults, row.line, row.cells[2],
                fmt::format("\"{}\" is not a unit of {}", row.cells[2].text, name_of(quantity)), list_units(quantity));
     else if (std::ranges::find(marks, row.cells[3].text) == marks.end())
         refuse(faults, row.line, row.cells[3], fmt::format("\"{}\" is not a mark", row.cells[3].text),
                "thesis, fitted, ours or measured");
+    else if (ParameterRange range = range_of(parameter->name); is_number && !range.contains(value * unit->factor))
+        refuse(faults, row.line, row.cells[1], fmt::format("{} cannot be {}", parameter->name, row.cells[1].text),
+               range.expected());
     else {
         parameter->value = value * unit->factor;
         parameter->mark = row.cells[3].text;

@@ -35,7 +35,8 @@ public:
     void put(Parameter parameter);
 
     /// Reads a text whose rows take the place of those of the same name; all units of a quantity are converted.
-    /// Faults: a name that is not there, a unit of another quantity, no number, a mark that is none.
+    /// Faults: a name that is not there, a unit of another quantity, no number or one
+    /// out of the parameter's range (parameter_range.hpp), a mark that is none.
     void read(std::string_view text, std::vector<TextFault>& faults);
 
 private:

@@ -1,6 +1,7 @@
 #include "hydraulics/record.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace placedpar {
 
@@ -48,6 +49,15 @@ std::vector<Stretch> Record::stretches() const {
         else
             stretches.back().last = i + 1;
     return stretches;
+}
+
+std::optional<SensorReading> first_unmeasurable(const Record& record) {
+    for (std::size_t i = 0; i < record.size(); ++i)
+        for (MachineLink link : all_links)
+            for (Sensor sensor : all_sensors)
+                if (record.has(link, sensor) && !(std::abs(record.of(link, sensor)[i]) <= largest_reading))
+                    return SensorReading{link, sensor, record.time_s[i], record.of(link, sensor)[i]};
+    return std::nullopt;
 }
 
 } // namespace placedpar

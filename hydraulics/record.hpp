@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,25 @@ public:
 private:
     std::array<std::array<std::vector<double>, all_sensors.size()>, all_links.size()> channels_;
 };
+
+/// A record that does not hold what is asked of it; what() says what is missing, without the record's name.
+class UnfitRecord : public std::invalid_argument {
+public:
+    using std::invalid_argument::invalid_argument;
+};
+
+/// Beyond what is ever measured, in any unit of this room; slopes and squares of such values are finite.
+inline constexpr double largest_reading = 1e12;
+
+/// One value of a record.
+struct SensorReading {
+    MachineLink link;
+    Sensor sensor;
+    double time_s, value;
+};
+
+/// The first that is not finite or beyond largest_reading: the earliest, and of its instant the first channel.
+std::optional<SensorReading> first_unmeasurable(const Record& record);
 
 /// How far a sample may be from its place, of the period.
 inline constexpr double sampling_tolerance = 0.02;

@@ -1,7 +1,5 @@
 #include "hydraulics/record_faults.hpp"
 
-#include "hydraulics/record_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,11 +93,6 @@ void drop_repeated_rows(TextTable& table, std::vector<TextFault>& faults) {
 }
 
 void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<TextFault>& faults) {
-    if (record.size() < fewest_samples) {
-        faults.push_back(
-            {true, 0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""});
-        return;
-    }
     record.period_s = median_step(record.time_s);
     if (!(record.period_s > 0)) {
         faults.push_back({true, table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",

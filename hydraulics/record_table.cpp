@@ -21,9 +21,6 @@ struct Column {
     std::optional<Sensor> sensor; ///< none: the time
 };
 
-/// Beyond what is ever measured, in any unit of this room; slopes and squares of such values are finite.
-constexpr double largest_value = 1e12;
-
 /// "boom.spool [in]" in its two parts; the unit is empty where there are no brackets.
 std::pair<std::string, std::string> name_and_unit(const std::string& header) {
     std::size_t open = header.find('[');
@@ -91,7 +88,7 @@ std::vector<Column> read_header(const TextRow& header, Record& record, std::vect
 double value_in(const TextRow& row, const Column& column, std::vector<TextFault>& faults) {
     const TextCell& cell = row.cells[column.index];
     double value = number_in(cell, row.line, faults) * column.unit->factor;
-    if (std::abs(value) <= largest_value)
+    if (std::abs(value) <= largest_reading)
         return value;
     faults.push_back({true, row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
                       "leave a row out where a reading is missing"});
@@ -135,6 +132,11 @@ ReadRecord read_record(std::string_view text) {
         read.faults.push_back({true, 0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"});
         return read;
     }
+    if (table.rows.empty()) { // a header, or a file whose line ends were lost
+        read.faults.push_back({true, 0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
+                               "below the header, a line for each instant; lines end in LF or in CR LF"});
+        return read;
+    }
     Record record;
     record.description = table.description;
     std::vector<TextFault> of_header;
@@ -146,7 +148,11 @@ ReadRecord read_record(std::string_view text) {
     for (const TextRow& row : table.rows)
         for (const Column& column : columns)
             column.values->push_back(value_in(row, column, read.faults));
-    if (!refuses(read.faults))
+    bool whole = !refuses(read.faults);
+    if (whole && record.size() < fewest_samples)
+        read.faults.push_back(
+            {true, 0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""});
+    else if (whole)
         check(record, table, columns, read.faults);
     std::ranges::stable_sort(read.faults, {}, &TextFault::line);
     if (!refuses(read.faults))

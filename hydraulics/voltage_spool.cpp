@@ -48,14 +48,24 @@ SpoolLag::SpoolLag(double lag_per_s, double period_s, double spool_in)
 
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,
                                      const DriftedVoltageSpool& function) {
+    std::vector<double> time_s;
+    for (std::size_t k = 0; k < volts.size(); ++k)
+        time_s.push_back(static_cast<double>(k) * period_s);
+    return spool_from_volts(volts, time_s, lag_per_s, period_s, function);
+}
+
+std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
+                                     double period_s, const DriftedVoltageSpool& function) {
     std::vector<double> spools;
     if (volts.empty())
         return spools;
-    SpoolLag lag(lag_per_s, period_s, function.desired_spool_in(volts[0], 0));
+    SpoolLag lag(lag_per_s, period_s, function.desired_spool_in(volts[0], time_s[0]));
     spools.reserve(volts.size());
     for (std::size_t k = 0; k < volts.size(); ++k) {
+        if (k > 0)
+            lag.hold(function.desired_spool_in(volts[k - 1], time_s[k - 1]),
+                     std::round((time_s[k] - time_s[k - 1]) / period_s));
         spools.push_back(lag.spool_in());
-        lag.hold(function.desired_spool_in(volts[k], static_cast<double>(k) * period_s));
     }
     return spools;
 }

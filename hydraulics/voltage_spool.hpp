@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -42,8 +43,11 @@ public:
 
     /// The spool now.
     double spool_in() const { return spool_in_; }
-    /// Lets a period pass in which the command is `desired_in`.
-    void hold(double desired_in) { spool_in_ = desired_in * (1 - kept_) + kept_ * spool_in_; }
+    /// Lets a period pass, or several, in which the command is `desired_in`.
+    void hold(double desired_in, double periods = 1) {
+        double kept = periods == 1 ? kept_ : std::pow(kept_, periods);
+        spool_in_ = desired_in * (1 - kept) + kept * spool_in_;
+    }
 
 private:
     double kept_; // e
@@ -54,5 +58,9 @@ private:
 /// (experiment 2 of 3.1.3). Throws like SpoolLag.
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,
                                      const DriftedVoltageSpool& = {});
+/// The same at instants that are whole numbers of periods apart, as a record's are. Over a gap the last command before
+/// it is held: exact if it was constant. REQUIRES: as many instants as voltages, rising.
+std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
+                                     double period_s, const DriftedVoltageSpool& = {});
 
 } // namespace placedpar

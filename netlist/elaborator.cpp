@@ -123,7 +123,10 @@ void Elaborator::perform(const RepStatement& form, const Location& at) {
         refuse(form.count->at, fmt::format("a replicator cannot count {} times", count), "the count is 0 or more");
     if (__builtin_add_overflow(first, count, &last))
         refuse(form.count->at, fmt::format("{} + {} is beyond 64 bits", first, count));
+    std::size_t rounds_in_vain = 0;
     for (auto i = first; i < last; ++i) {
+        if (reporter_.failed() && ++rounds_in_vain > most_repeated)
+            return; // the netlist is refused, and what else there is to say has been said
         evaluator_.step(at);
         scopes_.open();
         scopes_.declare(form.name, {integer_constant(i), form.name_at});

@@ -21,15 +21,20 @@ LinkTiming timing_of(const LinkConnection& connection, const std::vector<Node>& 
     return timing;
 }
 
+[[noreturn]] void refuse(const Location& location, const std::string& why) {
+    std::string place = location.text();
+    throw std::invalid_argument(place.empty() ? why : place + ": " + why);
+}
+
 const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& catalogue) {
     if (const ProcessKind* kind = catalogue.find(process.kind))
         return *kind;
     if (process.kind.empty())
-        throw std::invalid_argument(
-            fmt::format("process {} has no program: say use \"kind\" for {};", process.name, process.name));
-    throw std::invalid_argument(
-        fmt::format("process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run",
-                    process.name, process.kind));
+        refuse(process.declared,
+               fmt::format("process {} has no program: say use \"kind\" for {};", process.name, process.name));
+    refuse(process.declared,
+           fmt::format("process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run",
+                       process.name, process.kind));
 }
 
 void mix_text(Fingerprint& fingerprint, std::string_view text) {
@@ -43,9 +48,7 @@ void run_body(const ProcessInstance& process, const std::function<void(ProcessEn
     try {
         body(environment);
     } catch (const std::invalid_argument& refused) {
-        auto place = process.declared.text();
-        throw std::invalid_argument(fmt::format("{}{}process {} ({}): {}", place, place.empty() ? "" : ": ",
-                                                process.name, process.kind, refused.what()));
+        refuse(process.declared, fmt::format("process {} ({}): {}", process.name, process.kind, refused.what()));
     }
 }
 
@@ -104,9 +107,10 @@ void Machine::make_links() {
 void Machine::make_channels(const Catalogue& catalogue) {
     for (const NetworkChannel& channel : network_.channels) {
         if (channel.placement.kind == ChannelPlacement::Kind::edge)
-            throw std::invalid_argument(fmt::format(
-                "channel {} leads to an edge, where nobody is: to run it, place a process there on a workstation",
-                channel.name));
+            refuse(channel.connected,
+                   fmt::format("channel {} leads to an edge, where nobody is: to run it, place a process there on a "
+                               "workstation",
+                               channel.name));
         const ProcessKind& kind = kind_of(network_.processes[channel.from.process], catalogue);
         channels_.push_back(kind.port(base_name(channel.from.port))->make_channel(channel.name));
         if (channel.placement.kind == ChannelPlacement::Kind::link)

@@ -114,7 +114,8 @@ struct Network {
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
     std::string source_path;
-    std::uint64_t hash = 0; ///< FNV-1a of the canonical form that print_cfs prints
+    std::vector<std::string> included_paths; ///< of the files that it includes
+    std::uint64_t hash = 0;                  ///< FNV-1a of the canonical form that print_cfs prints
 };
 
 /// "out" for "out[2]"; the name itself without a subscript.

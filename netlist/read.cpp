@@ -30,6 +30,7 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
     if (reporter.failed())
         return std::nullopt;
     network.source_path = source.file->path();
+    network.included_paths = tokens.take_included();
     network.hash = network_hash(network);
     return network;
 }

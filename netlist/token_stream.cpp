@@ -84,6 +84,12 @@ void TokenStream::open(const std::filesystem::path& path, const Token& name, con
     auto shown = std::filesystem::path(directive.at.file->path()).parent_path() / name.text;
     std::error_code error;
     auto loaded = load_source(std::filesystem::exists(shown, error) ? shown : real);
+    included_.push_back(loaded.file->path());
+    included_bytes_ += loaded.file->text().size();
+    if (included_bytes_ > most_included_bytes) {
+        reporter_.error(name.at, fmt::format("more than {} bytes are included", most_included_bytes));
+        throw GiveUp{};
+    }
     for (const auto& problem : loaded.problems) {
         if (problem.line == 0)
             reporter_.error(name.at, fmt::format("cannot include \"{}\": {}", name.text, problem.message));

@@ -40,6 +40,8 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
 }
 
 /// occam's SKIP guard: always ready, so whatever stands behind it is reached only if nothing before is ready.
+/// To poll costs a placed process its cycles. One that is not placed polls in no time: others have their turn at this
+/// moment, but time passes only if it waits.
 template <class Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -43,17 +42,29 @@ std::span<const CircuitSample> last_window(std::span<const CircuitSample> sample
                                            std::span<const TransientEstimate> estimates, std::size_t length) {
     auto last = std::ranges::find(estimates.rbegin(), estimates.rend(), false, &TransientEstimate::frozen);
     auto end = std::ranges::find(samples, last->index, &CircuitSample::index) + 1;
-    auto size = static_cast<std::size_t>(end - samples.begin());
-    return samples.subspan(size - std::min(size, length), std::min(size, length));
+    auto size = static_cast<std::size_t>(end - samples.begin()), first = size - std::min(size, length);
+    while (samples[first].stretch != samples[size - 1].stretch)
+        ++first;
+    return samples.subspan(first, size - first);
+}
+
+/// The length of the longest window without a gap that the samples could fill.
+std::size_t longest_stretch(std::span<const CircuitSample> samples) {
+    std::size_t longest = 0, length = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        length = i > 0 && samples[i].stretch == samples[i - 1].stretch ? length + 1 : 1;
+        longest = std::max(longest, length);
+    }
+    return longest;
 }
 
 void require_samples(std::span<const CircuitSample> samples, const IdentificationWay& way) {
-    std::size_t needed = std::min(way.search.window.first, way.search.window.length);
-    if (samples.size() < needed)
-        throw std::invalid_argument(fmt::format(
-            "{} usable samples, expected at least {}: the transient after the valve opens, with the pressure rising "
+    std::size_t needed = samples_for_first_generation(way), found = longest_stretch(samples);
+    if (found < needed)
+        throw UnfitRecord(fmt::format(
+            "{} usable samples{}, expected at least {}: the transient after the valve opens, with the pressure rising "
             "faster than {} psi/s, is too short or not in the record",
-            samples.size(), needed, way.usable.first_slope_psi_per_s));
+            found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
 }
 
 std::vector<double> last_answers(std::span<const SearchRun> runs, std::size_t junction) {
@@ -99,6 +110,10 @@ void compare_with_optimum(Identified& result, std::span<const SearchRun> runs, c
 
 } // namespace
 
+std::size_t samples_for_first_generation(const IdentificationWay& way) {
+    return std::min(way.search.window.first, way.search.window.length);
+}
+
 SearchRun search_transient(const CircuitProblem& circuit_problem, std::span<const CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random) {
     require_samples(samples, way);
@@ -108,6 +123,8 @@ SearchRun search_transient(const CircuitProblem& circuit_problem, std::span<cons
     SlidingWindow window(way.search.window);
     SearchRun run;
     for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (i > 0 && samples[i].stretch != samples[i - 1].stretch)
+            window.clear();
         window.push(samples[i].values());
         if (!window.ready())
             continue;

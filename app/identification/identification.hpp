@@ -41,6 +41,9 @@ IdentificationWay rising_way();
 /// gate, 21 searches.
 IdentificationWay service_way();
 
+/// A shorter window must only be full.
+std::size_t samples_for_first_generation(const IdentificationWay&);
+
 /// What the search had to say after a sample.
 struct TransientEstimate {
     std::size_t index; // of the sample in the record
@@ -56,8 +59,9 @@ struct SearchRun {
     std::uint64_t generations = 0;
 };
 
-/// One search over the samples, generation after generation, as run_traditional() but for the gate: what identify()
-/// does `searches` times. Throws std::invalid_argument when there are not enough samples for the first generation.
+/// One search over the samples, generation after generation, as run_traditional() but for the gate and for gaps of the
+/// record, after which the window begins anew: what identify() does `searches` times. Throws UnfitRecord when there are
+/// not enough samples for the first generation.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 
@@ -82,7 +86,7 @@ struct Identified {
 /// Identifies the compliances of a circuit from its samples, without any machine. The first search draws from
 /// the stream (seed, "master"), as the process of that name on a simulated machine does, so that both give
 /// the same answer; the others from streams of their own.
-/// Throws std::invalid_argument when there are not enough samples for the first generation, saying why.
+/// Throws UnfitRecord when there are not enough samples for the first generation, saying why.
 Identified identify(const CircuitProblem& problem, const FlowConstants& flow, std::span<const CircuitSample> samples,
                     const IdentificationWay& way, std::uint64_t seed);
 

@@ -9,12 +9,18 @@ namespace placedpar {
 
 namespace {
 
-std::string print_link(const LinkIdentified& link) {
+/// One search has no spread of its own.
+std::string print_spread(const LinkIdentified& link, std::size_t searches) {
+    return searches > 1 ? fmt::format("{:9.5f} {:9.5f}", link.lowest, link.highest)
+                        : fmt::format("{:>9} {:>9}", "-", "-");
+}
+
+std::string print_link(const LinkIdentified& link, std::size_t searches) {
     std::string name = fmt::format("C_{}i", symbol_of(link.link));
     std::string optimum = link.optimum ? fmt::format("{:9.5f} {:9.0f}", *link.optimum, *link.codes_from_optimum)
                                        : fmt::format("{:>9} {:>9}", "-", "-");
-    return fmt::format("{:<7} {:9.5f}  {:9.5f} {:9.5f} {:9.5f}  {}\n", name, link.compliance_in3_per_psi, link.lowest,
-                       link.highest, link.standard_error, optimum);
+    return fmt::format("{:<7} {:9.5f}  {} {:9.5f}  {}\n", name, link.compliance_in3_per_psi,
+                       print_spread(link, searches), link.standard_error, optimum);
 }
 
 std::size_t frozen_samples(const Identified& identified) {
@@ -39,14 +45,15 @@ std::string print_identified(const Identified& identified, const RecordProblem& 
         text += fmt::format("spool offset taken off the readings: {:+.5f} in\n", offset);
     text += "\nin^3/psi  median  searches: 5 %      95 %  std.error    optimum  codes off\n";
     for (const LinkIdentified& link : identified.links)
-        text += print_link(link);
+        text += print_link(link, way.searches);
     for (const LinkIdentified& link : identified.links)
         for (const std::string& flag : link.flags)
             text += fmt::format("! C_{}i: {}\n", symbol_of(link.link), flag);
     return text;
 }
 
-boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared) {
+boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared,
+                                    const IdentificationWay& way) {
     boost::json::array links, estimates;
     for (const LinkIdentified& link : identified.links) {
         boost::json::object one{{"link", name_of(link.link)},
@@ -75,6 +82,7 @@ boost::json::object identified_json(const Identified& identified, const RecordPr
                                                                estimate.compliance_in3_per_psi.end())}});
     return {{"links", std::move(links)},
             {"spool_offset_in", prepared.readings[index_of(MachineLink::boom)].spool_offset_in},
+            {"searches", way.searches},
             {"generations", identified.generations},
             {"estimates", std::move(estimates)}};
 }

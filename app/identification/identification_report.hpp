@@ -13,6 +13,7 @@ namespace placedpar {
 std::string print_identified(const Identified& identified, const RecordProblem& prepared, const IdentificationWay& way);
 
 /// For machines: everything, with the estimates sample by sample.
-boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared);
+boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared,
+                                    const IdentificationWay& way);
 
 } // namespace placedpar

@@ -1,5 +1,7 @@
 #include "app/identification/record_problem.hpp"
 
+#include "hydraulics/converter.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,6 +40,10 @@ LinkReadings link_readings(const Parameters& machine) {
         reading.spool_lag_per_s = value("spool_lag");
     }
     return readings;
+}
+
+double spool_sensor_step_in(const Parameters& machine) {
+    return Converter{machine["sensors.spool_range"], bits_of(machine, "sensors.spool_bits")}.step();
 }
 
 RecordProblem prepare(const Record& record, const Parameters& machine, const Question& question,

@@ -28,7 +28,10 @@ struct RecordProblem {
 /// What the readings of every link mean on a machine.
 LinkReadings link_readings(const Parameters& machine);
 
-/// Throws std::invalid_argument: the links are not of one coupled group of the configuration, or the record
+/// The least difference of spool that the machine's sensor tells.
+double spool_sensor_step_in(const Parameters& machine);
+
+/// Throws std::invalid_argument: the links are not of one coupled group of the configuration; or UnfitRecord, which
 /// lacks a channel.
 RecordProblem prepare(const Record& record, const Parameters& machine, const Question& question,
                       const IdentificationWay& way);

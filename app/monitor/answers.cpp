@@ -227,6 +227,10 @@ std::string error_line(std::size_t number_of_line, const BadMessage& error) {
                  {"right", error.right()}});
 }
 
+std::string kept_line(bool kept, std::string_view text) {
+    return line({{"type", "kept"}, {"kept", kept}, {"text", text}});
+}
+
 std::string plain_line(std::string_view type, std::string_view text) {
     json::object object{{"type", type}};
     if (!text.empty())

@@ -10,6 +10,13 @@
 
 namespace placedpar::monitor {
 
+namespace {
+
+/// A state file that is due is not written more often: on a full disk, and under more load than any machine makes.
+constexpr std::chrono::seconds between_writes{1};
+
+} // namespace
+
 void Dispatcher::leave(Client& client) {
     clients_.erase(&client);
     if (!client.hello)
@@ -132,14 +139,39 @@ void Dispatcher::record(const std::string& machine, std::string_view line, std::
     try {
         store_->record(machine, line, generations);
         recorded_ = true;
-        if (store_->long_enough())
-            store_->write(machines_);
-        complained_ = false;
     } catch (const std::exception& error) {
-        // The diagnosis goes on: it is worth more than its memory.
-        if (!std::exchange(complained_, true))
-            complain_(fmt::format("{}; going on, but a restart would forget", error.what()));
+        note_keeping(error.what()); // the diagnosis goes on: it is worth more than its memory
     }
+}
+
+void Dispatcher::journal_failed(const std::string& trouble) {
+    store_->journal_failed();
+    note_keeping(trouble);
+}
+
+void Dispatcher::write_state() {
+    auto now = LoadMeter::Clock::now();
+    if (!store_ || !store_->due() || now - last_write_ < between_writes)
+        return;
+    last_write_ = now;
+    try {
+        store_->write(machines_);
+        note_keeping("");
+    } catch (const std::exception& error) {
+        note_keeping(error.what());
+    }
+}
+
+/// Tells the operator when it has changed.
+void Dispatcher::note_keeping(const std::string& trouble) {
+    Keeping before = keeping_;
+    keeping_ = !store_->complete() ? Keeping::not_at_all : trouble.empty() ? Keeping::well : Keeping::in_journal;
+    if (keeping_ == before)
+        return;
+    trouble_ = trouble;
+    complain_(keeping_ == Keeping::well         ? "the state file is written again, with all that is known"
+              : keeping_ == Keeping::in_journal ? fmt::format("{}; going on with the journal", trouble)
+                                                : fmt::format("{}; going on, but a restart would forget", trouble));
 }
 
 std::size_t Dispatcher::clients() const {
@@ -156,13 +188,27 @@ std::string Dispatcher::load() const {
 
 void Dispatcher::tick() {
     meter_.tick();
+    write_state();
     auto now = LoadMeter::Clock::now();
     for (Client* client : clients_)
-        if (client->hello && client->hello->load_every_s > 0 &&
-            std::chrono::duration<double>(now - client->last_load).count() >= client->hello->load_every_s) {
-            client->last_load = now;
-            client->send(load());
+        if (client->hello) {
+            tell_kept(*client);
+            tell_load(*client, now);
         }
+}
+
+void Dispatcher::tell_kept(Client& client) {
+    bool kept = keeping_ != Keeping::not_at_all;
+    if (std::exchange(client.told_kept, kept) != kept)
+        client.send(kept_line(kept, kept ? "" : trouble_));
+}
+
+void Dispatcher::tell_load(Client& client, LoadMeter::Clock::time_point now) {
+    double every_s = client.hello->load_every_s;
+    if (every_s > 0 && std::chrono::duration<double>(now - client.last_load).count() >= every_s) {
+        client.last_load = now;
+        client.send(load());
+    }
 }
 
 void Dispatcher::say_goodbye() {

@@ -32,7 +32,12 @@ public:
 
     std::optional<Hello> hello; // that he said
     std::chrono::steady_clock::time_point last_load;
+    bool told_kept = true; // that what is known is kept
 };
+
+/// How what is known is kept: as it should be; in a journal that grows, since the state file cannot be written; or not
+/// at all, so that a restart would forget.
+enum class Keeping : unsigned char { well, in_journal, not_at_all };
 
 /// Takes the clients' messages to the machines and the answers back. Knows nothing of sockets.
 class Dispatcher {
@@ -45,8 +50,10 @@ public:
     void leave(Client& client);
     /// A line of the client; answers go to whom they concern.
     void take(Client& client, std::string_view line);
-    /// Loads that are due. To be called a few times a second.
+    /// The state file and loads that are due, and whether all is kept. To be called a few times a second.
     void tick();
+    /// What was recorded did not come to the disk.
+    void journal_failed(const std::string& trouble);
     /// To all, who are then closed.
     void say_goodbye();
     /// Has anything been recorded since this was asked last?
@@ -69,6 +76,10 @@ private:
     Machine& machine_of(Client& client) const;
     Machine& controlled_by(Client& client) const;
     void record(const std::string& machine, std::string_view line, std::size_t generations);
+    void write_state();
+    void note_keeping(const std::string& trouble);
+    void tell_load(Client& client, LoadMeter::Clock::time_point now);
+    void tell_kept(Client& client);
     void tell_watchers(const std::string& machine, std::string_view line, const std::function<bool(const Hello&)>& to);
     void tell_alarms(const Machine& machine, const SampleOutcome& outcome);
     std::string load() const;
@@ -81,7 +92,9 @@ private:
     std::map<std::string, std::set<Client*>> of_machine_;
     std::map<std::string, Client*> control_;
     bool recorded_ = false;
-    bool complained_ = false; // of the state; once until it is well again
+    Keeping keeping_ = Keeping::well;
+    std::string trouble_;                     // with keeping it
+    LoadMeter::Clock::time_point last_write_; // of the state file, or the attempt
 };
 
 } // namespace placedpar::monitor

@@ -4,6 +4,7 @@
 #include "hydraulics/voltage_spool.hpp"
 
 #include <numbers>
+#include <utility>
 
 namespace placedpar::monitor {
 
@@ -17,17 +18,25 @@ void push_bounded(std::vector<double>& values, double value) {
 
 } // namespace
 
-double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& parameters, double period_s) {
-    double desired = desired_spool_in(servo_V);
-    SpoolLag spool(parameters.spool_lag_per_s, period_s, state_.spool_in.value_or(desired));
-    if (state_.desired_in)
-        spool.hold(*state_.desired_in);
-    state_.spool_in = spool.spool_in();
-    state_.desired_in = desired;
-    return spool.spool_in();
+void LinkTrack::restart() {
+    State former = std::exchange(state_, {});
+    state_.spool_in = former.spool_in;
+    state_.desired_in = former.desired_in;
 }
 
-void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, double period_s) {
+double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& parameters, std::optional<double> elapsed_s) {
+    double desired = desired_spool_in(servo_V);
+    if (state_.spool_in && elapsed_s) {
+        SpoolLag spool(parameters.spool_lag_per_s, *elapsed_s, *state_.spool_in);
+        spool.hold(*state_.desired_in);
+        state_.spool_in = spool.spool_in();
+    } else
+        state_.spool_in = desired;
+    state_.desired_in = desired;
+    return *state_.spool_in;
+}
+
+void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s) {
     push_bounded(state_.inlet_psi, reading.inlet_psi);
     push_bounded(state_.angle_deg, reading.angle_deg);
     AreaReading areas{};
@@ -35,11 +44,13 @@ void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, d
         areas = *given;
     else {
         const auto* servo = std::get_if<ServoReading>(&reading.valve);
-        double spool = servo ? follow_spool_in(servo->servo_V, parameters, period_s)
+        double spool = servo ? follow_spool_in(servo->servo_V, parameters, elapsed_s)
                              : std::get<SpoolReading>(reading.valve).spool_in;
         OrificeAreas orifices = boom_orifices(spool);
         areas = {orifices.inlet_in2, orifices.bypass_in2};
     }
+    if (!std::holds_alternative<ServoReading>(reading.valve))
+        state_.spool_in = state_.desired_in = std::nullopt; // not followed any more
     push_bounded(state_.inlet_in2, areas.inlet_in2);
     push_bounded(state_.bypass_in2, areas.bypass_in2);
 }

@@ -24,14 +24,17 @@ public:
     explicit LinkTrack(State state) : state_(std::move(state)) {}
     const State& state() const { return state_; }
 
-    void push(const Reading& reading, const LinkParameters& parameters, double period_s);
-    void clear() { state_ = {}; }
+    /// `elapsed_s` since the reading before, above 0; none when that is not known: a spool that is followed from its
+    /// voltage is at rest then.
+    void push(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s);
+    /// Forgets the readings. The spool moves on, whatever the circuit and the samples do.
+    void restart();
 
     /// Of the middle one of the last 5 samples; none while there are fewer.
     std::optional<LinkSample> centre(const CentredLineFit& fit, const LinkParameters& parameters) const;
 
 private:
-    double follow_spool_in(double servo_V, const LinkParameters& parameters, double period_s);
+    double follow_spool_in(double servo_V, const LinkParameters& parameters, std::optional<double> elapsed_s);
 
     State state_;
 };

@@ -74,11 +74,14 @@ void Machine::change(const ConfigurationChange& change) {
     restart_windows(); // of the sets in use until now
     state_.configuration = change.configuration;
     state_.active = change.active;
+    for (MachineLink link : all_links)
+        if (!state_.active.contains(link))
+            state_.tracks[index_of(link)] = {}; // nobody tells its voltage any more
 }
 
 void Machine::restart_windows() {
     for (LinkTrack& track : state_.tracks)
-        track.clear();
+        track.restart();
     for (LinkSet set : sets_in_use())
         if (auto found = sets_.find(set); found != sets_.end())
             found->second.restart_window();
@@ -97,15 +100,16 @@ void Machine::require_acceptable(const SampleMessage& message) const {
                          fmt::format("more than {}; after another hello time may begin anew", *state_.time_s));
 }
 
-bool Machine::continues(double time_s) const {
-    return state_.time_s &&
-           std::abs(time_s - *state_.time_s - state_.parameters.period_s) <= jitter * state_.parameters.period_s;
+std::optional<double> Machine::elapsed_s(double time_s) const {
+    return state_.time_s && time_s > *state_.time_s ? std::optional(time_s - *state_.time_s) : std::nullopt;
 }
 
 SampleOutcome Machine::take(const SampleMessage& message) {
     require_acceptable(message);
     SampleOutcome outcome;
-    if (!continues(message.time_s)) {
+    std::optional<double> elapsed = elapsed_s(message.time_s);
+    double period_s = state_.parameters.period_s;
+    if (!elapsed || std::abs(*elapsed - period_s) > jitter * period_s) {
         outcome.window_restarted = state_.time_s.has_value();
         restart_windows();
     }
@@ -114,8 +118,8 @@ SampleOutcome Machine::take(const SampleMessage& message) {
     ++state_.samples;
     for (MachineLink link : links_of(state_.active))
         state_.tracks[index_of(link)].push(*message.links[index_of(link)], state_.parameters.links[index_of(link)],
-                                           state_.parameters.period_s);
-    double centre_s = message.time_s - static_cast<double>(line_fit_points / 2) * state_.parameters.period_s;
+                                           elapsed);
+    double centre_s = message.time_s - static_cast<double>(line_fit_points / 2) * period_s;
     for (LinkSet set : sets_in_use())
         outcome.generations += search(set, centre_s);
     settle_baselines();

@@ -71,7 +71,8 @@ public:
 
 private:
     void require_acceptable(const SampleMessage& message) const;
-    bool continues(double time_s) const;
+    /// Since the last sample; none when there was none, or time has begun anew.
+    std::optional<double> elapsed_s(double time_s) const;
     void restart_windows();
     std::size_t search(LinkSet set, double centre_s);
     const SetProblem& problem(LinkSet set);

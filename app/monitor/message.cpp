@@ -1,6 +1,7 @@
 #include "app/monitor/message.hpp"
 
 #include "app/monitor/field_reader.hpp"
+#include "app/monitor/repeated_field.hpp"
 #include "hydraulics/parameters.hpp"
 
 #include <fmt/format.h>
@@ -40,15 +41,18 @@ MachineLink link_of(const std::string& name, const std::string& path) {
     throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
 }
 
-/// Gives `read` each link of the object in field "links", with a reader of its fields.
+/// Gives `read` each link of the object in field "links", with the reader of that and the name used there.
 template <typename Read>
 void for_each_link(FieldReader& message, Read read) {
     FieldReader links = message.object("links");
+    LinkSet seen;
     for (const std::string& name : links.names()) {
         MachineLink link = link_of(name, links.path_of(name));
-        FieldReader fields = links.object(name);
-        read(link, fields);
-        fields.finish();
+        if (seen.contains(link))
+            throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
+                             "each link once, by name or symbol");
+        seen.insert(link);
+        read(link, links, name);
     }
 }
 
@@ -85,10 +89,12 @@ MachineParameters machine_parameters(FieldReader& fields) {
         flow.finish();
     }
     if (fields.has("links"))
-        for_each_link(fields, [&](MachineLink link, FieldReader& of_link) {
+        for_each_link(fields, [&](MachineLink link, FieldReader& links, const std::string& name) {
+            FieldReader of_link = links.object(name);
             LinkParameters& p = parameters.links[index_of(link)];
             p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
             p.spool_lag_per_s = of_link.number_or("spool_lag_per_s", lags, p.spool_lag_per_s);
+            of_link.finish();
         });
     return parameters;
 }
@@ -143,21 +149,19 @@ Reading reading(FieldReader& fields) {
 
 Message sample(FieldReader& fields) {
     SampleMessage sample{fields.number("time_s", times), {}};
-    for_each_link(fields, [&](MachineLink link, FieldReader& of_link) {
-        auto& place = sample.links[index_of(link)];
-        if (place)
-            throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
-                             "each link once, by name or symbol");
-        place = reading(of_link);
+    for_each_link(fields, [&](MachineLink link, FieldReader& links, const std::string& name) {
+        FieldReader of_link = links.object(name);
+        sample.links[index_of(link)] = reading(of_link);
+        of_link.finish();
     });
     return sample;
 }
 
 Message baseline(FieldReader& fields) {
     BaselineMessage baseline;
-    FieldReader links = fields.object("links");
-    for (const std::string& name : links.names())
-        baseline.compliance_in3_per_psi[index_of(link_of(name, links.path_of(name)))] = links.number(name, compliances);
+    for_each_link(fields, [&](MachineLink link, FieldReader& links, const std::string& name) {
+        baseline.compliance_in3_per_psi[index_of(link)] = links.number(name, compliances);
+    });
     return baseline;
 }
 
@@ -205,6 +209,8 @@ Message parse_message(std::string_view line) {
     if (!value.is_object())
         throw BadMessage("", "it is no JSON object", "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}",
                          1);
+    if (auto field = repeated_field(line))
+        throw BadMessage(*field, "it is given twice", "each field once");
     FieldReader fields(value.get_object(), "");
     std::string name = fields.text("type");
     auto type = std::ranges::find(types, name, &Type::name);

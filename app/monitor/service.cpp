@@ -30,26 +30,6 @@ namespace {
 
 constexpr std::chrono::milliseconds tick_period{100};
 
-/// A client whose messages go over a connection.
-class ConnectedClient final : public Client {
-public:
-    explicit ConnectedClient(Connection& connection) : connection_(connection) {}
-    void send(std::string_view line) override { connection_.send(line); }
-    void finish() override { connection_.finish(); }
-    void greeted() override { connection_.greeted(); }
-    bool finishing() const override { return connection_.finishing(); }
-    std::size_t lines() const override { return connection_.lines(); }
-    std::size_t queued_bytes() const override { return connection_.queued_bytes(); }
-
-private:
-    Connection& connection_;
-};
-
-struct Guest {
-    std::shared_ptr<Connection> connection;
-    std::unique_ptr<ConnectedClient> client; // null: turned away
-};
-
 tcp::acceptor listen(asio::io_context& io, const std::string& address, std::uint16_t port) {
     error_code error;
     asio::ip::address parsed = asio::ip::make_address(address, error);
@@ -87,15 +67,16 @@ public:
 
     std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
-    void run(bool until_signal) {
-        if (until_signal) {
-            signals_.add(SIGINT);
-            signals_.add(SIGTERM);
-            signals_.async_wait([this](const error_code& error, int) {
-                if (!error)
-                    stop_now();
-            });
-        }
+    void stop_at_signals() {
+        signals_.add(SIGINT);
+        signals_.add(SIGTERM);
+        signals_.async_wait([this](const error_code& error, int) {
+            if (!error)
+                stop_now();
+        });
+    }
+
+    void run() {
         accept();
         tick();
         io_.run();
@@ -110,6 +91,26 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    /// A client whose messages go over a connection.
+    class ConnectedClient final : public Client {
+    public:
+        explicit ConnectedClient(Connection& connection) : connection_(connection) {}
+        void send(std::string_view line) override { connection_.send(line); }
+        void finish() override { connection_.finish(); }
+        void greeted() override { connection_.greeted(); }
+        bool finishing() const override { return connection_.finishing(); }
+        std::size_t lines() const override { return connection_.lines(); }
+        std::size_t queued_bytes() const override { return connection_.queued_bytes(); }
+
+    private:
+        Connection& connection_;
+    };
+
+    struct Guest {
+        std::shared_ptr<Connection> connection;
+        std::unique_ptr<ConnectedClient> client; // null: turned away
+    };
 
     void accept() {
         acceptor_.async_accept([this](const error_code& error, tcp::socket socket) {
@@ -208,7 +209,7 @@ private:
             }
             syncing_ = false;
             if (!trouble.empty())
-                asio::post(io_, [this, trouble] { say_(trouble); });
+                asio::post(io_, [this, trouble] { dispatcher_->journal_failed(trouble); });
         });
     }
 
@@ -248,7 +249,9 @@ Service::~Service() = default;
 
 std::uint16_t Service::port() const { return loop_->port(); }
 
-void Service::run(bool until_signal) { loop_->run(until_signal); }
+void Service::stop_at_signals() { loop_->stop_at_signals(); }
+
+void Service::run() { loop_->run(); }
 
 void Service::stop() { loop_->stop(); }
 

@@ -30,9 +30,11 @@ public:
     ~Service();
 
     std::uint16_t port() const;
-    /// Until stop(), or SIGINT or SIGTERM when they are asked for: then the clients are told, and the state is
-    /// written. Throws std::runtime_error when that fails.
-    void run(bool until_signal);
+    /// From now on SIGINT and SIGTERM do not end the program, but stop().
+    void stop_at_signals();
+    /// Until stop(), which may have come before: then the clients are told, and the state is written. Throws
+    /// std::runtime_error when that fails.
+    void run();
     /// From any thread.
     void stop();
 

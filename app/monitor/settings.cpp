@@ -1,5 +1,6 @@
 #include "app/monitor/settings.hpp"
 
+#include "app/monitor/estimate.hpp"
 #include "hydraulics/circuit_problem.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +37,8 @@ void DiagnosisSettings::validate() const {
     require(doubled_at > 1, "the ratio to the baseline of a doubled compliance", doubled_at, "more than 1");
     require(inconsistent_over > 0, "the spread of inconsistent estimates", inconsistent_over, "more than 0");
     require(off_by > 0 && off_by < 1, "the fraction by which a link is off", off_by, "between 0 and 1");
-    require(transients >= 1, "the number of transients", static_cast<double>(transients), "1 or more");
+    require(transients >= 1 && transients <= Estimate::kept_transients, "the number of transients",
+            static_cast<double>(transients), "1 to 5");
     require(stale_after_s > 0, "the age of a stale estimate", stale_after_s, "more than 0 s");
 }
 

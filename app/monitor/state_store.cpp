@@ -24,10 +24,43 @@ namespace {
 
 constexpr int file_version = 1;
 
+/// A whole state file, but not for this service.
+class OtherState : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 fs::path beside(const fs::path& path, const char* ending) {
     fs::path other = path;
     other += ending;
     return other;
+}
+
+/// Before there is a journal beside it. Throws when it is there and no file.
+fs::path path_of_file(fs::path path) {
+    if (fs::exists(path) && !fs::is_regular_file(path))
+        throw std::runtime_error(fmt::format("{}: it is {}, no state file; say the name of a file, there or not",
+                                             path.string(), fs::is_directory(path) ? "a folder" : "a device"));
+    return path;
+}
+
+std::string text_of_file(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        throw std::runtime_error(std::strerror(errno));
+    return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+json::value parsed(const std::string& text) {
+    if (text.empty())
+        throw std::runtime_error("it is empty");
+    json::error_code error;
+    json::value value = json::parse(text, error);
+    if (error == json::error::incomplete)
+        throw std::runtime_error(fmt::format("it breaks off after {} bytes", text.size()));
+    if (error || !value.is_object() || !value.get_object().contains("placedpar_monitor_state"))
+        throw std::runtime_error("it is no state file of the monitor");
+    return value;
 }
 
 /// Brings a file, or a folder's names, to the disk itself.
@@ -62,7 +95,7 @@ void take_again(Machines& machines, const std::string& record, const std::string
 
 } // namespace
 
-StateStore::StateStore(fs::path path) : path_(std::move(path)), journal_(beside(path_, ".journal")) {}
+StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(beside(path_, ".journal")) {}
 
 std::string StateStore::restore(Machines& machines) {
     read_state_file(machines);
@@ -78,20 +111,31 @@ std::string StateStore::restore(Machines& machines) {
 void StateStore::read_state_file(Machines& machines) {
     if (!fs::exists(path_))
         return;
-    std::ifstream in(path_, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(in), {});
+    auto refuse = [&](const std::string& why) {
+        throw std::runtime_error(fmt::format("{}: this state file cannot be used: {}", path_.string(), why));
+    };
+    auto damaged = [&](const std::string& why) {
+        refuse(fmt::format("{}; put a whole one there, or move it and {}.journal away and begin with nothing known",
+                           why, path_.string()));
+    };
     try {
-        json::value value = json::parse(text);
+        json::value value = parsed(text_of_file(path_));
         if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
-            throw std::runtime_error(fmt::format("it is of another version than {}", file_version));
+            throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
         if (std::string was(value.at("settings").as_string()); was != settings_text(machines))
-            throw std::runtime_error(fmt::format("it was written with {}, this is {}; say the same, or another file",
-                                                 was, settings_text(machines)));
+            throw OtherState(fmt::format("it was written with {}, this is {}; say the same, or another file", was,
+                                         settings_text(machines)));
         epoch_ = value.at("epoch").to_number<std::uint64_t>();
         for (const json::value& machine : value.at("machines").as_array())
             machines.add(state_from(machine, machines.settings()));
+    } catch (const OtherState& other) {
+        refuse(other.what());
+    } catch (const boost::system::system_error& error) {
+        damaged(fmt::format("a part of it is wrong: {}", error.code().message()));
+    } catch (const std::out_of_range&) {
+        damaged("a part of it is missing");
     } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("{}: this state file cannot be used: {}", path_.string(), error.what()));
+        damaged(error.what());
     }
 }
 
@@ -116,7 +160,11 @@ void StateStore::read_journal(Machines& machines, std::string& said) {
 }
 
 void StateStore::record(const std::string& machine, std::string_view message, std::size_t generations) {
+    if (!complete_)
+        return;
+    complete_ = false;
     journal_.append(fmt::format("{} {}", machine, message));
+    complete_ = true;
     generations_ += generations;
 }
 
@@ -132,9 +180,12 @@ void StateStore::write(const Machines& machines) {
     fs::path next = beside(path_, ".next");
     write_whole(next, json::serialize(state) + "\n");
     sync_path(next);
+    complete_ = false; // until the journal, too, is of the new epoch
     fs::rename(next, path_);
+    ++epoch_;
     sync_path(fs::absolute(path_).parent_path());
-    journal_.begin(++epoch_);
+    journal_.begin(epoch_);
+    complete_ = true;
     generations_ = 0;
 }
 

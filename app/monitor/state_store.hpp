@@ -29,10 +29,17 @@ public:
     /// Throws std::runtime_error naming the file when it is no state file, or of other settings than the machines'.
     std::string restore(Machines& machines);
 
-    /// Before the message is answered. `generations` is what it cost. Throws std::runtime_error.
+    /// Before the message is answered. `generations` is what it cost. Throws std::runtime_error when it cannot be
+    /// appended. From then on it does nothing, since what came would come behind a hole, until write() has succeeded.
     void record(const std::string& machine, std::string_view message, std::size_t generations);
-    bool long_enough() const { return journal_.bytes() > most_journal_bytes || generations_ > most_generations; }
-    /// The state file, whole, on the disk; the journal empty. Throws std::runtime_error.
+    /// The journal lost something on its way to the disk, as if a message of it had not been appended.
+    void journal_failed() { complete_ = false; }
+    /// A restart would give all that has been recorded.
+    bool complete() const { return complete_; }
+    /// It is time to write(): the journal is long, or has a hole.
+    bool due() const { return !complete_ || journal_.bytes() > most_journal_bytes || generations_ > most_generations; }
+    /// The state file, whole, on the disk; the journal empty. Throws std::runtime_error; then the state file and the
+    /// journal are those before it, or the state file is the new one.
     void write(const Machines& machines);
     /// The journal to the disk; safe from another thread.
     void sync() const { journal_.sync(); }
@@ -45,6 +52,7 @@ private:
     Journal journal_;
     std::uint64_t epoch_ = 0;
     std::uint64_t generations_ = 0; // in the journal
+    bool complete_ = true;
 };
 
 } // namespace placedpar::monitor

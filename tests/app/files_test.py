@@ -9,6 +9,7 @@ import unittest
 
 from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 
+RECORD = EXAMPLES / "records" / "boom-4deg.csv"
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
 
 
@@ -80,13 +81,49 @@ class Files(unittest.TestCase):
                                   (["--trace", self.folder / ".." / self.folder.name / "mine.cfs"], "it is what is read"),
                                   (["--json", self.folder / "link.json"], "it is what is read"),
                                   (["--json", both, "--trace", self.folder / "." / "both.json"], "written twice"),
-                                  (["--json", ""], "name of a file"), (["--trace", ""], "name of a file")):
+                                  (["--json", ""], "it takes a name"), (["--trace", ""], "it takes a name")):
             run = placedpar("run", netlist, *arguments)
             self.assertEqual(run.returncode, 1, arguments)
             self.assertIn(reason, run.stderr)
             self.assertEqual(run.stdout, "")
             self.assertEqual(netlist.read_text(encoding="utf-8"), text)
             self.assertFalse(both.exists())
+
+    def test_no_command_overwrites_what_it_reads(self):
+        including = self.folder / "including.cfs"
+        included = self.folder / "included.cfs"
+        including.write_text('#include "included.cfs"\n', encoding="utf-8")
+        included.write_text(COMMSTIME.read_text(encoding="utf-8"), encoding="utf-8")
+        machine = self.folder / "machine.csv"
+        machine.write_text(placedpar("parameters").stdout, encoding="utf-8")
+        record = self.folder / "record.csv"
+        record.write_text(RECORD.read_text(encoding="utf-8"), encoding="utf-8")
+        for arguments in (["run", including, "--json", included], ["run", including, "--trace", included],
+                          ["record", "scenario-a", "--machine", machine, "--out", machine],
+                          ["identify", record, "--json", record],
+                          ["identify", record, "--machine", machine, "--json", machine],
+                          ["identify", record, "--on", including, "--json", including],
+                          ["identify", record, "--on", including, "--json", included]):
+            before = {path: path.read_text(encoding="utf-8") for path in self.folder.iterdir()}
+            run = placedpar(*arguments)
+            self.assertEqual(run.returncode, 1, arguments)
+            self.assertIn("it is what is read", run.stderr)
+            self.assertEqual({path: path.read_text(encoding="utf-8") for path in self.folder.iterdir()}, before)
+
+    def test_identify_writes_what_it_found(self):
+        path = self.folder / "found.json"
+        run = placedpar("identify", RECORD, "--seed", 3, "--json", path)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(json.loads(path.read_text(encoding="utf-8"))["seed"], 3)
+
+    def test_a_name_cannot_be_empty(self):
+        for arguments in (["replay", "table-e1", "--json"], ["replay", "table-e1", "--plots"],
+                          ["record", "scenario-a", "--out"], ["record", "scenario-a", "--machine"],
+                          ["identify", RECORD, "--json"], ["identify", RECORD, "--machine"],
+                          ["identify", RECORD, "--on"], ["monitor", "--state"]):
+            run = placedpar(*arguments, "")
+            self.assertEqual(run.returncode, 1, arguments)
+            self.assertIn(f"{arguments[-1]}: it takes a name", run.stderr)
 
     def test_a_symbolic_link_stays_one_and_leads_to_what_was_written(self):
         (self.folder / "there").mkdir()
@@ -126,12 +163,15 @@ class Files(unittest.TestCase):
 
     def test_a_full_standard_output_is_no_success(self):
         for arguments in (["run", COMMSTIME, "--set", "count=5"], ["check", COMMSTIME], ["show", COMMSTIME], ["kinds"],
-                          ["parameters"], ["--help"], ["replay", "table-e1"]):
+                          ["show", COMMSTIME, "--format", "dot"], ["show", FIGURE_E2, "--format", "json"], ["kinds", "ga.master"],
+                          ["parameters"], ["--help"], ["run", "--help"], ["--version"], ["replay", "table-e1"],
+                          ["identify", RECORD], ["record", "scenario-a"], ["record", "scenario-a", "--list"],
+                          ["monitor", "--port", "0"]):
             with open("/dev/full", "w", encoding="utf-8") as full:  # written through, never replaced
                 run = subprocess.run([PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, text=True,
                                      timeout=60, check=False)
             self.assertEqual(run.returncode, 1, arguments)
-            self.assertIn("placedpar: ", run.stderr)
+            self.assertEqual(run.stderr, "placedpar: standard output cannot be written: No space left on device\n")
 
     def test_where_standard_output_goes_nothing_else_is_written(self):
         path = self.folder / "out.txt"
@@ -141,10 +181,35 @@ class Files(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertIn("standard output goes there", run.stderr)
 
+    def test_a_run_beyond_the_end_of_virtual_time_says_so_and_writes_nothing(self):
+        netlist = self.folder / "long.cfs"
+        netlist.write_text("""T800 t; process p; process c; use "csp.producer" for p; use "csp.consumer" for c;
+            p (cycles = 1000000000000); connect p.out to c.in; place p on t; place c on t;""", encoding="utf-8")
+        run = placedpar("run", netlist, "--json", self.folder / "run.json", "--trace", self.folder / "trace.json")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("virtual time lasts for 106 days, and process p would go on after that", run.stderr)
+        self.assertEqual(os.listdir(self.folder), ["long.cfs"])
+
+    def test_numbers_of_a_run_that_takes_no_time_are_numbers(self):
+        netlist = self.folder / "at_once.cfs"
+        netlist.write_text("""workstation sun; process host; process m; process p; process c;
+            use "ga.host" for host; use "ga.traditional" for m; use "csp.producer" for p; use "csp.consumer" for c;
+            connect host.to_masters[0] to m.from_host; connect p.out to c.in;
+            place host on sun; place m on sun; place p on sun; place c on sun;""", encoding="utf-8")
+        path = self.folder / "run.json"
+        run = placedpar("run", netlist, "--json", path)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertNotRegex(run.stdout, r"\b(nan|inf)\b")
+        record = json.loads(path.read_text(encoding="utf-8"))
+        self.assertEqual(record["time_ps"], 0)
+        self.assertIn("last_number", [m["name"] for m in record["measurements"]])
+        self.assertTrue(all(m["value"] is not None for m in record["measurements"]))
+
     def test_a_seed_is_a_whole_number_that_fits(self):
-        commands = (["run", COMMSTIME, "--set", "count=5"], ["replay", "table-e1"], ["identify", "record.csv"])
+        commands = (["run", COMMSTIME, "--set", "count=5"], ["replay", "table-e1"], ["identify", "record.csv"],
+                    ["record", "scenario-a"], ["monitor", "--port", "0"])
         for command in commands:
-            for seed in ("-1", "99999999999999999999999", "18446744073709551616", "0x10", "", " 3", "1.5"):
+            for seed in ("-1", "99999999999999999999999", "18446744073709551616", "0x10", "", " 3", "1.5", "010"):
                 run = placedpar(*command, "--seed", seed)
                 self.assertEqual(run.returncode, 1, (command, seed))
                 self.assertIn(f'"{seed}" is no whole number', run.stderr)

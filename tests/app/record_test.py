@@ -121,6 +121,25 @@ class Records(unittest.TestCase):
         self.assertIn("whole number from 0 to 32", self.refused("record", "excavator", "--set", "sensors.spool_bits=99"))
         self.assertIn("none, low, mid or high", self.refused("record", "excavator", "--noise", "loud"))
 
+    def test_parameters_out_of_their_range_are_refused(self):
+        for scenario, setting, said in (("scenario-a", "boom.moment_arm=0", "expected above 0"),
+                                        ("two-links", "bucket.inlet_area=-1 cm^2", "expected above 0"),
+                                        ("excavator", "boom.inlet_compliance=0", "expected above 0"),
+                                        ("scenario-b", "noise.pressure=-5", "expected 0 or above"),
+                                        ("excavator", "fault.leak=-1", "expected 0 or above")):
+            self.assertEqual(self.refused("record", scenario, "--set", setting),
+                             f"placedpar: --set {setting}: {said}\n")
+
+    def test_a_record_that_no_sensor_could_have_read_is_refused_with_instant_and_channel(self):
+        path = self.folder / "record.csv"
+        for scenario, setting, where in (("scenario-a", "boom.inlet_compliance=1e-12", r"inlet_pressure .* at 0\.\d+ s"),
+                                         ("excavator", "fault.leak=1e9", r"inlet_pressure would be nan psi at 0\.\d+ s"),
+                                         ("scenario-a", "noise.pressure=1e308", r"inlet_pressure would be -?inf psi at 0"),
+                                         ("scenario-a", "noise.spool=1e200", r"boom\.spool .* at 0\.000 s")):
+            said = self.refused("record", scenario, "--set", setting, "--out", path)
+            self.assertRegex(said, f"^placedpar: {scenario} cannot be simulated with these parameters: .*{where}")
+            self.assertFalse(path.exists())
+
     def test_a_wrong_record_is_refused_with_line_column_and_caret(self):
         path = self.folder / "wrong.csv"
         lines = (RECORDS / "boom-4deg.csv").read_text(encoding="utf-8").splitlines()

@@ -101,8 +101,7 @@ TEST_CASE("... and with an elite, Gray code and universal sampling, each by itse
 
 TEST_CASE("an elite as large as the population is refused, naming what would be right") {
     Cluster cluster{.master_parameters = "rehearsals = 1, elite = 30"};
-    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("it is 28 at the most"),
-                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("it is 28 at the most"), std::runtime_error);
 }
 
 TEST_CASE("a coding that is none is refused by the netlist's checker") {

@@ -115,7 +115,7 @@ TEST_CASE("as many slaves as the chain has, and no more than there is work for")
         says(refusal("master", fmt::format("master (problem = \"line\",\nslaves = {});", slaves)),
              fmt::format("farm.cfs:6:1: error: slaves = {}, but the chain at \"master.to_slaves\" has 2", slaves));
     says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
-         "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slaves at the most");
+         "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slave at the most");
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
 }
 

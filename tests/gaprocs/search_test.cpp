@@ -191,6 +191,8 @@ TEST_CASE("settings that make no sense are refused with a reason") {
     CHECK_THROWS_WITH_AS(Search(10, small(1), random),
                          "the population is 1, expected at least 2: crossover needs two parents",
                          std::invalid_argument);
+    CHECK_THROWS_WITH_AS(Search(10, small(1'000'001), random), "the population is 1000001, expected at most 1000000",
+                         std::invalid_argument);
     CHECK_THROWS_WITH_AS(Search(0, small(2), random), "the binary string has 0 bits, expected at least 1",
                          std::invalid_argument);
     SearchSettings settings;

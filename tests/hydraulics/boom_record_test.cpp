@@ -118,7 +118,9 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
     CHECK(samples[0].links[0].inlet_in2 == 0.1);
     CHECK(samples[0].links[0].bypass_in2 == 0.2);
     record.of(MachineLink::boom, Sensor::angle).clear();
-    CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}), "the record has no channel boom.angle",
+    CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}),
+                         "the record has no channel boom.angle; it has boom.inlet_pressure, boom.spool, "
+                         "boom.inlet_area, boom.bypass_area",
                          std::invalid_argument);
 }
 

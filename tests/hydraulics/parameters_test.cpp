@@ -1,8 +1,10 @@
 #include "hydraulics/boom_scenario.hpp"
+#include "hydraulics/parameter_range.hpp"
 #include "hydraulics/parameters.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -54,6 +56,32 @@ TEST_CASE("a user's file takes the place of what it names, in any unit") {
     CHECK(BoomMachine(machine).inlet_area_in2 == machine["boom.inlet_area"]);
 }
 
+TEST_CASE("every constant of the excavator is in its range, and ranges tell what cannot be") {
+    for (const Parameter& parameter : Parameters::excavator().all()) {
+        CAPTURE(parameter.name);
+        ParameterRange range = range_of(parameter.name);
+        CHECK(range.contains(parameter.value));
+        CHECK(!range.contains(NAN));
+        CHECK(!range.contains(INFINITY));
+    }
+    for (const char* positive : {"flow.orifice", "flow.pump", "boom.inlet_area", "boom.moment_arm", "bucket.mass",
+                                 "boom.inlet_compliance", "two_links.boom_spool_lag", "sensors.period"}) {
+        CAPTURE(positive);
+        CHECK(range_of(positive).expected() == "above 0");
+        CHECK(!range_of(positive).contains(0));
+        CHECK(range_of(positive).contains(1e-12));
+    }
+    for (const char* not_negative :
+         {"noise.pressure", "noise.area", "fault.leak", "boom.friction", "sensors.spool_bits"}) {
+        CAPTURE(not_negative);
+        CHECK(range_of(not_negative).expected() == "0 or above");
+        CHECK(range_of(not_negative).contains(0));
+        CHECK(!range_of(not_negative).contains(-1e-12));
+    }
+    for (const char* any : {"fault.spool_offset", "fault.servo_drift", "boom.gravity", "flow.tank"})
+        CHECK(range_of(any).contains(-1));
+}
+
 TEST_CASE("what is wrong with a user's file is said with its place") {
     auto check = [](const std::string& row, std::size_t column, const char* message) {
         auto faults = faults_of(row);
@@ -68,6 +96,8 @@ TEST_CASE("what is wrong with a user's file is said with its place") {
     check("boom.inlet_area,x,in^2,ours,\n", 17, "\"x\" is not a finite number");
     check("boom.inlet_area,1e999,in^2,ours,\n", 17, "\"1e999\" is beyond the range of numbers");
     check("boom.inlet_area,32,in^2,guessed,\n", 25, "\"guessed\" is not a mark");
+    check("boom.inlet_area,0,in^2,ours,\n", 17, "boom.inlet_area cannot be 0");
+    check("noise.pressure,-5,psi,ours,\n", 16, "noise.pressure cannot be -5");
     check("boom.inlet_area,32,in^2,ours\n", 25, "4 values, expected 5");
 
     std::vector<TextFault> faults;

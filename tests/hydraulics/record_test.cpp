@@ -123,6 +123,11 @@ TEST_CASE("what is wrong with a reading") {
 
 TEST_CASE("what is wrong with the times") {
     CHECK(faults_of(header + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
+    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
+                                    "instant; lines end in LF or in CR LF\n";
+    CHECK(faults_of(header) == rowless);
+    CHECK(faults_of("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // its line ends were lost
+    CHECK(faults_of("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
     CHECK(faults_of(header + rows(0, 6) + rows(8, 12)) ==
           "warning 8:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
     CHECK(faults_of(header + rows(0, 6) + rows(5, 9)) == "warning 8:1: repeats line 7 | used once\n");
@@ -171,6 +176,23 @@ TEST_CASE("gaps part a record into stretches") {
     CHECK(stretches[1].first == 6);
     CHECK(stretches[1].last == 10);
     CHECK(stretches[2].last == 11);
+}
+
+TEST_CASE("what no sensor could have read is found: the earliest, and the first channel of its instant") {
+    ReadRecord read = read_record(header + rows(0, 6));
+    REQUIRE(read.record);
+    Record& record = *read.record;
+    CHECK(!first_unmeasurable(record));
+    record.of(MachineLink::boom, Sensor::inlet_pressure)[4] = -1e13;
+    record.of(MachineLink::boom, Sensor::spool)[3] = NAN;
+    record.of(MachineLink::boom, Sensor::angle)[3] = INFINITY;
+    auto reading = first_unmeasurable(record);
+    REQUIRE(reading);
+    CHECK(reading->sensor == Sensor::angle);
+    CHECK(reading->time_s == 0.06);
+    record.of(MachineLink::boom, Sensor::angle)[3] = record.of(MachineLink::boom, Sensor::spool)[3] = 0;
+    REQUIRE(first_unmeasurable(record));
+    CHECK(first_unmeasurable(record)->value == -1e13);
 }
 
 TEST_CASE("what is printed reads back, and prints the same again") {

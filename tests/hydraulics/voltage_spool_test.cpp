@@ -74,6 +74,25 @@ TEST_CASE("the spool from voltages answers a step one period later") {
     CHECK(spool_from_volts({}, 8, 0.02).empty());
 }
 
+TEST_CASE("over a gap the spool goes on under the last command before it") {
+    std::vector<double> volts{0, 0.35, 0.35, 0.35, 0.2, 0.2}, time_s{0, 0.02, 0.04, 0.06, 0.08, 0.1};
+    auto whole = spool_from_volts(volts, 8, 0.02);
+    auto at = [&](std::vector<std::size_t> rows) {
+        std::vector<double> some_volts, some_times;
+        for (std::size_t row : rows) {
+            some_volts.push_back(volts[row]);
+            some_times.push_back(time_s[row]);
+        }
+        return spool_from_volts(some_volts, some_times, 8, 0.02);
+    };
+    CHECK(at({0, 1, 2, 3, 4, 5}) == whole); // to the bit
+    auto gap = at({0, 1, 4, 5});
+    CHECK(gap[2] == doctest::Approx(whole[4]).epsilon(1e-14));
+    CHECK(gap[3] == doctest::Approx(whole[5]).epsilon(1e-14));
+    CHECK(spool_from_volts(std::vector<double>{0, 0.35, 0.35}, std::vector<double>{0, 0.02, 1e9}, 8, 0.02)[2] ==
+          desired_spool_in(0.35)); // a gap of years costs no more
+}
+
 TEST_CASE("drift: offsets of voltage and spool, growing with time") {
     DriftedVoltageSpool spool_off{{}, {0.01, 0}};
     CHECK(spool_off.desired_spool_in(0.35, 100) == doctest::Approx(desired_spool_in(0.35) + 0.01));

@@ -1,7 +1,9 @@
+#include "app/identification/flags.hpp"
 #include "boom_records.hpp"
 
 #include <doctest/doctest.h>
 
+#include <numbers>
 #include <string>
 
 using namespace placedpar;
@@ -35,6 +37,31 @@ TEST_CASE("a good record raises no flag, whatever the seed") {
         for (const std::string& flag : identified.links[0].flags)
             FAIL_CHECK(flag);
     }
+}
+
+TEST_CASE("angles that are radians leave the answer uncertain; a spool that stands is no valve that opens") {
+    Record radians = boom_measured(1.5, low_noise, 1), stuck = radians;
+    for (double& angle : radians.of(MachineLink::boom, Sensor::angle))
+        angle *= std::numbers::pi / 180;
+    for (double& spool : stuck.of(MachineLink::boom, Sensor::spool))
+        spool = 0.25;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        CHECK(is_flagged(identify_boom(radians, thesis_way(), seed), "uncertain"));
+        CHECK(is_flagged(identify_boom(stuck, thesis_way(), seed), "the valve reads the same in every sample"));
+    }
+}
+
+TEST_CASE("an offset found is flagged where it may be a leak: above 0, beyond the sensor and its error") {
+    Identified identified = identify_boom(boom_measured(1.5, low_noise, 1), service_way(), 1);
+    auto flagged = [&](double offset_in, double error_in) {
+        Identified copy = identified;
+        flag_calibration(copy, {offset_in, error_in, 50}, 0.00024);
+        return is_flagged(copy, "a leak looks the same");
+    };
+    CHECK(flagged(0.0045, 0.00015));
+    CHECK(!flagged(0.0045, 0.0015));
+    CHECK(!flagged(-0.0045, 0.00015));
+    CHECK(!flagged(0.0002, 0));
 }
 
 TEST_CASE("a spool that reads .02 in too low asks for a negative compliance: at the lower bound") {

@@ -37,6 +37,25 @@ TEST_CASE("the service way: within 6 % at low and 12 % at mid noise, for 9 seeds
     CHECK(share_below(mid, 0.9) <= 12);
 }
 
+TEST_CASE("the service way: 21 searches, from the third sample after the opening, with a gate") {
+    Record record = boom_measured(4, low_noise, 3);
+    IdentificationWay thesis = thesis_way(), service = service_way();
+    thesis.usable.count = service.usable.count = 150;
+    auto first_of = [&](const IdentificationWay& way) {
+        return prepare(record, Parameters::excavator(), {}, way).samples.at(0).index;
+    };
+    CHECK(first_of(service) == first_of(thesis) + 2);
+    Identified identified = identify_boom(record, service, 3);
+    std::uint64_t live = 0;
+    for (const TransientEstimate& estimate : identified.estimates)
+        live += !estimate.frozen;
+    CHECK(identified.estimates.back().frozen);
+    // Each search freezes by its own answer, at about the same sample.
+    CHECK(identified.generations > 20 * 5 * live);
+    CHECK(identified.generations < 22 * 5 * live);
+    CHECK(identify_boom(record, thesis, 3).generations == 5 * 146);
+}
+
 TEST_CASE("compliances from .0043 to .07 are followed") {
     for (double truth : {0.0043, 0.0172, 0.0344, 0.07})
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {

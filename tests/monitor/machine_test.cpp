@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-
+#include <cmath>
 #include <string>
 
 using namespace placedpar;
@@ -249,6 +249,59 @@ TEST_CASE("the state goes through JSON and on as if nothing had been") {
         }
         CHECK(text_of(restored) == text_of(machine));
     }
+}
+
+namespace {
+
+SampleMessage boom_by_voltage(double time_s, double volts) {
+    SampleMessage message{time_s, {}};
+    message.links[index_of(MachineLink::boom)] = Reading{1500, 0, ServoReading{volts}};
+    return message;
+}
+
+double followed_spool_in(const Machine& machine) {
+    return machine.state().tracks[index_of(MachineLink::boom)].state().spool_in.value();
+}
+
+// A.1 at .3 V, and the spool at rest.
+constexpr double raised_in = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1297, rest_in = 0.1297;
+
+} // namespace
+
+TEST_CASE("the spool moves on over a gap, a change of configuration and a late sample, by the time that passed") {
+    // From rest, .3 V from 1 s on; a_0 as in A.2.
+    Machine machine = machine_in(Configuration::a, boom);
+    double lag_per_s = machine.parameters().links[index_of(MachineLink::boom)].spool_lag_per_s;
+    auto way = [&](double elapsed_s) { return raised_in + (rest_in - raised_in) * std::exp(-lag_per_s * elapsed_s); };
+    machine.take(boom_by_voltage(0.98, 0));
+    machine.take(boom_by_voltage(1, 0.3));
+    CHECK(followed_spool_in(machine) == doctest::Approx(rest_in));
+    CHECK(machine.take(boom_by_voltage(1.1, 0.3)).window_restarted);
+    CHECK(followed_spool_in(machine) == doctest::Approx(way(0.1)));
+    machine.change({Configuration::b, boom});
+    machine.take(boom_by_voltage(1.12, 0.3));
+    CHECK(followed_spool_in(machine) == doctest::Approx(way(0.12)));
+    machine.take(boom_by_voltage(1.1417, 0.3)); // within the jitter
+    CHECK(followed_spool_in(machine) == doctest::Approx(way(0.1417)));
+    machine.take(boom_by_voltage(1000, 0));
+    CHECK(followed_spool_in(machine) == doctest::Approx(raised_in));
+}
+
+TEST_CASE("where its voltage was not told the spool starts at rest") {
+    Machine machine = machine_in(Configuration::a, boom);
+    machine.take(boom_by_voltage(1, 0));
+    machine.connected(); // and time begins anew
+    machine.take(boom_by_voltage(0, 0.3));
+    CHECK(followed_spool_in(machine) == doctest::Approx(raised_in));
+    machine.change({Configuration::a, bucket});
+    machine.change({Configuration::a, boom});
+    machine.take(boom_by_voltage(0.02, 0));
+    CHECK(followed_spool_in(machine) == doctest::Approx(rest_in));
+    SampleMessage by_spool = boom_by_voltage(0.04, 0);
+    by_spool.links[index_of(MachineLink::boom)]->valve = SpoolReading{0.2};
+    machine.take(by_spool);
+    machine.take(boom_by_voltage(0.06, 0.3));
+    CHECK(followed_spool_in(machine) == doctest::Approx(raised_in));
 }
 
 TEST_CASE("the spool is followed from its voltage") {

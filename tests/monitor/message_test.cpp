@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <initializer_list>
 #include <string>
 
 using namespace placedpar;
@@ -85,6 +86,32 @@ TEST_CASE("a line that is no JSON is refused with the column") {
     CHECK(refusal("").column().value_or(0) == 1);
     CHECK(refusal("[1,2]").right().find("hello") != std::string::npos);
     CHECK(refusal(std::string(10000, '[')).column().value() <= 10);
+}
+
+TEST_CASE("a field is given once") {
+    struct Case {
+        const char *line, *field;
+    };
+    for (
+        const Case& each : std::initializer_list<Case>{
+
+            {R"({"type":"hello","version":1,"version":1,"machine":"m"})", "version"},
+            {R"({"type":"ping","type":"ping"})", "type"},
+            {R"({"type":"ping","t\u0079pe":"ping"})", "type"},
+            {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"inlet_psi":2,"spool_in":0.2}}})",
+             "links.BO.inlet_psi"},
+            {R"({"type":"sample","time_s":1,"links":{"BO":{},"BU":{},"BO":{}}})", "links.BO"},
+            {R"({"type":"baseline","links":{"BO":0.0086,"boom":0.0086}})", "links.BO"},
+            {R"({"type":"hello","version":1,"machine":"m","links":{"boom":{},"BO":{}}})", "links.BO"}}) {
+        CAPTURE(each.line);
+        BadMessage bad = refusal(each.line);
+        CHECK(bad.field() == each.field);
+        CHECK(std::string(bad.what()) == "it is given twice");
+    }
+    // The same name in different objects is no repetition.
+    CHECK_NOTHROW(
+        parse_message(R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2},)"
+                      R"("BU":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2}}})"));
 }
 
 TEST_CASE("a wrong field is named, with what would be right") {

@@ -1,9 +1,14 @@
 """What is known outlives the service, however it ends."""
 
+import os
+import pathlib
+import re
 import signal
+import subprocess
+import time
 import unittest
 
-from service import CONFIGURATION, ServiceTest, boom
+from service import CONFIGURATION, PROGRAM, SECONDS, ServiceTest, boom
 
 SAMPLES = 40
 UNSETTLED = ("--population", 8, "--bits", 16)  # a search that is never done, so that every step of it shows
@@ -73,6 +78,27 @@ class Restart(ServiceTest):
             _, errors = again.stop()
             self.assertIn("1 machine restored\n", errors)
 
+    def test_a_signal_is_heeded_before_it_is_known_where_it_listens(self):
+        reading, writing = os.pipe()
+        os.set_blocking(writing, False)
+        os.write(writing, b"x" * (1 << 20))  # as many as it holds
+        os.set_blocking(writing, True)
+        service = subprocess.Popen([PROGRAM, "monitor"], stdout=writing, stderr=subprocess.PIPE, text=True)
+        os.close(writing)
+        self.addCleanup(service.stderr.close)
+        self.addCleanup(service.wait)
+        self.addCleanup(service.kill)
+        status = pathlib.Path(f"/proc/{service.pid}/status")
+        wanted = 1 << signal.SIGTERM - 1 | 1 << signal.SIGINT - 1
+        caught, until = 0, time.monotonic() + SECONDS / 4
+        while caught & wanted != wanted:  # and it cannot say where: its pipe is full
+            self.assertLess(time.monotonic(), until)
+            caught = int(re.search(r"SigCgt:\s+(\w+)", status.read_text(encoding="ascii"))[1], 16)
+        with open(reading, encoding="ascii") as lines:
+            self.assertIn("listening", lines.readline())
+        service.terminate()
+        self.assertEqual(service.wait(SECONDS), 0)
+
     def test_a_signal_is_not_held_up_by_who_does_not_read(self):
         service = self.service()
         client = self.client(service)
@@ -98,17 +124,62 @@ class Restart(ServiceTest):
         self.assertIn("torn", again.stop()[1])
 
     def test_a_full_disk_does_not_end_the_diagnosis(self):
-        service = self.service("--state", self.state, file_bytes=4000)
+        service = self.service("--state", self.state)
+        service.fill_disk(4000)
         client = self.client(service, "digger")
         client.ask(**CONFIGURATION)
         for i in range(SAMPLES):
-            self.assertEqual(client.ask(**boom(i))["samples"], i + 1)
+            client.send(**boom(i))
+            self.assertEqual(client.receive_type("estimates")["samples"], i + 1)
         _, errors = service.stop(signal.SIGKILL)
         self.assertEqual(errors.count("going on, but a restart would forget"), 1)
         again = self.service("--state", self.state)
         known = self.client(again, "digger").welcome["samples"]
         self.assertGreater(known, 10)
         self.assertLess(known, SAMPLES)
+
+    def test_samples_lost_to_a_full_disk_leave_no_hole(self):
+        expected = self.uninterrupted()
+        service = self.service("--state", self.state, *UNSETTLED)
+        client = self.client(service, "digger")
+        client.ask(**CONFIGURATION)
+        for i in range(12):
+            client.ask(**boom(i))
+        service.fill_disk(1)
+        self.assertEqual(client.ask(**boom(12)), expected[12])
+        told = client.receive()
+        self.assertEqual((told["type"], told["kept"]), ("kept", False))
+        self.assertIn("cannot be appended to", told["text"])
+        late = self.client(service, "digger", role="watch")
+        self.assertEqual(late.receive(), told)
+        service.free_disk()
+        client.send(**boom(13))  # comes before the state file is written, or after
+        client.receive_type("estimates")
+        service.stop(signal.SIGKILL)
+        client = self.client(self.service("--state", self.state, *UNSETTLED), "digger")
+        known = client.welcome["samples"]
+        self.assertIn(known, (12, 14))
+        self.assertEqual([client.ask(**boom(i)) for i in range(known, SAMPLES)], expected[known:])
+
+    def test_after_a_full_disk_all_is_kept_again(self):
+        expected = self.uninterrupted()
+        service = self.service("--state", self.state, *UNSETTLED)
+        client = self.client(service, "digger")
+        service.fill_disk(1)
+        client.send(**CONFIGURATION)
+        self.assertEqual(client.receive_type("kept")["kept"], False)
+        for i in range(20):
+            client.send(**boom(i))
+            client.receive_type("estimates")
+        service.free_disk()
+        self.assertEqual(client.receive_type("kept")["kept"], True)
+        self.assertEqual(client.ask(**boom(20)), expected[20])
+        _, errors = service.stop(signal.SIGKILL)
+        self.assertEqual(len(errors.splitlines()), 2, errors)
+        self.assertIn("the state file is written again", errors)
+        client = self.client(self.service("--state", self.state, *UNSETTLED), "digger")
+        self.assertEqual(client.welcome["samples"], 21)
+        self.assertEqual([client.ask(**boom(i)) for i in range(21, SAMPLES)], expected[21:])
 
     def test_what_cannot_be_is_refused(self):
         service = self.service("--state", self.state, *UNSETTLED)

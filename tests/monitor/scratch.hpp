@@ -1,11 +1,35 @@
 #pragma once
 
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+
+/// No file may grow beyond this, as on a full disk, while it lives.
+class FullDisk {
+public:
+    explicit FullDisk(std::size_t bytes) : former_signal_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &former_);
+        rlimit limit{bytes, former_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &former_);
+        std::signal(SIGXFSZ, former_signal_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit former_{};
+    void (*former_signal_)(int);
+};
 
 /// A folder of a test's own, gone when the test ends.
 class Scratch {

@@ -18,13 +18,9 @@ SECONDS = 60  # for anything that should take no time
 class Service:
     """A running `placedpar monitor`; its port is any free one."""
 
-    def __init__(self, *arguments, file_bytes=None):
-        def limit_files():
-            if file_bytes:
-                resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
-
+    def __init__(self, *arguments):
         self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True, preexec_fn=limit_files)
+                                        stderr=subprocess.PIPE, text=True)
         first = self.process.stdout.readline()
         found = re.fullmatch(r"placedpar monitor: listening on (\S+) port (\d+)\n", first)
         if not found:
@@ -38,6 +34,13 @@ class Service:
             self.process.send_signal(number)
         _, errors = self.process.communicate(timeout=SECONDS)
         return self.process.returncode, errors
+
+    def fill_disk(self, file_bytes):
+        """From now on no file of the service may be longer, which is like a full disk to it."""
+        resource.prlimit(self.process.pid, resource.RLIMIT_FSIZE, (file_bytes, resource.RLIM_INFINITY))
+
+    def free_disk(self):
+        self.fill_disk(resource.RLIM_INFINITY)
 
     def memory_kilobytes(self):
         """What it occupies now."""
@@ -110,8 +113,8 @@ class ServiceTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def service(self, *arguments, **limits):
-        service = Service(*arguments, **limits)
+    def service(self, *arguments):
+        service = Service(*arguments)
         self.addCleanup(service.process.stderr.close)
         self.addCleanup(service.process.stdout.close)
         self.addCleanup(service.process.wait)

@@ -98,6 +98,108 @@ TEST_CASE("a kill between the state file and the journal repeats nothing") {
     CHECK(text_of(again) == text_of(machines));
 }
 
+TEST_CASE("nothing is appended behind what a full disk lost") {
+    Scratch scratch;
+    Machines machines = none(), restored = none();
+    {
+        StateStore store(scratch / "state");
+        store.restore(machines);
+        take(machines, store, hello);
+        std::string before = text_of(machines);
+        {
+            FullDisk disk(scratch.read("state.journal").size() + 20);
+            CHECK_THROWS_WITH_AS(take(machines, store, configuration), doctest::Contains("cannot be appended to"),
+                                 std::runtime_error);
+            CHECK_THROWS_WITH_AS(store.write(machines), doctest::Contains("cannot be written"), std::runtime_error);
+        }
+        CHECK_FALSE(store.complete());
+        CHECK(store.due());
+        for (int i = 0; i < 12; ++i)
+            take(machines, store, sample(i));
+        // A kill now: what was known before the hole.
+        Scratch copy;
+        copy.write("state", scratch.read("state"));
+        copy.write("state.journal", scratch.read("state.journal"));
+        Machines earlier = none();
+        StateStore(copy / "state").restore(earlier);
+        CHECK(text_of(earlier) == before);
+
+        store.write(machines);
+        CHECK(store.complete());
+        CHECK_FALSE(store.due());
+        take(machines, store, sample(12));
+    }
+    StateStore(scratch / "state").restore(restored);
+    CHECK(text_of(restored) == text_of(machines));
+}
+
+TEST_CASE("a state file that cannot be written leaves the journal as it was") {
+    Scratch scratch;
+    Machines machines = none(), restored = none();
+    {
+        StateStore store(scratch / "state");
+        store.restore(machines);
+        take(machines, store, hello);
+        take(machines, store, configuration);
+        {
+            FullDisk disk(100);
+            CHECK_THROWS_AS(store.write(machines), std::runtime_error);
+        }
+        CHECK(store.complete());
+        take(machines, store, sample(0));
+    }
+    StateStore(scratch / "state").restore(restored);
+    CHECK(text_of(restored) == text_of(machines));
+}
+
+TEST_CASE("what does not come to the disk does not take the state file's name") {
+    Scratch scratch;
+    Machines machines = none();
+    StateStore store(scratch / "state");
+    store.restore(machines);
+    std::string state = scratch.read("state");
+    take(machines, store, hello);
+    std::filesystem::create_symlink("/dev/null", scratch / "state.next"); // which takes all and syncs nothing
+    CHECK_THROWS_WITH_AS(store.write(machines), doctest::Contains("state.next: cannot be brought to the disk"),
+                         std::runtime_error);
+    CHECK(scratch.read("state") == state);
+    CHECK(store.complete());
+}
+
+TEST_CASE("no state file: what it is instead, and what to do") {
+    Scratch scratch;
+    auto refused = [&](const char* text, const char* because) {
+        scratch.write("state", text);
+        Machines machines = none();
+        std::string said;
+        try {
+            StateStore(scratch / "state").restore(machines);
+        } catch (const std::runtime_error& error) {
+            said = error.what();
+        }
+        CAPTURE(text);
+        CHECK(said == fmt::format("{0}: this state file cannot be used: {1}; put a whole one there, or move it and "
+                                  "{0}.journal away and begin with nothing known",
+                                  (scratch / "state").string(), because));
+        CHECK(scratch.read("state") == text);
+    };
+    refused("", "it is empty");
+    refused("{\"placedpar_monitor_state\":1,\"sett", "it breaks off after 34 bytes");
+    refused("rubbish", "it is no state file of the monitor");
+    refused("{}", "it is no state file of the monitor");
+    refused("[1]", "it is no state file of the monitor");
+    refused("{\"placedpar_monitor_state\":1}", "a part of it is missing");
+    refused("{\"placedpar_monitor_state\":\"one\"}", "a part of it is wrong: not a number");
+    scratch.write("state", "{\"placedpar_monitor_state\":7}");
+    Machines machines = none();
+    CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(machines),
+                         doctest::Contains("it is of another version than 1; say another file"), std::runtime_error);
+    std::filesystem::create_directory(scratch / "folder");
+    CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"),
+                         std::runtime_error);
+    CHECK_FALSE(std::filesystem::exists(scratch / "folder.journal"));
+}
+
 TEST_CASE("files that do not fit are refused by name") {
     Scratch scratch;
     Machines machines = none();

@@ -55,6 +55,20 @@ TEST_CASE("a source takes the memory of its text, not of the largest text that t
     CHECK(loaded.file->text().capacity() < 10'000);
 }
 
+TEST_CASE("a netlist of many large files is refused before it fills the memory") {
+    auto folder = std::filesystem::temp_directory_path() / "placedpar_many_large_files_test";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "large.cfs") << repeated(std::string(999, ' ') + "\n", 15'000);
+    std::ofstream main(folder / "main.cfs");
+    main << repeated("#include \"large.cfs\"\n", 5);
+    main.close();
+    auto path = folder / "main.cfs";
+    auto result = read_netlist(path, small_catalogue());
+    std::filesystem::remove_all(folder);
+    CHECK(first_message(result) == "more than 67108864 bytes are included");
+    CHECK(result.diagnostics.at(0).location.text() == path.string() + ":5:10");
+}
+
 TEST_CASE("binary rubbish") {
     auto result = read_netlist_text(std::string("T800 a;\n\tval \0 x", 16), small_catalogue());
     CHECK(first_message(result) == "this is no text but a binary file: it holds the byte 0x00");
@@ -114,6 +128,14 @@ TEST_CASE("replication and arrays without measure") {
     CHECK(read_netlist_text("val n 1" + repeated("\n+ 1", 900) + "; if n == 901 T800 t;", small_catalogue())
               .network.value()
               .nodes.size() == 1);
+}
+
+TEST_CASE("a netlist that is refused already is not worked out for ever") {
+    auto result = read_netlist_text("T800 t[1000000];\n"
+                                    "rep i = 0 for 1000000 rep k = 0 for 1000000 connect t[i].link[k] to t[k].link[i];",
+                                    small_catalogue());
+    CHECK(first_message(result).find("the array is too large") != std::string::npos);
+    CHECK(render(result.diagnostics).find("takes more than") == std::string::npos);
 }
 
 TEST_CASE("at most twenty errors") {

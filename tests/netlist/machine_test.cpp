@@ -42,6 +42,28 @@ TEST_CASE("links of transputers that do not overlap acknowledges carry 0.8 Mbyte
     CHECK(rate("processor (type = \"T414\")", "T414") == doctest::Approx(800).epsilon(0.03));
 }
 
+TEST_CASE("what can be shown but not run says where it is") {
+    auto refusal = [](const std::string& text) -> std::string {
+        Catalogue catalogue;
+        add_csp_kinds(catalogue);
+        ReadResult read = read_netlist_text("T800 a; edge e; connect a.link[0] to e;\n" + text, catalogue, {}, "m.cfs");
+        REQUIRE(read.network);
+        try {
+            Machine(*read.network, catalogue, 1);
+        } catch (const std::invalid_argument& refused) {
+            return refused.what();
+        }
+        return "";
+    };
+    std::string process = "process (interface (output out, input in)) p;\nplace p on a; connect p.out to p.in;";
+    CHECK(refusal(process) == "m.cfs:2:44: process p has no program: say use \"kind\" for p;");
+    CHECK(refusal(process + " use \"mine.lku\" for p;")
+              .starts_with("m.cfs:2:44: process p runs \"mine.lku\", a program that PlacedPar does not have"));
+    CHECK(refusal("output o; process (interface (output out)) p; use \"csp.producer\" for p; place p on a;\n"
+                  "place o on e; connect p.out to o;")
+              .starts_with("m.cfs:3:15: channel p.out -> o leads to an edge"));
+}
+
 TEST_CASE("a machine that would compute for longer than virtual time lasts says so and ends") {
     CHECK_THROWS_AS(run_pair("T800 (clock = 1)", "T800 (clock = 1)", "count = 10, cycles = 1000000000000"),
                     std::overflow_error);

@@ -204,6 +204,27 @@ TEST_CASE("a timeout that is due already does not keep others from running, nor 
     CHECK(polls < 10);
 }
 
+TEST_CASE("time passes while a placed process polls: its own timeout comes, and the messages of others") {
+    Simulation simulation;
+    Channel<int> c("c");
+    Time got{}, timed_out{};
+    simulation.process(
+        "polls",
+        [&] {
+            for (int polls = 0; polls < 100'000 && timed_out == Time{0}; ++polls)
+                alt(on(c.in(), [&](int) { got = now(); }), after(microseconds{300}, [&] { timed_out = now(); }),
+                    skip([] {}));
+        },
+        &simulation.processor("t800"));
+    simulation.process("outputs", [&] { wait_until(microseconds{100}), c.out().output(1); });
+    CHECK(simulation.run().ending == Ending::completed);
+    constexpr microseconds longest_poll{10};
+    CHECK(got >= microseconds{100});
+    CHECK(got < microseconds{100} + longest_poll);
+    CHECK(timed_out >= microseconds{300});
+    CHECK(timed_out < microseconds{300} + longest_poll);
+}
+
 TEST_CASE("enabling is paid before the wait, disabling after it: a wake costs more the more guards there are") {
     // When the message comes at 1 ms, what is left: disc a guard, altend, in, and the copy of one word.
     for (std::int64_t guards : {1, 10})

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace placedpar {
+
+/// Writes to standard output, at once: everything that a command prints goes this way, so that a report lost on its
+/// way to a full disk is no success. Throws std::runtime_error when it could not be written whole.
+void print_out(std::string_view text);
+
+} // namespace placedpar

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace placedpar {
+
+/// The values, in this room's unit, that a constant of a machine can have.
+struct ParameterRange {
+    double least = -std::numeric_limits<double>::infinity();
+    bool least_included = true;
+
+    /// Never of nan and of what is infinite.
+    bool contains(double value) const;
+    /// "above 0", "0 or above".
+    std::string expected() const;
+};
+
+/// By the parameter's name: an area or a mass is above 0, a noise 0 or above; an offset, a load or a voltage may have
+/// either sign. One place for whoever reads parameters; what depends on several of them is checked where they are used.
+ParameterRange range_of(std::string_view parameter);
+
+} // namespace placedpar

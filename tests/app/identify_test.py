@@ -1,0 +1,264 @@
+"""Identification as its users meet it: right answers, flags, what is refused, the machine-readable result, --on."""
+
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+
+from program import CLUSTER, EXAMPLES, FIGURE_E2, placedpar
+
+RECORDS = EXAMPLES / "records"
+STEP = RECORDS / "boom-4deg.csv"
+TRUTH = 0.0086
+
+
+class Identification(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def record(self, *arguments):
+        path = self.folder / "record.csv"
+        run = placedpar("record", *arguments, "--out", path)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return path
+
+    def identify(self, *arguments):
+        """What is printed."""
+        run = placedpar("identify", *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run.stdout
+
+    def result(self, *arguments):
+        """What --json says."""
+        path = self.folder / "result.json"
+        self.identify(*arguments, "--json", path)
+        return json.loads(path.read_text(encoding="utf-8"))
+
+    def boom(self, *arguments):
+        return self.result(*arguments)["links"][0]
+
+    def refused(self, *arguments):
+        run = placedpar("identify", *arguments)
+        self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
+        self.assertEqual(run.stdout, "")
+        return run.stderr
+
+    def rows(self, edit, source=STEP):
+        """A record whose rows, cells of text, are what `edit` makes of them; none: left out."""
+        lines = []
+        for line in source.read_text(encoding="utf-8").splitlines():
+            row = edit(line.split(",")) if line[:1].isdigit() else line.split(",")
+            lines += [",".join(row)] if row else []
+        return self.file("edited.csv", "\n".join(lines) + "\n")
+
+    # Answers and flags
+
+    def test_the_records_of_the_project_give_the_true_compliance(self):
+        for record in sorted(RECORDS.glob("*.csv")):
+            for way in ("thesis", "service"):
+                boom = self.boom(record, "--way", way)
+                self.assertAlmostEqual(boom["compliance"], TRUTH, delta=0.1 * TRUTH, msg=(record, way))
+                self.assertEqual(boom["flags"], [], (record, way))
+                self.assertLess(boom["standard_error"], 0.1 * TRUTH)
+
+    def test_an_offset_that_is_not_taken_off_ends_at_the_lower_bound(self):
+        boom = self.boom(RECORDS / "boom-offset.csv", "--offset", "none")
+        self.assertRegex(boom["flags"][0], "^at the lower bound")
+        self.assertAlmostEqual(self.boom(RECORDS / "boom-offset.csv", "--offset", -0.01)["compliance"], TRUTH,
+                               delta=0.1 * TRUTH)
+
+    def test_a_leak_that_passes_for_an_offset_is_flagged(self):
+        leak = self.record("excavator", "--set", "fault.leak=0.0028", "--set", "fault.leak_start=0.192")
+        self.assertRegex(self.boom(leak)["flags"][0], r"^an offset of \+0\.004\d in was found: a leak looks the same")
+        self.assertNotIn("leak", self.identify(leak, "--offset", 0.0045))
+
+    def test_angles_that_are_radians_are_uncertain(self):
+        radians = self.rows(lambda row: row[:3] + [str(float(row[3]) * 0.01745)] + row[4:])
+        self.assertRegex(self.boom(radians, "--offset", "none")["flags"][0], r"^uncertain: .* standard error of \d\d %")
+
+    def test_one_search_has_no_spread_and_twenty_one_have(self):
+        thesis, service = self.identify(STEP), self.identify(STEP, "--way", "service")
+        self.assertRegex(thesis, r"(?m)^C_BOi +0\.00\d+ +- +- +0\.000")
+        self.assertRegex(service, r"(?m)^C_BOi +0\.00\d+ +0\.00\d+ +0\.00\d+ +0\.000")
+        self.assertIn("21 searches", service)
+
+    def test_each_setting_is_heeded(self):
+        plain = self.result(STEP)
+        for option, value in (("--bias", 0.25), ("--population", 8), ("--trials", 2), ("--window", 7), ("--elite", 3),
+                              ("--coding", "gray"), ("--bits", 12), ("--samples", 9), ("--seed", 2)):
+            changed = self.result(STEP, option, value)
+            self.assertNotEqual(changed["estimates"], plain["estimates"], option)
+        self.assertNotEqual(self.result(STEP, "--rising")["estimates"], plain["estimates"])
+        self.assertIn("more than the bias allows (0.5)", self.identify(STEP, "--bias", 0.25))
+
+    def test_the_offset_is_not_looked_for_where_no_spool_is_used(self):
+        links = self.record("two-links", "--noise", "low")
+        self.assertNotIn("spool", self.identify(links, "--link", "bucket,boom"))
+        self.assertIn("has no effect", self.refused(links, "--link", "bucket,boom", "--offset", 0.01))
+        self.assertIn("spool offset", self.identify(STEP, "--areas-from", "servo"))
+
+    # Records with gaps
+
+    def test_rows_lost_before_the_transient_change_little_by_the_voltage(self):
+        whole = self.record("excavator", "--noise", "none")
+        by_servo = ("--areas-from", "servo", "--offset", "none")
+        compliance = self.boom(whole, *by_servo)["compliance"]
+        gap = self.rows(lambda row: None if 0.11 < float(row[0]) < 0.19 else row, whole)
+        self.assertAlmostEqual(self.boom(gap, *by_servo)["compliance"], compliance, delta=0.05 * compliance)
+
+    def test_no_window_reaches_over_a_gap(self):
+        gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
+        result = self.result(gap)
+        times = [estimate["time_s"] for estimate in result["estimates"]]
+        # From the first slope after the gap, 0.5 s, the window's fifth sample is at 0.58 s.
+        self.assertEqual([time for time in times if 0.35 < time < 0.579], [])
+        self.assertIn(0.58, times)
+        self.assertEqual(result["warnings"][0]["message"], "3 samples are missing before this one")
+
+    # The result for machines
+
+    def test_json_holds_everything_and_the_same_seed_the_same_bytes(self):
+        path = self.folder / "result.json"
+        texts = []
+        for _ in range(2):
+            self.identify(STEP, "--way", "service", "--seed", 3, "--json", path)
+            texts.append(path.read_bytes())
+        self.assertEqual(texts[0], texts[1])
+        self.assertEqual(list(self.folder.iterdir()), [path])
+        result = json.loads(texts[0])
+        self.assertEqual((result["seed"], result["searches"], result["warnings"]), (3, 21, []))
+        self.assertIn("--seed 3", result["command"])
+        (boom,) = result["links"]
+        self.assertEqual((boom["link"], boom["unit"]), ("boom", "in^3/psi"))
+        self.assertLessEqual(boom["lowest"], boom["compliance"])
+        self.assertLessEqual(boom["compliance"], boom["highest"])
+        self.assertLessEqual(boom["codes_from_optimum"], 3)
+        last = result["estimates"][-1]
+        self.assertEqual(sorted(last), ["compliance", "error_in3_per_s", "frozen", "sample", "time_s"])
+        self.assertLess(abs(result["spool_offset_in"]), 0.001)
+
+    def test_json_tells_what_the_record_was_warned_of(self):
+        still = self.rows(lambda row: row[:2] + ["0.0"] + row[3:])
+        (warning,) = self.result(still)["warnings"]
+        self.assertIn("boom.outlet_pressure is 0 psi in every sample", warning["message"])
+        self.assertEqual(sorted(warning), ["column", "hint", "line", "message"])
+
+    def test_a_result_is_written_whole_or_not_at_all(self):
+        before = "before"
+        path = self.file("result.json", before)
+        for arguments in (("--samples", 4), ("--link", "bucket"), ("--on", FIGURE_E2), ("--areas-from", "areas")):
+            self.refused(STEP, *arguments, "--json", path)
+            self.assertEqual(path.read_text(encoding="utf-8"), before)
+        self.assertEqual(list(self.folder.iterdir()), [path])
+        record = self.file("own.csv", STEP.read_text(encoding="utf-8"))
+        self.assertIn("it is what is read", self.refused(record, "--json", record))
+        self.assertEqual(record.read_text(encoding="utf-8"), STEP.read_text(encoding="utf-8"))
+        self.assertIn("cannot be written", self.refused(STEP, "--json", self.folder / "none" / "result.json"))
+
+    # As processes of a simulated machine
+
+    def test_the_processes_find_the_same_whatever_the_way(self):
+        ways = ((), ("--way", "service"), ("--rising",),
+                ("--window", 8, "--population", 60, "--trials", 3, "--bias", 100, "--coding", "gray", "--elite", 2),
+                ("--samples", 60, "--way", "service"))
+        for way in ways:
+            result = self.result(STEP, "--on", CLUSTER, *way)
+            self.assertEqual(result["by_processes"], result["estimates"][-1]["compliance"], way)
+        printed = self.identify(STEP, "--on", CLUSTER, "--set", "slaves=1")
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi natively, 0\.00\1 by the processes: the same$")
+
+    def test_a_netlist_that_fixes_a_setting_otherwise_is_refused_with_its_place(self):
+        text = CLUSTER.read_text(encoding="utf-8").replace("../thesis", str(EXAMPLES / "thesis"))
+        fixed = self.file("fixed.cfs", text.replace("elite = elite,", "elite = elite, trials = 4,"))
+        said = self.refused(STEP, "--on", fixed).splitlines()
+        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 for "master", but identify searches with 5$')
+        self.assertEqual(said[2].strip(), "^")
+        self.assertTrue(said[1][len(said[2]) - 1:].startswith("trials = 4"), said)
+        self.assertIn("the same\n", self.identify(STEP, "--on", fixed, "--trials", 4))
+        self.assertIn('population = 60 for "master", but identify searches with 120',
+                      self.refused(STEP, "--on", CLUSTER, "--set", "population=60"))
+        self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
+        self.assertIn("processes search, expected one", self.refused(STEP, "--on", FIGURE_E2))
+
+    def test_processes_that_do_not_find_the_same_end_with_3(self):
+        # An island that is its own neighbour: its best takes the place of its worst every third generation.
+        ring = self.file("ring.cfs", """
+            T800 t; workstation sun; connect sun.link[0] to t.link[0];
+            process (interface (output to_masters[1])) host;
+            process (interface (input from_host, output ring_out, input ring_in)) island;
+            use "ga.host" for host; use "ga.island" for island;
+            connect host.to_masters[0] to island.from_host; connect island.ring_out to island.ring_in;
+            place host on sun; place island on t;""")
+        run = placedpar("identify", STEP, "--population", 20, "--on", ring)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertTrue(run.stdout.endswith("by the processes: not the same\n"))
+
+    def test_processes_that_cannot_search_as_natively_are_refused(self):
+        gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
+        self.assertIn("processes know no gaps. --samples", self.refused(gap, "--on", CLUSTER))
+
+    # What is refused
+
+    def test_wrong_options_say_what_would_be_right(self):
+        for arguments, said in (
+                (("--offset", "nan"), "auto, none, or a number of inches from -0.08 to 0.08"),
+                (("--offset", "-5"), "auto, none, or a number of inches from -0.08 to 0.08"),
+                (("--offset", "0.01x"), "auto, none, or a number of inches"),
+                (("--set", "x=1"), "--set requires --on"),
+                (("--link", "boom,boom"), "boom is named twice"),
+                (("--link", "boom,"), 'there is no link ""; there are bucket, boom, stick and swing'),
+                (("--link", "boom,crane"), 'there is no link "crane"'),
+                (("--link", "boom,stick"), "boom,stick are not coupled"),
+                (("--samples", 4), "--samples 4: expected at least 5"),
+                (("--bits", 1), "--bits: \"1\" is no whole number from 6 to 52"),
+                (("--population", 10**10), "is no whole number from 2 to 1000000"),
+                (("--window", 0), "is no whole number from 1 to 1024"),
+                (("--trials", -1), "is no whole number from 1 to"),
+                (("--elite", 119), "an elite of 119 in a population of 120"),
+                (("--bias", 0), "the fitness bias is 0"), (("--bias", "nan"), "the fitness bias is nan")):
+            self.assertIn(said, self.refused(STEP, *arguments), arguments)
+
+    def test_a_machine_that_cannot_be_is_refused_with_its_place(self):
+        for row, column, what in (('flow.orifice,-5,in^3/(s in^2 psi^0.5),ours,""', 14, "flow.orifice cannot be -5"),
+                                  ('flow.pump,0,in^3/s,ours,""', 11, "flow.pump cannot be 0"),
+                                  ('boom.inlet_area,0,cm^2,ours,""', 17, "boom.inlet_area cannot be 0")):
+            machine = self.file("machine.csv", "name,value,unit,mark,source\n" + row + "\n")
+            said = self.refused(STEP, "--machine", machine).splitlines()
+            self.assertTrue(said[0].endswith(f"machine.csv:2:{column}: error: {what}"), said)
+            self.assertEqual(said[2], " " * (3 + column) + "^")
+            self.assertEqual(said[3], "hint: above 0")
+
+    def test_what_a_record_lacks_is_said_with_its_name_and_what_it_has(self):
+        self.assertEqual(self.refused(STEP, "--link", "bucket"),
+                         f"{STEP}: error: the record has no channel bucket.inlet_pressure; it has boom.inlet_pressure, "
+                         "boom.outlet_pressure, boom.angle, boom.spool, boom.servo\n")
+        self.assertIn("has no channel boom.inlet_area", self.refused(STEP, "--areas-from", "areas"))
+        rest = self.rows(lambda row: row if float(row[0]) < 0.15 else None)
+        self.assertRegex(self.refused(rest), r"edited\.csv: error: 0 usable samples, expected at least 5: the transient")
+
+    def test_a_record_without_rows_is_refused(self):
+        header = "time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]"
+        for text in (header, header + "\n", header + "0.00,1555,20,0.1297" * 9, "# a\n" + header + "\n# b\n"):
+            said = self.refused(self.file("empty.csv", text))
+            self.assertRegex(said, r"^\S*empty\.csv: error: 0 samples, expected at least 5\n")
+        self.assertIn("4 samples, expected at least 5",
+                      self.refused(self.rows(lambda row: row if float(row[0]) < 0.07 else None)))
+
+    def test_help_names_every_choice(self):
+        said = placedpar("identify", "--help").stdout
+        for words in ("thesis|service=thesis", "auto|none|INCHES=auto", "areas|spool|servo", "6..52=10",
+                      "one search, as chapter 3 describes it"):
+            self.assertIn(words, said)
+        self.assertNotRegex(said, re.compile(r"TEXT|UINT|FLOAT"))
+
+
+if __name__ == "__main__":
+    unittest.main()
