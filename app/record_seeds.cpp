@@ -6,8 +6,8 @@
 
 namespace placedpar {
 
-std::vector<std::uint64_t> record_seeds(std::uint64_t study_seed, std::size_t records) {
-    std::vector<std::uint64_t> seeds;
+Seeds record_seeds(std::uint64_t study_seed, std::size_t records) {
+    Seeds seeds;
     for (std::size_t i = 0; i < records; ++i) {
         RandomStream stream(study_seed, fmt::format("record {}", i));
         std::uint64_t high = stream();

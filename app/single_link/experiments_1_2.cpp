@@ -19,9 +19,6 @@ namespace {
 // As printed by the thesis.
 constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 
-using Seeds = std::vector<std::uint64_t>;
-
-constexpr std::size_t records = 50;
 constexpr double shown_s = 1.2; // of the plots
 
 /// One of the thesis's two experiments.
@@ -238,7 +235,7 @@ std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
 } // namespace
 
 Replay replay_experiments_1_2(const ReplayContext& context) {
-    Seeds seeds = record_seeds(context.seed, records);
+    Seeds seeds = record_seeds(context.seed, usual_records);
     context.progress(simple.name);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
     Replay replay;

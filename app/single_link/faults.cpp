@@ -15,8 +15,6 @@ namespace placedpar {
 
 namespace {
 
-using Seeds = std::vector<std::uint64_t>;
-
 constexpr std::size_t records_a_fault = 20;
 // What `placedpar monitor` calls off unless told otherwise.
 constexpr double off_by = 0.12;

@@ -16,8 +16,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr double thesis_in3_per_psi = 0.0086, by_spool_in3_per_psi = 0.005;
-constexpr double shown_s = 1.4;
+constexpr double thesis_in3_per_psi = 0.0086, found_by_spool_in3_per_psi = 0.005;
+constexpr double drawn_s = 1.4;
 
 /// The boom raised at another speed than scenario A's 4 deg/s, or at that.
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
@@ -43,7 +43,7 @@ struct KnownCheck {
 const std::vector<KnownCheck>& known_checks() {
     static const std::vector<KnownCheck> all{
         {1, 1, 3, {}},      {0.5, 134, 8, 2267}, {2, 127, 8, 1883},
-        {0.9, 19.5, 4, {}}, {1.1, 19.5, 4, {}},  {by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
+        {0.9, 19.5, 4, {}}, {1.1, 19.5, 4, {}},  {found_by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
     return all;
 }
 
@@ -95,10 +95,7 @@ void add_motion(Reading& reading, double deg_per_s, const BoomData& data, double
     }
 }
 
-/// Of the record that is identified, and of two other motions.
-using Seeds = std::vector<std::uint64_t>;
-
-/// What experiment 2 identifies on scenario A.
+/// What experiment 2 identifies on scenario A, of the first record; the others are of other motions.
 double identified_by_voltage(BoomPlant plant, const Seeds& seeds) {
     BoomData data = measure(motion_at(4, plant, noise_of(plant)), seeds[0]);
     return identify_boom(data, model_of(data, AreasFrom::servo), rising_way(), seeds[0]).compliance_in3_per_psi;
@@ -128,16 +125,16 @@ Reading other_reading(BoomPlant plant, const Seeds& seeds) {
 
 /// The thesis simulates with the voltage that it identifies from. An a_0 that is wrong in both is not found out.
 Reading blind_reading(const Seeds& seeds) {
-    BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, by_spool_in3_per_psi), seeds[0]);
+    BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
-    BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, by_spool_in3_per_psi), seeds[1]);
+    BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, found_by_spool_in3_per_psi), seeds[1]);
     Reading reading{fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
                                 "3 deg/s",
                                 lag),
                     {},
                     ""};
     for (double compliance :
-         {thesis_in3_per_psi / 2, by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
+         {thesis_in3_per_psi / 2, found_by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
         std::string column = fmt::format("C = {}", compliance);
         auto volts = check_pressure(other, {AreasFrom::servo, lag, 0}, compliance);
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
@@ -151,14 +148,14 @@ Reading blind_reading(const Seeds& seeds) {
 
 Series simulated_series(std::string name, const PressureCheck& check) {
     Series series{std::move(name), {}};
-    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= shown_s; ++i)
+    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= drawn_s; ++i)
         series.points.push_back({check.time_s[i], check.simulated_psi[i]});
     return series;
 }
 
 Series measured_series(const PressureCheck& check) {
     Series series{"measured", {}, Stroke::points, 6};
-    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= shown_s; ++i)
+    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= drawn_s; ++i)
         series.points.push_back({check.time_s[i], check.measured_psi[i]});
     return series;
 }
@@ -167,7 +164,7 @@ Series measured_series(const PressureCheck& check) {
 Panel pressure_panel(std::string title, const BoomData& data, double identified_in3_per_psi, bool all) {
     Panel panel;
     panel.title = std::move(title);
-    panel.x = {"time [s]", 0, shown_s};
+    panel.x = {"time [s]", 0, drawn_s};
     panel.y = {"pressure P_BOi [psi]", 1500, 2250};
     for (const Curve& curve : curves)
         if (all || curve.factor == 1) {

@@ -17,9 +17,7 @@ namespace placedpar {
 namespace {
 
 using Maybe = std::optional<double>;
-using Seeds = std::vector<std::uint64_t>;
 
-constexpr std::size_t records = 50;
 // Long enough for a second of steady motion after the transient.
 constexpr double duration_s = 4;
 
@@ -264,7 +262,7 @@ Plot plot_of_offsets(std::uint64_t seed) {
 
 Replay replay_first_attempt(const ReplayContext& context) {
     Replay replay;
-    Seeds seeds = record_seeds(context.seed, records);
+    Seeds seeds = record_seeds(context.seed, usual_records);
     context.progress("the first attempt");
     replay.readings = {attempt_reading(seeds), flow_reading(), slow_reading()};
     context.progress("calibration");

@@ -15,10 +15,6 @@ namespace placedpar {
 
 namespace {
 
-using Seeds = std::vector<std::uint64_t>;
-
-constexpr std::size_t records = 50;
-
 /// A figure of an independent prototype, and that which a sound identification must not exceed.
 struct Bound {
     double known;
@@ -123,7 +119,7 @@ void add_variant(Reading& reading, const Variant& variant, const Transients& tra
 
 Reading variants_reading(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
     Reading reading{std::move(name), {}, "", "known", true};
-    Seeds seeds = record_seeds(context.seed, records);
+    Seeds seeds = record_seeds(context.seed, usual_records);
     Transients transients = measure_transients(mid_noise, thesis_way().usable, seeds);
     for (const Variant& variant : all) {
         context.progress(variant.name);
@@ -135,8 +131,9 @@ Reading variants_reading(std::string name, const std::vector<Variant>& all, cons
 Series distribution(const NoiseLevel& level, const Seeds& seeds) {
     Series series{level.name, {{0, 0}}};
     Study result = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
-    for (std::size_t i = 1; i <= records; ++i) {
-        double share = static_cast<double>(i) / records, error = share_below(result.error_percent, share);
+    for (std::size_t i = 1; i <= seeds.size(); ++i) {
+        double share = static_cast<double>(i) / static_cast<double>(seeds.size()),
+               error = share_below(result.error_percent, share);
         series.points.push_back({error, series.points.back().y});
         series.points.push_back({error, 100 * share});
     }
@@ -158,7 +155,7 @@ Plot plot_of_study(const Seeds& seeds) {
 
 Replay replay_identification_study(const ReplayContext& context) {
     Replay replay;
-    Seeds seeds = record_seeds(context.seed, records);
+    Seeds seeds = record_seeds(context.seed, usual_records);
     Reading reading{"50 records of scenario A and as many searches, the thesis's way", {}, "", "known"};
     for (const NoiseLevel& level : levels) {
         context.progress(fmt::format("noise: {}", level.name));

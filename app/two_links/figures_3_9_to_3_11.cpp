@@ -13,8 +13,6 @@ namespace placedpar {
 
 namespace {
 
-using Seeds = std::vector<std::uint64_t>;
-
 /// The steady state of scenario R2; known from an independent prototype.
 Reading steady_reading(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();

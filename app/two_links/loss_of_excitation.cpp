@@ -12,7 +12,6 @@ namespace placedpar {
 
 namespace {
 
-using Seeds = std::vector<std::uint64_t>;
 using Runs = std::vector<SearchRun>;
 
 constexpr std::size_t trials_a_sample = 5;
