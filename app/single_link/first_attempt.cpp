@@ -153,7 +153,7 @@ void add_scatter(Reading& reading, const KnownScatter& known, const Seeds& seeds
         reading.cells.push_back(judged_cell(row, known.name, "in", figure, value, tolerance, 5));
     };
     add("offset found, mean of 50", true_in, mean(found), 0.00005);
-    add("  its scatter", known.known_in, deviation(found), deviation_tolerance(known.known_in, records, 0.000005));
+    add("  its scatter", known.known_in, deviation(found), deviation_tolerance(known.known_in, seeds.size(), 0.000005));
     reading.cells.push_back(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
 }
 
