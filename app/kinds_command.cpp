@@ -1,12 +1,16 @@
 #include "app/kinds_command.hpp"
 
 #include "app/problems.hpp"
+#include "app/standard_output.hpp"
 #include "netlist/catalogue.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace placedpar {
 
@@ -49,8 +53,6 @@ std::string print_parameters(const ProcessKind& kind) {
     return out;
 }
 
-} // namespace
-
 std::string print_kinds() {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
@@ -79,6 +81,20 @@ std::string print_kind(const std::string& name) {
     for (const MeasureDescription& measure : kind->measures)
         out += fmt::format("  {:<28} {:<7} {}\n", measure.name, measure.unit, measure.about);
     return out;
+}
+
+} // namespace
+
+void declare_kinds(CLI::App& app, ChosenCommand& chosen) {
+    auto name = std::make_shared<std::string>();
+    auto* command = app.add_subcommand("kinds", "Lists the process kinds that a netlist can use");
+    command->add_option("NAME", *name, "everything about this kind");
+    command->callback([&chosen, name] {
+        chosen = [name] {
+            print_out(name->empty() ? print_kinds() : print_kind(*name));
+            return ExitCode::success;
+        };
+    });
 }
 
 } // namespace placedpar

@@ -1,12 +1,14 @@
 #pragma once
 
-#include <string>
+#include "app/command.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace placedpar {
 
-/// `placedpar kinds`: every kind, a line each; with a name, everything about that kind. Throws
-/// std::runtime_error for a name that is no kind.
-std::string print_kinds();
-std::string print_kind(const std::string& name);
+/// Adds `placedpar kinds`: every kind, a line each; with a name, everything about that kind.
+void declare_kinds(CLI::App& app, ChosenCommand& chosen);
 
 } // namespace placedpar

@@ -1,5 +1,6 @@
 #include "app/replay_command.hpp"
 
+#include "app/common_options.hpp"
 #include "app/examples_folder.hpp"
 #include "app/experiment.hpp"
 #include "app/experiment_runs.hpp"
@@ -11,15 +12,31 @@
 #include "app/run_report.hpp"
 #include "app/standard_output.hpp"
 
+#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <memory>
 #include <stdexcept>
 
 namespace placedpar {
 
 namespace {
+
+/// What the command line may say; what is written has no file where it is empty.
+struct Options {
+    std::string experiment, json, plots;
+    std::uint64_t seed = 1;
+};
+
+std::string list_experiments() {
+    std::string out;
+    for (const Experiment& experiment : experiments())
+        out += fmt::format("  {:<20} {}\n", experiment.name, experiment.about);
+    return out;
+}
 
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
@@ -103,26 +120,17 @@ void write_plots(const Replay& replay, const std::filesystem::path& folder) {
     }
 }
 
-} // namespace
-
-std::string list_experiments() {
-    std::string out;
-    for (const Experiment& experiment : experiments())
-        out += fmt::format("  {:<15} {}\n", experiment.name, experiment.about);
-    return out;
-}
-
-ExitCode replay(const std::string& name, std::uint64_t seed, const ReplayOutput& output, const std::string& command) {
-    const Experiment& experiment = find_experiment(name);
-    if (!output.json.empty())
-        require_writable(output.json);
-    if (!output.plots.empty())
-        require_folder_for_plots(output.plots);
+ExitCode replay(const Options& options, const std::string& command_line) {
+    const Experiment& experiment = find_experiment(options.experiment);
+    if (!options.json.empty())
+        require_writable(options.json);
+    if (!options.plots.empty())
+        require_folder_for_plots(options.plots);
     InterruptGuard guard;
     Progress progress;
     Replay result;
     try {
-        result = experiment.run({examples_folder(), seed, [&](const std::string& what) {
+        result = experiment.run({examples_folder(), options.seed, [&](const std::string& what) {
                                      end_if_interrupted();
                                      progress.show(what);
                                  }});
@@ -136,11 +144,26 @@ ExitCode replay(const std::string& name, std::uint64_t seed, const ReplayOutput&
     for (const Reading& reading : result.readings)
         print_out(print_reading(reading) + "\n");
     print_out(fmt::format("{}fingerprint: {:016x}\n{}", result.constants, result.fingerprint, print_verdict(result)));
-    if (!output.json.empty())
-        write_whole(output.json, print_pretty(replay_json(result, name, seed, command)));
-    if (!output.plots.empty())
-        write_plots(result, output.plots);
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(replay_json(result, options.experiment, options.seed, command_line)));
+    if (!options.plots.empty())
+        write_plots(result, options.plots);
     return result.within_tolerance() ? ExitCode::success : ExitCode::missed_tolerance;
+}
+
+} // namespace
+
+void declare_replay(CLI::App& app, ChosenCommand& chosen, const std::string& command_line) {
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("replay", "Runs an experiment of the thesis beside the thesis's figures");
+    command->add_option("EXPERIMENT", options->experiment, "one of those below")->required();
+    add_seed(*command, options->seed);
+    add_file(*command, "--json", options->json, "writes the cells for machines");
+    add_file(*command, "--plots", options->plots, "writes the experiment's plots, SVG", "FOLDER");
+    command->footer("experiments:\n" + list_experiments());
+    command->callback([&chosen, &command_line, options] {
+        chosen = [&command_line, options] { return replay(*options, command_line); };
+    });
 }
 
 } // namespace placedpar

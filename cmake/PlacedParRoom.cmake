@@ -8,9 +8,6 @@ target_compile_features(placedpar_options INTERFACE cxx_std_20)
 # -Wrestrict: false alarms on string + in GCC 12 (its bug 105651).
 target_compile_options(placedpar_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
-if(CMAKE_UNITY_BUILD) # where what one source names may stand before what another does
-    target_compile_options(placedpar_options INTERFACE -Wno-shadow)
-endif()
 if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()

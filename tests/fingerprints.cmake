@@ -6,15 +6,15 @@ endfunction()
 
 placedpar_fingerprints(fingerprints $<TARGET_FILE:placedpar>)
 
-# placedpar_compiler(gcc-O0 g++ -O0): builds the program that way and compares what it prints.
+# placedpar_compiler(gcc-O0 g++ -O0): builds what runs netlists that way and compares what it prints.
 function(placedpar_compiler name compiler flags)
     find_program(PLACEDPAR_${compiler} ${compiler} REQUIRED)
     set(build ${CMAKE_CURRENT_BINARY_DIR}/${name})
     add_test(NAME ${name}.configure COMMAND ${CMAKE_COMMAND} -G Ninja -S ${PROJECT_SOURCE_DIR} -B ${build}
-        -DCMAKE_CXX_COMPILER=${PLACEDPAR_${compiler}} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_BUILD_TYPE= -DCMAKE_UNITY_BUILD=ON
+        -DCMAKE_CXX_COMPILER=${PLACEDPAR_${compiler}} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_BUILD_TYPE=
         -DPLACEDPAR_TESTS=OFF -DPLACEDPAR_BENCH=OFF -DPLACEDPAR_WARNINGS_AS_ERRORS=${PLACEDPAR_WARNINGS_AS_ERRORS})
-    add_test(NAME ${name}.build COMMAND ${CMAKE_COMMAND} --build ${build} --target placedpar)
-    placedpar_fingerprints(${name}.fingerprints ${build}/app/placedpar $<TARGET_FILE:placedpar>)
+    add_test(NAME ${name}.build COMMAND ${CMAKE_COMMAND} --build ${build} --target placedpar_netlists)
+    placedpar_fingerprints(${name}.fingerprints ${build}/app/placedpar_netlists $<TARGET_FILE:placedpar>)
     set_tests_properties(${name}.configure ${name}.build ${name}.fingerprints PROPERTIES LABELS compilers)
     set_tests_properties(${name}.configure PROPERTIES FIXTURES_SETUP ${name}.configured)
     set_tests_properties(${name}.build PROPERTIES
