@@ -2,8 +2,8 @@
 
 #include "gaprocs/kinds.hpp"
 #include "gaprocs/search_problem.hpp"
-#include "hydraulics/boom_problem.hpp"
 #include "hydraulics/boom_record.hpp"
+#include "hydraulics/circuit_problem.hpp"
 #include "netlist/csp_kinds.hpp"
 #include "runtime/random.hpp"
 
@@ -11,13 +11,21 @@ namespace placedpar {
 
 namespace {
 
+/// A circuit whose record was made with known compliances.
+struct SimulatedCircuit : CircuitProblem {
+    std::vector<double> compliance_in3_per_psi;
+
+    std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
+};
+
 /// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied.
 void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
     BoomScenario scenario;
     RandomStream noise(seed, "record of the boom");
     auto record = boom_record(scenario, low_noise, [&] { return noise.uniform(); });
-    problems.add("boom", make_search_problem(BoomProblem(scenario.flow, scenario.machine.inlet_compliance_in3_per_psi)),
-                 std::move(record));
+    SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
+                          {scenario.machine.inlet_compliance_in3_per_psi}};
+    problems.add("boom", make_search_problem(std::move(boom)), std::move(record));
 }
 
 } // namespace

@@ -75,7 +75,15 @@ std::string print_difference(double difference, int decimals) {
     return text[1] == '0' ? text.erase(1, 1) : text;
 }
 
+std::string print_bound(const char* sign, double bound, int decimals) {
+    return sign + without_trailing_zeros(fmt::format("{:.{}f}", bound, decimals));
+}
+
 std::string print_error(const Cell& cell) {
+    if (cell.at_least)
+        return print_bound(">= ", *cell.at_least, cell.decimals);
+    if (cell.at_most)
+        return print_bound("<= ", *cell.at_most, cell.decimals);
     if (cell.thesis && (cell.tolerance || cell.unit == "%"))
         return print_difference(cell.simulated - *cell.thesis, cell.decimals);
     auto error = cell.error_percent();
@@ -137,6 +145,8 @@ std::optional<double> Cell::tolerance_in_percent() const {
 }
 
 bool Cell::within_tolerance() const {
+    if (at_least || at_most)
+        return simulated >= at_least.value_or(simulated) && simulated <= at_most.value_or(simulated);
     if (tolerance)
         return thesis && std::abs(simulated - *thesis) <= *tolerance;
     if (!tolerance_percent)

@@ -24,6 +24,8 @@ struct Cell {
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = std::nullopt; ///< in the cell's unit; goes before tolerance_percent
     int decimals = 2;                               ///< as printed
+    /// One-sided, in the cell's unit; where either is, it judges the cell, and no tolerance does.
+    std::optional<double> at_least = std::nullopt, at_most = std::nullopt;
 
     /// Of the thesis's figure; 0 where both are 0. None without a figure to compare with.
     std::optional<double> error_percent() const;
@@ -44,8 +46,8 @@ struct Reading {
 bool within_tolerance(const Reading&);
 
 /// A table for people: each cell as simulated, thesis and error: in percent, or in the cell's unit where its tolerance
-/// is or that is percent itself. Rows and columns come in the order of the cells. A row with a column that the rows
-/// above it do not have begins a table of its own.
+/// is or that is percent itself; of a one-sided cell the bound that it is judged by. Rows and columns come in the order
+/// of the cells. A row with a column that the rows above it do not have begins a table of its own.
 std::string print_reading(const Reading&);
 
 } // namespace placedpar

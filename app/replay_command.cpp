@@ -63,6 +63,10 @@ boost::json::object cell_json(const Cell& cell, const std::string& against) {
         json[against] = or_null(cell.thesis);
     if (cell.tolerance)
         json["tolerance"] = *cell.tolerance; // in the cell's unit
+    if (cell.at_least)
+        json["at_least"] = *cell.at_least;
+    if (cell.at_most)
+        json["at_most"] = *cell.at_most;
     return json;
 }
 

@@ -17,11 +17,10 @@ struct BoomState {
 };
 
 /// Forward simulation of equations 3.1 to 3.4 with the load check, the mass on the cylinder, a first-order
-/// spool and, where the machine has one, a leak across the piston (2.5), by the classical Runge-Kutta method of
-/// order 4 with a fixed step (Boost.Odeint). One state a step, the first at time 0: at rest, the load held, the
-/// drain side at tank pressure. The desired spool and the leak are constant within a step; steps do not stop at the
-/// opening of the load check, as those of excavator_motion.hpp do: that changes the pressure by 2e-4 psi. Throws
-/// std::invalid_argument when a step, duration, mass or compliance is not positive.
+/// spool and, where the machine has one, a leak across the piston (2.5), by simulate_excavator(): its steps end where
+/// the load check opens, where the orifices have their knees, and where a command begins. One state a step, the first
+/// at time 0: at rest, the load held, the drain side at tank pressure.
+/// Throws std::invalid_argument as simulate_excavator().
 std::vector<BoomState> simulate_boom(const BoomScenario& scenario);
 
 } // namespace placedpar

@@ -37,4 +37,8 @@ OrificeAreas boom_orifices(double spool_in) {
     return {inlet_in2(spool_in), bypass_in2(spool_in), outlet_in2(spool_in)};
 }
 
+int boom_orifice_branch(double spool_in) {
+    return (spool_in > boom_dead_band_in) + (spool_in >= boom_outlet_knee_in) + (spool_in > boom_bypass_shut_in);
+}
+
 } // namespace placedpar

@@ -20,4 +20,7 @@ inline constexpr double boom_bypass_shut_in = 0.376;
 /// 7e-4 in^2, the rounding of the print. Raising direction only. REQUIRES: spool_in >= 0.
 OrificeAreas boom_orifices(double spool_in);
 
+/// Between which of their knees the spool stands; the functions are smooth where this stays the same.
+int boom_orifice_branch(double spool_in);
+
 } // namespace placedpar

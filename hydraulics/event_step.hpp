@@ -23,7 +23,8 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// A step is clean when all its stages and its end see the mode of its beginning. An unclean one is cut down,
 /// by bisection, to a long clean one; from there another is tried. When a step of the resolution is not clean,
 /// the event is less than that away, and a hop of the resolution crosses it. Hops double until a step is clean
-/// again, so that even events without end let time pass.
+/// again, so that even events without end let time pass; and where there are too many of them, as when a valve
+/// chatters, steps cross them as they come.
 /// Events that undo each other between the stages of one step are not seen: choose the step accordingly.
 template <ModalSystem System>
 class EventStepper {
@@ -35,27 +36,35 @@ public:
     /// any reading's.
     static constexpr double resolution_s = 1e-12;
 
+    /// A call may cut its step into so many pieces, and in the long run one call into so many; an event takes about 5.
+    static constexpr double most_pieces = 64, pieces_a_call = 0.5;
+
     EventStepper(const System& system, State state, double time_s)
         : system_(system), now_{std::move(state), {}, {}}, time_s_(time_s) {
         now_.rate.resize(now_.state.size());
-        now_.mode = system_.rate(now_.state, now_.rate, time_s_);
+        system_changed();
     }
 
     const State& state() const { return now_.state; }
     const Mode& mode() const { return now_.mode; }
     double time_s() const { return time_s_; }
 
+    /// The system is another from now on.
+    void system_changed() { now_.mode = system_.rate(now_.state, now_.rate, time_s_); }
+
     /// Goes on to `end_s`; calls event(time_s, mode before, mode behind) at each event.
     template <typename Event>
     void advance_to(double end_s, Event event) {
+        allowance_ = std::min(allowance_ + pieces_a_call, most_pieces);
         double hop_s = resolution_s;
         while (time_s_ < end_s) {
             double rest_s = end_s - time_s_;
-            if (rest_s <= hop_s || clean(rest_s)) {
+            if (rest_s <= hop_s || clean(rest_s) || allowance_ < 1) {
                 accept(end_s, rest_s, event);
                 return;
             }
             bool hopping = !clean(hop_s);
+            allowance_ -= 1;
             double step_s = hopping ? hop_s : long_clean(hop_s, rest_s);
             accept(time_s_ + step_s, step_s, event);
             hop_s = hopping ? 2 * hop_s : resolution_s;
@@ -106,6 +115,7 @@ private:
     boost::numeric::odeint::runge_kutta4<State> stepper_;
     Point now_, next_;
     double time_s_;
+    double allowance_ = most_pieces;
     double tried_s_ = 0; // the step to `next_`; 0: none has been tried from now
 };
 

@@ -16,17 +16,24 @@ double part(const Dynamics::State& state, std::size_t link, Dynamics::Component 
     return state[link * Dynamics::components + component];
 }
 
-/// How many of the steps have begun.
-std::size_t begun(const LinkValve& valve, double time_s) {
+/// How many of the steps have begun, and have ended their ramps.
+std::size_t begun_and_ended(const LinkValve& valve, double time_s) {
     if (const auto* timed = std::get_if<TimedOrifices>(&valve))
         return time_s >= timed->step_time_s ? 1 : 0;
-    const auto& steps = std::get<SpoolOrifices>(valve).steps;
-    auto later = std::ranges::find_if(steps, [&](const SpoolStep& step) { return step.time_s > time_s; });
-    return static_cast<std::size_t>(later - steps.begin());
+    std::size_t count = 0;
+    for (const SpoolStep& step : std::get<SpoolOrifices>(valve).steps)
+        count += (time_s >= step.time_s) + (time_s >= step.time_s + step.ramp_s);
+    return count;
 }
 
-double desired_in(const SpoolOrifices& valve, std::size_t command) {
-    return command == 0 ? valve.rest_in : valve.steps[command - 1].desired_in;
+double desired_in(const SpoolOrifices& valve, double time_s) {
+    double desired = valve.rest_in;
+    for (const SpoolStep& step : valve.steps)
+        if (time_s >= step.time_s + step.ramp_s)
+            desired = step.desired_in;
+        else if (time_s >= step.time_s)
+            desired = std::lerp(desired, step.desired_in, (time_s - step.time_s) / step.ramp_s);
+    return desired;
 }
 
 OrificeAreas areas_at(const TimedOrifices& valve, double time_s) { // B.5
@@ -42,10 +49,6 @@ OrificeAreas areas_at(const TimedOrifices& valve, double time_s) { // B.5
 double drain_in3_per_s(double outlet_in2, double psi, const FlowConstants& flow) {
     double drop = psi - flow.tank_psi;
     return std::copysign(flow.orifice_in3_per_s_in2_sqrt_psi * outlet_in2 * std::sqrt(std::abs(drop)), drop);
-}
-
-int spool_branch(double spool) {
-    return (spool > boom_dead_band_in) + (spool >= boom_outlet_knee_in) + (spool > boom_bypass_shut_in);
 }
 
 bool leaking(const PistonLeak& leak, double time_s) { return leak.in3_per_s_psi > 0 && time_s >= leak.start_s; }
@@ -109,8 +112,8 @@ LinkMode ExcavatorDynamics::mode_of(const State& state, std::size_t link, double
     mode.relieving = flow.relief_in3_per_s > 0;
     mode.leaking = leaking(active.leak, time_s);
     if (std::holds_alternative<SpoolOrifices>(active.valve))
-        mode.spool_branch = spool_branch(part(state, link, spool_in));
-    mode.command = begun(active.valve, time_s);
+        mode.spool_branch = boom_orifice_branch(part(state, link, spool_in));
+    mode.command = begun_and_ended(active.valve, time_s);
     return mode;
 }
 
@@ -136,8 +139,7 @@ void ExcavatorDynamics::link_rate(const State& state, std::size_t link, double t
     rate[velocity_in_per_s] = force / machine.mass_lbf_s2_per_in;
     rate[spool_in] = 0;
     if (const auto* valve = std::get_if<SpoolOrifices>(&active.valve))
-        rate[spool_in] =
-            machine.spool_lag_per_s * (desired_in(*valve, begun(*valve, time_s)) - part(state, link, spool_in));
+        rate[spool_in] = machine.spool_lag_per_s * (desired_in(*valve, time_s) - part(state, link, spool_in));
 }
 
 ExcavatorDynamics::Mode ExcavatorDynamics::rate(const State& state, State& derivative, double time_s) const {

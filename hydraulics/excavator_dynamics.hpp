@@ -15,7 +15,7 @@ struct LinkMode {
     bool relieving = false;
     bool leaking = false;
     int spool_branch = 0;    // between which knees of A.3 to A.9 the spool stands
-    std::size_t command = 0; // how many steps of the valve's command have begun
+    std::size_t command = 0; // how many steps of the valve's command have begun, how many ramps have ended
 
     friend bool operator==(const LinkMode&, const LinkMode&) = default;
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace placedpar {
 
@@ -26,24 +27,31 @@ ExcavatorState state_at(const ExcavatorDynamics& dynamics, const ExcavatorDynami
 
 } // namespace
 
-ExcavatorMotion simulate_excavator(const ExcavatorScenario& scenario) {
+std::vector<CheckEvent> simulate_excavator(const ExcavatorScenario& scenario,
+                                           const std::function<void(ExcavatorState&&)>& show) {
     require_valid(scenario);
     ExcavatorDynamics dynamics(scenario);
     EventStepper stepper(dynamics, dynamics.at_rest(), 0);
-    ExcavatorMotion motion;
+    std::vector<CheckEvent> checks;
     auto note = [&](double time_s, const Mode& before, const Mode& behind) {
         for (std::size_t link = 0; link < before.size(); ++link)
             if (before[link].inlet_open != behind[link].inlet_open)
-                motion.checks.push_back({time_s, scenario.links[link].link, behind[link].inlet_open});
+                checks.push_back({time_s, scenario.links[link].link, behind[link].inlet_open});
     };
     auto steps = static_cast<std::size_t>(std::lround(scenario.duration_s / scenario.integration_step_s));
-    motion.states.reserve(steps + 1);
     for (std::size_t i = 0;; ++i) {
-        motion.states.push_back(state_at(dynamics, stepper.state(), stepper.time_s()));
+        show(state_at(dynamics, stepper.state(), stepper.time_s()));
         if (i == steps)
-            return motion;
+            return checks;
         stepper.advance_to(static_cast<double>(i + 1) * scenario.integration_step_s, note);
     }
+}
+
+ExcavatorMotion simulate_excavator(const ExcavatorScenario& scenario) {
+    ExcavatorMotion motion;
+    motion.checks =
+        simulate_excavator(scenario, [&](ExcavatorState&& state) { motion.states.push_back(std::move(state)); });
+    return motion;
 }
 
 } // namespace placedpar

@@ -3,6 +3,7 @@
 #include "hydraulics/excavator_scenario.hpp"
 #include "hydraulics/junction_flow.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace placedpar {
@@ -43,5 +44,8 @@ struct ExcavatorMotion {
 /// is not where its pressure passes the tank's.
 /// Throws std::invalid_argument when the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
+
+/// The same; the states are shown one by one instead of kept.
+std::vector<CheckEvent> simulate_excavator(const ExcavatorScenario&, const std::function<void(ExcavatorState&&)>& show);
 
 } // namespace placedpar

@@ -58,7 +58,8 @@ void require_valid(const SpoolOrifices& valve, std::string_view link) {
     require_not_negative(its("spool at rest"), valve.rest_in);
     for (std::size_t i = 0; i < valve.steps.size(); ++i) {
         require_not_negative(its("desired spool"), valve.steps[i].desired_in);
-        if (i > 0 && !(valve.steps[i].time_s > valve.steps[i - 1].time_s))
+        require_not_negative(its("ramp"), valve.steps[i].ramp_s);
+        if (i > 0 && !(valve.steps[i].time_s > valve.steps[i - 1].time_s + valve.steps[i - 1].ramp_s))
             refuse(its("step time"), valve.steps[i].time_s, "one after the step before");
     }
 }
@@ -68,6 +69,9 @@ void require_valid(const SpoolOrifices& valve, std::string_view link) {
 void require_valid(const ExcavatorScenario& scenario) {
     require_positive("the integration step", scenario.integration_step_s);
     require_positive("the duration", scenario.duration_s);
+    constexpr double most_steps = 2e6; // a motion is kept whole
+    if (scenario.duration_s > most_steps * scenario.integration_step_s)
+        refuse("the duration", scenario.duration_s, fmt::format("at most {:g} integration steps", most_steps));
     require_positive("the orifice constant", scenario.flow.orifice_in3_per_s_in2_sqrt_psi);
     require_positive("the pump flow", scenario.flow.pump_in3_per_s);
     require_positive("the relief pressure", scenario.flow.relief_psi);

@@ -18,17 +18,18 @@ struct TimedOrifices {
     double step_time_s;
 };
 
-/// A spool that is asked for `desired_in` from `time_s` on.
+/// A spool that is asked for `desired_in` from `time_s` on, or to go there evenly within a ramp.
 struct SpoolStep {
     double time_s;
     double desired_in;
+    double ramp_s = 0;
 };
 
 /// A main valve whose spool follows commands by the lag of A.2 and opens the orifices of A.3 to A.9, which
 /// are the boom's: those of the other links are not printed. (voltage_spool.hpp turns voltages into commands.)
 struct SpoolOrifices {
     double rest_in;               // the spool before the first step
-    std::vector<SpoolStep> steps; // in order of time
+    std::vector<SpoolStep> steps; // in order of time, each behind the ramp before
 };
 
 using LinkValve = std::variant<TimedOrifices, SpoolOrifices>;

@@ -34,7 +34,7 @@ double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, c
 MeasuredDynamics::State MeasuredDynamics::at_rest() const {
     const BoomMachine& boom = machine_.boom;
     double tank = machine_.flow.tank_psi;
-    State state{};
+    State state(components);
     state[outlet_psi] = state[outlet_cylinder_psi] = tank;
     state[inlet_psi] = state[inlet_cylinder_psi] =
         (boom.gravity_lbf + boom.outlet_area_in2 * tank) / boom.inlet_area_in2;
@@ -45,7 +45,6 @@ MeasuredDynamics::State MeasuredDynamics::at_rest() const {
 void MeasuredDynamics::hold(double time_s) {
     double acted_on_s = std::max(time_s - machine_.dead_time_s, 0.0);
     desired_spool_in_ = machine_.voltage_spool.desired_spool_in(held_volts(machine_, acted_on_s), time_s);
-    leak_in3_per_s_psi_ = time_s >= machine_.leak_start_s ? machine_.leak_in3_per_s_psi : 0;
 }
 
 double MeasuredDynamics::pump_in3_per_s(double time_s) const {
@@ -59,8 +58,9 @@ FlowConstants MeasuredDynamics::flow_at(double time_s) const {
     return flow;
 }
 
-double MeasuredDynamics::leak_in3_per_s(const State& state) const {
-    return placedpar::leakage_in3_per_s(leak_in3_per_s_psi_, state[inlet_cylinder_psi], state[outlet_cylinder_psi]);
+double MeasuredDynamics::leak_in3_per_s(const State& state, double time_s) const {
+    double leak = time_s >= machine_.leak_start_s ? machine_.leak_in3_per_s_psi : 0;
+    return leakage_in3_per_s(leak, state[inlet_cylinder_psi], state[outlet_cylinder_psi]);
 }
 
 double MeasuredDynamics::acceleration(const State& state) const {
@@ -72,11 +72,11 @@ double MeasuredDynamics::acceleration(const State& state) const {
     return force / boom.mass_lbf_s2_per_in;
 }
 
-void MeasuredDynamics::operator()(const State& state, State& rate, double time_s) const {
+MeasuredDynamics::Mode MeasuredDynamics::rate(const State& state, State& derivative, double time_s) const {
     const BoomMachine& boom = machine_.boom;
     OrificeAreas areas = boom_orifices(state[spool_in]);
     FlowSplit flows = split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], flow_at(time_s));
-    double velocity = state[velocity_in_per_s], leak = leak_in3_per_s(state);
+    double velocity = state[velocity_in_per_s], leak = leak_in3_per_s(state, time_s);
     double drained = drain_in3_per_s(areas.outlet_in2, state[outlet_psi] - machine_.flow.tank_psi,
                                      machine_.drain_laminar_psi, machine_.flow);
     HoseEnds inlet = ends_of(machine_.inlet_hose, boom.inlet_compliance_in3_per_psi);
@@ -88,16 +88,18 @@ void MeasuredDynamics::operator()(const State& state, State& rate, double time_s
     HoseLine out = rates_of(machine_.outlet_hose, outlet.cylinder_in3_per_psi, outlet.valve_in3_per_psi,
                             {state[outlet_cylinder_psi], state[outlet_hose_in3_per_s], state[outlet_psi]},
                             boom.outlet_area_in2 * velocity + leak, drained);
-    rate[inlet_psi] = in.first_psi;
-    rate[inlet_hose_in3_per_s] = in.flow_in3_per_s;
-    rate[inlet_cylinder_psi] = in.second_psi;
-    rate[outlet_cylinder_psi] = out.first_psi;
-    rate[outlet_hose_in3_per_s] = out.flow_in3_per_s;
-    rate[outlet_psi] = out.second_psi;
-    rate[piston_in] = velocity;
-    rate[velocity_in_per_s] = acceleration(state);
-    rate[bristle_in] = bristle_rate_in_per_s(machine_.friction, velocity, state[bristle_in]);
-    rate[spool_in] = boom.spool_lag_per_s * (desired_spool_in_ - state[spool_in]);
+    derivative[inlet_psi] = in.first_psi;
+    derivative[inlet_hose_in3_per_s] = in.flow_in3_per_s;
+    derivative[inlet_cylinder_psi] = in.second_psi;
+    derivative[outlet_cylinder_psi] = out.first_psi;
+    derivative[outlet_hose_in3_per_s] = out.flow_in3_per_s;
+    derivative[outlet_psi] = out.second_psi;
+    derivative[piston_in] = velocity;
+    derivative[velocity_in_per_s] = acceleration(state);
+    derivative[bristle_in] = bristle_rate_in_per_s(machine_.friction, velocity, state[bristle_in]);
+    derivative[spool_in] = boom.spool_lag_per_s * (desired_spool_in_ - state[spool_in]);
+    return {flows.pump_psi > state[inlet_psi], flows.relief_in3_per_s > 0, time_s >= machine_.leak_start_s,
+            boom_orifice_branch(state[spool_in])};
 }
 
 MeasuredState MeasuredDynamics::describe(const State& state, double time_s) const {
@@ -115,7 +117,7 @@ MeasuredState MeasuredDynamics::describe(const State& state, double time_s) cons
             flows.inlet_in3_per_s,
             flows.bypass_in3_per_s,
             state[inlet_hose_in3_per_s],
-            leak_in3_per_s(state)};
+            leak_in3_per_s(state, time_s)};
 }
 
 } // namespace placedpar

@@ -2,8 +2,8 @@
 
 #include "hydraulics/measured_machine.hpp"
 
-#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace placedpar {
 
@@ -15,7 +15,7 @@ namespace placedpar {
 ///   M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z),  Q_l = k_l (P_c - P_oc)
 ///   spool' = a_0 (desired - spool)
 ///
-/// with Q_i from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o by 3.4.
+/// with Q_i from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o by 3.4. Solved by event_step.hpp.
 class MeasuredDynamics {
 public:
     enum Component : std::size_t {
@@ -31,26 +31,35 @@ public:
         spool_in,
         components
     };
-    using State = std::array<double, components>;
+    using State = std::vector<double>;
+    /// Which valves are open and which branch of each curve holds.
+    struct Mode {
+        bool inlet_open = false;
+        bool relieving = false;
+        bool leaking = false;
+        int spool_branch = 0;
+
+        friend bool operator==(const Mode&, const Mode&) = default;
+    };
 
     /// REQUIRES: the machine outlives this.
     explicit MeasuredDynamics(const MeasuredMachine& machine) : machine_(machine) { hold(0); }
 
     State at_rest() const;
-    /// Keeps the command, the drift and the leak as they are at this instant.
+    /// Keeps the command and the drift as they are at this instant.
     void hold(double time_s);
-    void operator()(const State& state, State& rate, double time_s) const;
+    /// The derivative, and the mode in which it holds.
+    Mode rate(const State& state, State& derivative, double time_s) const;
     MeasuredState describe(const State& state, double time_s) const;
 
 private:
     double pump_in3_per_s(double time_s) const;
     FlowConstants flow_at(double time_s) const;
-    double leak_in3_per_s(const State& state) const;
+    double leak_in3_per_s(const State& state, double time_s) const;
     double acceleration(const State& state) const;
 
     const MeasuredMachine& machine_;
     double desired_spool_in_ = 0;
-    double leak_in3_per_s_psi_ = 0;
 };
 
 /// Flow of the drain side through an orifice (3.4), either way; laminar near a drop of 0, so that it has a slope there:

@@ -1,9 +1,8 @@
 #include "hydraulics/measured_machine.hpp"
 
 #include "hydraulics/converter.hpp"
+#include "hydraulics/event_step.hpp"
 #include "hydraulics/measured_dynamics.hpp"
-
-#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -48,20 +47,20 @@ double held_volts(const MeasuredMachine& machine, double time_s) {
 std::vector<MeasuredState> simulate_measured_machine(const MeasuredMachine& machine) {
     require_valid(machine);
     MeasuredDynamics dynamics(machine);
-    boost::numeric::odeint::runge_kutta4<MeasuredDynamics::State> stepper;
     double step_s = machine.integration_step_s;
     auto steps = static_cast<std::size_t>(std::lround(machine.duration_s / step_s));
     std::vector<MeasuredState> motion;
     motion.reserve(steps + 1);
-    MeasuredDynamics::State state = dynamics.at_rest();
+    EventStepper stepper(dynamics, dynamics.at_rest(), 0);
     for (std::size_t i = 0;; ++i) {
         double time_s = static_cast<double>(i) * step_s;
-        motion.push_back(dynamics.describe(state, time_s));
+        motion.push_back(dynamics.describe(stepper.state(), time_s));
         if (i == steps)
             return motion;
-        // Constant within a step: a command or a leak that begins does so between two.
+        // Constant within a step: a command that begins does so between two.
         dynamics.hold(time_s + step_s / 2);
-        stepper.do_step(dynamics, state, time_s, step_s);
+        stepper.system_changed();
+        stepper.advance_to(static_cast<double>(i + 1) * step_s, [](auto&&...) {});
     }
 }
 

@@ -64,9 +64,11 @@ struct MeasuredState {
 double held_volts(const MeasuredMachine& machine, double time_s);
 
 /// Simulates the machine from rest, the load held by the inlet side, the drain side at tank pressure, friction
-/// relaxed. Classical Runge-Kutta method of order 4 (Boost.Odeint) with a fixed step; one state a step, the first at
-/// time 0. Throws std::invalid_argument when a value is out of range, or when the step is too long for the fastest of
-/// hoses, bristles and drain, naming it and the longest step that it allows.
+/// relaxed. Classical Runge-Kutta method of order 4 (Boost.Odeint); one state a step, the first at time 0. Steps end
+/// where the load check or the relief valve opens or shuts, where the orifices have their knees and where a leak begins
+/// (event_step.hpp); friction is not smooth where the piston turns. Throws std::invalid_argument when a value is out of
+/// range, or when the step is too long for the fastest of hoses, bristles and drain, naming it and the longest step
+/// that it allows.
 std::vector<MeasuredState> simulate_measured_machine(const MeasuredMachine& machine);
 
 } // namespace placedpar

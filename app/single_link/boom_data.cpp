@@ -8,6 +8,7 @@
 #include "runtime/random.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -60,11 +61,11 @@ void add_voltage(Record& record, const BoomScenario& scenario, double offset_in)
     }
 }
 
-std::vector<BoomData> measure_simple(const BoomMotion& motion, std::size_t records, std::uint64_t first_seed) {
+std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
     BoomScenario scenario(parameters_of(motion), motion.slow ? "scenario_b" : "scenario_a");
     auto states = simulate_boom(scenario);
     std::vector<BoomData> all;
-    for (std::uint64_t seed = first_seed; seed < first_seed + records; ++seed) {
+    for (std::uint64_t seed : seeds) {
         RandomStream random(seed, "sensors");
         Record record = measure_boom(states, scenario.machine.moment_arm_in, sampling_period_s, motion.noise,
                                      [&] { return random.uniform(); });
@@ -77,12 +78,12 @@ std::vector<BoomData> measure_simple(const BoomMotion& motion, std::size_t recor
     return all;
 }
 
-std::vector<BoomData> measure_measured(const BoomMotion& motion, std::size_t records, std::uint64_t first_seed) {
+std::vector<BoomData> measure_measured(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
     Parameters parameters = parameters_of(motion);
     MeasuredMachine machine(parameters);
     auto states = simulate_measured_machine(machine);
     std::vector<BoomData> all;
-    for (std::uint64_t seed = first_seed; seed < first_seed + records; ++seed) {
+    for (std::uint64_t seed : seeds) {
         RandomStream random(seed, "sensors");
         all.push_back({read_boom_sensors(states, machine, BoomSensors(parameters), [&] { return random.uniform(); }),
                        machine.flow, machine.boom});
@@ -92,12 +93,11 @@ std::vector<BoomData> measure_measured(const BoomMotion& motion, std::size_t rec
 
 } // namespace
 
-std::vector<BoomData> measure(const BoomMotion& motion, std::size_t records, std::uint64_t first_seed) {
-    return motion.plant == BoomPlant::simple ? measure_simple(motion, records, first_seed)
-                                             : measure_measured(motion, records, first_seed);
+std::vector<BoomData> measure(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
+    return motion.plant == BoomPlant::simple ? measure_simple(motion, seeds) : measure_measured(motion, seeds);
 }
 
-BoomData measure(const BoomMotion& motion, std::uint64_t seed) { return measure(motion, 1, seed).front(); }
+BoomData measure(const BoomMotion& motion, std::uint64_t seed) { return measure(motion, std::array{seed}).front(); }
 
 BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.machine.spool_lag_per_s, 0}; }
 

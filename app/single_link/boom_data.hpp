@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace placedpar {
@@ -35,8 +36,8 @@ struct BoomMotion {
     bool slow = false; ///< of the simple plant: scenario B, heavy and by a ramp
 };
 
-/// Simulates it once, and measures it with the noise of the streams (seed, "sensors") of consecutive seeds.
-std::vector<BoomData> measure(const BoomMotion& motion, std::size_t records, std::uint64_t first_seed);
+/// Simulates it once, and measures it with the noise of the streams (seed, "sensors") of each seed.
+std::vector<BoomData> measure(const BoomMotion& motion, std::span<const std::uint64_t> seeds);
 BoomData measure(const BoomMotion& motion, std::uint64_t seed);
 
 /// Which areas the model takes, and what it believes.

@@ -1,8 +1,10 @@
 #include "app/single_link/boom_plots.hpp"
 
-#include "hydraulics/boom_problem.hpp"
+#include "hydraulics/boom_record.hpp"
+#include "hydraulics/circuit_error.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace placedpar {
 
@@ -76,12 +78,14 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
 /// The error that the equations are left with at every instant where the inlet is open, with the answer.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
     Series series{"last answer", {}};
+    const Circuit circuit = boom_circuit();
+    const std::array answer{watched.identified.compliance_in3_per_psi};
     for (const CircuitSample& sample : samples_of(watched.data, watched.model))
-        if (sample.time_s <= until_s && sample.links[0].inlet_in2 > 0)
-            series.points.push_back(
-                {sample.time_s, std::max(boom_error_in3_per_s(watched.identified.compliance_in3_per_psi,
-                                                              sample.links[0], watched.data.flow),
-                                         0.01)});
+        if (sample.time_s <= until_s && sample.links[0].inlet_in2 > 0) {
+            double error = circuit_error_in3_per_s<double>(circuit, answer, sample.links, watched.data.flow,
+                                                           printed_inlet_flow(1));
+            series.points.push_back({sample.time_s, std::max(error, 0.01)});
+        }
     return series;
 }
 

@@ -26,6 +26,16 @@ Cell judged_cell(std::string row, std::string column, std::string unit, double k
     return cell;
 }
 
+Cell at_least(double bound, Cell cell) {
+    cell.at_least = bound;
+    return cell;
+}
+
+Cell at_most(double bound, Cell cell) {
+    cell.at_most = bound;
+    return cell;
+}
+
 double share_below(std::vector<double> values, double share) {
     std::ranges::sort(values);
     auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
@@ -43,6 +53,16 @@ double deviation(const std::vector<double>& values) {
     for (double value : values)
         squares += (value - centre) * (value - centre);
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+double share_tolerance(double known_percent, std::size_t records) {
+    auto n = static_cast<double>(records);
+    double share = (0.01 * known_percent * n + 2) / (n + 4);
+    return 300 * std::sqrt(2 * share * (1 - share) / n);
+}
+
+double deviation_tolerance(double known, std::size_t records, double rounding) {
+    return 3 * known / std::sqrt(static_cast<double>(records - 1)) + rounding;
 }
 
 double percent_within(const std::vector<double>& values, double limit) {

@@ -1,4 +1,5 @@
 #include "app/experiment.hpp"
+#include "app/record_seeds.hpp"
 #include "app/single_link/boom_plots.hpp"
 #include "app/single_link/boom_search.hpp"
 #include "app/single_link/cells.hpp"
@@ -18,7 +19,6 @@ namespace {
 // As printed by the thesis.
 constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 
-constexpr std::size_t records = 50;
 constexpr double shown_s = 1.2; // of the plots
 
 /// One of the thesis's two experiments.
@@ -45,10 +45,10 @@ BoomMotion motion_of(const Source& source, double compliance_in3_per_psi) {
 }
 
 /// What the searches find, each with random numbers of its own.
-std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomModel& model, std::uint64_t first_seed) {
+std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomModel& model, const Seeds& seeds) {
     std::vector<double> found;
     for (std::size_t i = 0; i < motions.size(); ++i)
-        found.push_back(identify_boom(motions[i], model, rising_way(), first_seed + i).compliance_in3_per_psi);
+        found.push_back(identify_boom(motions[i], model, rising_way(), seeds[i]).compliance_in3_per_psi);
     return found;
 }
 
@@ -115,12 +115,12 @@ struct Allowed {
     double record, median;
 };
 
-void add_found(Reading& reading, const Way& way, const std::vector<BoomData>& motions, std::uint64_t seed,
+void add_found(Reading& reading, const Way& way, const std::vector<BoomData>& motions, const Seeds& seeds,
                const Allowed& allowed) {
     BoomModel model = model_of(motions.front(), way.from);
     double truth = motions.front().machine.inlet_compliance_in3_per_psi;
-    auto one = identify_boom(motions.front(), model, rising_way(), seed);
-    auto found = found_in(motions, model, seed);
+    auto one = identify_boom(motions.front(), model, rising_way(), seeds.front());
+    auto found = found_in(motions, model, seeds);
     auto add = [&](const char* row, double value, double tolerance) {
         reading.cells.push_back(judged_cell(row, way.name, "in^3/psi", truth, value, tolerance * truth, 5));
     };
@@ -131,13 +131,13 @@ void add_found(Reading& reading, const Way& way, const std::vector<BoomData>& mo
     reading.cells.push_back(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
 }
 
-Reading simple_reading(const std::vector<BoomData>& motions, std::uint64_t seed) {
+Reading simple_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Reading reading{fmt::format("{}: what both experiments find", simple.name), {}, "", "true"};
-    BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seed);
+    BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     for (const Way& way : ways)
-        add_found(reading, way, motions, seed, {0.1, 0.03});
+        add_found(reading, way, motions, seeds, {0.1, 0.03});
     for (const Way& way : ways) {
-        add_errors(reading, way, motions.front(), seed);
+        add_errors(reading, way, motions.front(), seeds.front());
         add_clean_errors(reading, way, clean);
     }
     return reading;
@@ -145,12 +145,12 @@ Reading simple_reading(const std::vector<BoomData>& motions, std::uint64_t seed)
 
 /// The model knows nothing of the measured machine's hoses, stiction and ripple, nor of 10 ms of dead time, which in
 /// experiment 2 act as an a_0 that is too high.
-Reading measured_reading(const std::vector<BoomData>& motions, std::uint64_t seed) {
+Reading measured_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Reading reading{fmt::format("{}: what both experiments find", measured.name), {}, "", "true", true};
     for (const Way& way : ways)
-        add_found(reading, way, motions, seed, way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
+        add_found(reading, way, motions, seeds, way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
     for (const Way& way : ways)
-        add_errors(reading, way, motions.front(), seed);
+        add_errors(reading, way, motions.front(), seeds.front());
     return reading;
 }
 
@@ -160,7 +160,7 @@ struct WrongLag {
 };
 constexpr std::array<WrongLag, 5> wrong_lags{{{6, -59}, {7.5, -12}, {8, 0}, {8.5, 12}, {10, 39}}};
 
-Reading lag_reading(const std::vector<BoomData>& motions, std::uint64_t seed) {
+Reading lag_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
     double truth = motions.front().machine.inlet_compliance_in3_per_psi;
     Reading reading{
         "simple plant, experiment 2 with another a_0 than the machine's 8: error of C_BOi, median of 50 records",
@@ -172,7 +172,7 @@ Reading lag_reading(const std::vector<BoomData>& motions, std::uint64_t seed) {
         BoomModel model{AreasFrom::servo, lag.lag_per_s, 0};
         auto percent = [&](double found) { return 100 * (found / truth - 1); };
         std::string column = fmt::format("a_0 = {}", lag.lag_per_s);
-        double searched = median(found_in(motions, model, seed));
+        double searched = median(found_in(motions, model, seeds));
         reading.cells.push_back(judged_cell("search", column, "%", lag.known_percent, percent(searched), 8, 1));
         auto fit = least_squares_compliance(motions.front(), model, rising_way().usable);
         reading.cells.push_back(plain_cell("least squares, one record", column, "%", percent(fit.value_or(0)), 1));
@@ -181,13 +181,13 @@ Reading lag_reading(const std::vector<BoomData>& motions, std::uint64_t seed) {
 }
 
 /// .005 and .0086 of one machine: an a_0 believed to be higher than it is, or a spool that reads too low.
-Reading both_reading(std::uint64_t seed) {
-    BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seed);
+Reading both_reading(const Seeds& seeds) {
+    BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seeds.front());
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
-    auto softer = measure(motion_of(simple, by_spool_in3_per_psi), records, seed);
-    BoomData stiff = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seed);
+    auto softer = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
+    BoomData stiff = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     double low = offset_that_finds(by_spool_in3_per_psi, stiff);
-    auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), records, seed);
+    auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
     Reading reading{"simple plant: .005 versus .0086 of one machine, median of 50 records", {}, "", "thesis", true};
     auto add = [&](const std::string& row, const Way& way, double figure, double value, Origin origin) {
         Cell cell = judged_cell(row, way.name, "in^3/psi", figure, value, 0.05 * figure, 5);
@@ -195,7 +195,7 @@ Reading both_reading(std::uint64_t seed) {
         reading.cells.push_back(cell);
     };
     auto found = [&](const std::vector<BoomData>& data, const BoomModel& model) {
-        return median(found_in(data, model, seed));
+        return median(found_in(data, model, seeds));
     };
     std::string wrong_lag = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
     add(wrong_lag, ways[0], by_spool_in3_per_psi, found(softer, model_of(clean, AreasFrom::spool)), Origin::outcome);
@@ -235,18 +235,19 @@ std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
 } // namespace
 
 Replay replay_experiments_1_2(const ReplayContext& context) {
+    Seeds seeds = record_seeds(context.seed, usual_records);
     context.progress(simple.name);
-    auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), records, context.seed);
+    auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
     Replay replay;
-    replay.readings.push_back(simple_reading(motions, context.seed));
+    replay.readings.push_back(simple_reading(motions, seeds));
     context.progress(measured.name);
-    auto measured_motions = measure(motion_of(measured, by_voltage_in3_per_psi), records, context.seed);
-    replay.readings.push_back(measured_reading(measured_motions, context.seed));
+    auto measured_motions = measure(motion_of(measured, by_voltage_in3_per_psi), seeds);
+    replay.readings.push_back(measured_reading(measured_motions, seeds));
     context.progress("another a_0");
-    replay.readings.push_back(lag_reading(motions, context.seed));
-    replay.readings.push_back(both_reading(context.seed));
+    replay.readings.push_back(lag_reading(motions, seeds));
+    replay.readings.push_back(both_reading(seeds));
     replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = plots_of(measured_motions.front(), context.seed);
+    replay.plots = plots_of(measured_motions.front(), seeds.front());
     return replay;
 }
 

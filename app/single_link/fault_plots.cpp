@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t records_a_drift = 5;
+constexpr std::size_t records_a_drift = 5;
 constexpr int farthest_mv = 30, drift_step_mv = 5;
 const Axis compliance_axis{"compliance [0.001 in³/psi]", 0, 20};
 
@@ -28,7 +28,7 @@ Panel panel_over_samples(std::span<const Fault> faults, const Plant& plant, std:
     return panel;
 }
 
-Panel panel_over_drift(const Plant& plant, std::uint64_t first_seed) {
+Panel panel_over_drift(const Plant& plant, std::span<const std::uint64_t> seeds) {
     Panel panel{"b: a drift of the servo-valve, last estimate, median of 5 records",
                 {"drift [mV]", -farthest_mv, farthest_mv},
                 compliance_axis,
@@ -36,7 +36,7 @@ Panel panel_over_drift(const Plant& plant, std::uint64_t first_seed) {
                 {true_mark()}};
     for (int drift_mv = -farthest_mv; drift_mv <= farthest_mv; drift_mv += drift_step_mv) {
         std::vector<double> by_spool, by_voltage;
-        for (std::uint64_t seed = first_seed; seed < first_seed + records_a_drift; ++seed) {
+        for (std::uint64_t seed : seeds.first(records_a_drift)) {
             Record record = record_of(drift_of(0.001 * drift_mv), plant, seed);
             by_spool.push_back(identified(record, AreasFrom::spool, seed));
             by_voltage.push_back(identified(record, AreasFrom::servo, seed));
@@ -49,9 +49,9 @@ Panel panel_over_drift(const Plant& plant, std::uint64_t first_seed) {
 
 } // namespace
 
-Plot plot_of_faults(std::span<const Fault> faults, const Plant& plant, std::uint64_t seed) {
+Plot plot_of_faults(std::span<const Fault> faults, const Plant& plant, std::span<const std::uint64_t> seeds) {
     return {"What faults of the machine do to the compliance found",
-            {panel_over_samples(faults, plant, seed), panel_over_drift(plant, seed)}};
+            {panel_over_samples(faults, plant, seeds.front()), panel_over_drift(plant, seeds)}};
 }
 
 } // namespace placedpar

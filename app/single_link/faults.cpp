@@ -1,4 +1,5 @@
 #include "app/experiment.hpp"
+#include "app/record_seeds.hpp"
 #include "app/single_link/cells.hpp"
 #include "app/single_link/fault_plots.hpp"
 #include "app/single_link/fault_study.hpp"
@@ -39,9 +40,9 @@ std::vector<Case> cases() {
 }
 
 /// The compliances of all records, by the spool or by the voltage.
-std::vector<double> found_in(const Fault& fault, const Plant& plant, AreasFrom from, std::uint64_t first_seed) {
+std::vector<double> found_in(const Fault& fault, const Plant& plant, AreasFrom from, const Seeds& seeds) {
     std::vector<double> found;
-    for (std::uint64_t seed = first_seed; seed < first_seed + records_a_fault; ++seed)
+    for (std::uint64_t seed : seeds)
         found.push_back(identified(record_of(fault, plant, seed), from, seed));
     return found;
 }
@@ -51,10 +52,10 @@ double percent_off(const std::vector<double>& found, double sound_one) {
     return 100 * static_cast<double>(off) / static_cast<double>(found.size());
 }
 
-void add_case(Reading& reading, const Case& each, const Plant& plant, std::uint64_t seed, AreasFrom from,
+void add_case(Reading& reading, const Case& each, const Plant& plant, const Seeds& seeds, AreasFrom from,
               double sound_one) {
     bool by_spool = from == AreasFrom::spool;
-    auto found = found_in(each.fault, plant, from, seed);
+    auto found = found_in(each.fault, plant, from, seeds);
     double middle = median(found), ratio = middle / sound_one;
     std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
     reading.cells.push_back(
@@ -67,15 +68,15 @@ void add_case(Reading& reading, const Case& each, const Plant& plant, std::uint6
                                        percent_off(found, sound_one), 0));
 }
 
-Reading fault_reading(std::string name, const Plant& plant, std::uint64_t seed) {
+Reading fault_reading(std::string name, const Plant& plant, const Seeds& seeds) {
     Reading reading{std::move(name), {}, "", "known", true};
     for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
         if (from == AreasFrom::servo && !plant.has_servo)
             continue;
-        double sound_one = median(found_in(no_fault(), plant, from, seed));
+        double sound_one = median(found_in(no_fault(), plant, from, seeds));
         for (const Case& each : cases())
             if (!each.in_servo || plant.has_servo)
-                add_case(reading, each, plant, seed, from, sound_one);
+                add_case(reading, each, plant, seeds, from, sound_one);
     }
     return reading;
 }
@@ -114,17 +115,17 @@ std::vector<Fault> drawn_faults() {
 
 Replay replay_faults(const ReplayContext& context) {
     Replay replay;
+    Seeds seeds = record_seeds(context.seed, records_a_fault);
     context.progress("faults of the simple plant");
     replay.readings.push_back(fault_reading(
-        fmt::format("simple plant, low noise, median of {} records", records_a_fault), simple_plant, context.seed));
+        fmt::format("simple plant, low noise, median of {} records", records_a_fault), simple_plant, seeds));
     replay.readings.push_back(leak_reading());
     context.progress("faults of the measured machine");
-    replay.readings.push_back(
-        fault_reading(fmt::format("measured machine, mid noise, median of {} records", records_a_fault),
-                      measured_machine, context.seed));
+    replay.readings.push_back(fault_reading(
+        fmt::format("measured machine, mid noise, median of {} records", records_a_fault), measured_machine, seeds));
     replay.readings.back().notes =
         "a drift of the servo-valve shows by the voltage only, a fault of hose or cylinder by both\n";
-    replay.plots = {{"faults", plot_of_faults(drawn_faults(), measured_machine, context.seed)}};
+    replay.plots = {{"faults", plot_of_faults(drawn_faults(), measured_machine, seeds)}};
     replay.fingerprint = fingerprint_of(replay.readings);
     return replay;
 }

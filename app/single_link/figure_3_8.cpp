@@ -1,4 +1,5 @@
 #include "app/experiment.hpp"
+#include "app/record_seeds.hpp"
 #include "app/single_link/boom_search.hpp"
 #include "app/single_link/cells.hpp"
 #include "app/single_link/pressure_check.hpp"
@@ -15,8 +16,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr double thesis_in3_per_psi = 0.0086, by_spool_in3_per_psi = 0.005;
-constexpr double shown_s = 1.4;
+constexpr double thesis_in3_per_psi = 0.0086, found_by_spool_in3_per_psi = 0.005;
+constexpr double drawn_s = 1.4;
 
 /// The boom raised at another speed than scenario A's 4 deg/s, or at that.
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
@@ -42,7 +43,7 @@ struct KnownCheck {
 const std::vector<KnownCheck>& known_checks() {
     static const std::vector<KnownCheck> all{
         {1, 1, 3, {}},      {0.5, 134, 8, 2267}, {2, 127, 8, 1883},
-        {0.9, 19.5, 4, {}}, {1.1, 19.5, 4, {}},  {by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
+        {0.9, 19.5, 4, {}}, {1.1, 19.5, 4, {}},  {found_by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
     return all;
 }
 
@@ -94,21 +95,21 @@ void add_motion(Reading& reading, double deg_per_s, const BoomData& data, double
     }
 }
 
-/// What experiment 2 identifies on scenario A.
-double identified_by_voltage(BoomPlant plant, std::uint64_t seed) {
-    BoomData data = measure(motion_at(4, plant, noise_of(plant)), seed);
-    return identify_boom(data, model_of(data, AreasFrom::servo), rising_way(), seed).compliance_in3_per_psi;
+/// What experiment 2 identifies on scenario A, of the first record; the others are of other motions.
+double identified_by_voltage(BoomPlant plant, const Seeds& seeds) {
+    BoomData data = measure(motion_at(4, plant, noise_of(plant)), seeds[0]);
+    return identify_boom(data, model_of(data, AreasFrom::servo), rising_way(), seeds[0]).compliance_in3_per_psi;
 }
 
 /// The other motions, with noise of their own.
 constexpr std::array other_speeds{3.0, 5.0};
-BoomData other_motion(BoomPlant plant, std::size_t number, std::uint64_t seed) {
-    return measure(motion_at(other_speeds[number], plant, noise_of(plant)), seed + 1 + number);
+BoomData other_motion(BoomPlant plant, std::size_t number, const Seeds& seeds) {
+    return measure(motion_at(other_speeds[number], plant, noise_of(plant)), seeds[1 + number]);
 }
 
-Reading other_reading(BoomPlant plant, std::uint64_t seed) {
+Reading other_reading(BoomPlant plant, const Seeds& seeds) {
     bool simple = plant == BoomPlant::simple;
-    double identified = identified_by_voltage(plant, seed);
+    double identified = identified_by_voltage(plant, seeds);
     Reading reading{fmt::format("{}: C_BOi = {:.5f}, identified at 4 deg/s from the voltage, simulates other motions "
                                 "from their voltage and angle",
                                 simple ? "simple plant, low noise" : "measured machine, mid noise", identified),
@@ -117,23 +118,23 @@ Reading other_reading(BoomPlant plant, std::uint64_t seed) {
                     "thesis",
                     true};
     for (std::size_t i = 0; i < other_speeds.size(); ++i)
-        add_motion(reading, other_speeds[i], other_motion(plant, i, seed), identified, simple ? 18 : 40);
+        add_motion(reading, other_speeds[i], other_motion(plant, i, seeds), identified, simple ? 18 : 40);
     reading.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
     return reading;
 }
 
 /// The thesis simulates with the voltage that it identifies from. An a_0 that is wrong in both is not found out.
-Reading blind_reading(std::uint64_t seed) {
-    BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, by_spool_in3_per_psi), seed);
+Reading blind_reading(const Seeds& seeds) {
+    BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
-    BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, by_spool_in3_per_psi), seed + 1);
+    BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, found_by_spool_in3_per_psi), seeds[1]);
     Reading reading{fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
                                 "3 deg/s",
                                 lag),
                     {},
                     ""};
     for (double compliance :
-         {thesis_in3_per_psi / 2, by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
+         {thesis_in3_per_psi / 2, found_by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
         std::string column = fmt::format("C = {}", compliance);
         auto volts = check_pressure(other, {AreasFrom::servo, lag, 0}, compliance);
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
@@ -147,14 +148,14 @@ Reading blind_reading(std::uint64_t seed) {
 
 Series simulated_series(std::string name, const PressureCheck& check) {
     Series series{std::move(name), {}};
-    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= shown_s; ++i)
+    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= drawn_s; ++i)
         series.points.push_back({check.time_s[i], check.simulated_psi[i]});
     return series;
 }
 
 Series measured_series(const PressureCheck& check) {
     Series series{"measured", {}, Stroke::points, 6};
-    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= shown_s; ++i)
+    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= drawn_s; ++i)
         series.points.push_back({check.time_s[i], check.measured_psi[i]});
     return series;
 }
@@ -163,7 +164,7 @@ Series measured_series(const PressureCheck& check) {
 Panel pressure_panel(std::string title, const BoomData& data, double identified_in3_per_psi, bool all) {
     Panel panel;
     panel.title = std::move(title);
-    panel.x = {"time [s]", 0, shown_s};
+    panel.x = {"time [s]", 0, drawn_s};
     panel.y = {"pressure P_BOi [psi]", 1500, 2250};
     for (const Curve& curve : curves)
         if (all || curve.factor == 1) {
@@ -176,9 +177,9 @@ Panel pressure_panel(std::string title, const BoomData& data, double identified_
     return panel;
 }
 
-Plot plot_of_check(std::uint64_t seed) {
-    double identified = identified_by_voltage(BoomPlant::measured, seed);
-    BoomData data = other_motion(BoomPlant::measured, 0, seed);
+Plot plot_of_check(const Seeds& seeds) {
+    double identified = identified_by_voltage(BoomPlant::measured, seeds);
+    BoomData data = other_motion(BoomPlant::measured, 0, seeds);
     return {"Figure 3.8: pressure of the measured machine, and simulated, 3 deg/s",
             {pressure_panel("a: with the identified compliance C [in³/psi]", data, identified, false),
              pressure_panel("b: with half and twice of it, too", data, identified, true)}};
@@ -188,10 +189,11 @@ Plot plot_of_check(std::uint64_t seed) {
 
 Replay replay_figure_3_8(const ReplayContext& context) {
     Replay replay;
-    replay.readings = {other_reading(BoomPlant::simple, context.seed), other_reading(BoomPlant::measured, context.seed),
-                       known_reading(), blind_reading(context.seed)};
+    Seeds seeds = record_seeds(context.seed, 1 + other_speeds.size());
+    replay.readings = {other_reading(BoomPlant::simple, seeds), other_reading(BoomPlant::measured, seeds),
+                       known_reading(), blind_reading(seeds)};
     replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"figure-3-8", plot_of_check(context.seed)}};
+    replay.plots = {{"figure-3-8", plot_of_check(seeds)}};
     return replay;
 }
 

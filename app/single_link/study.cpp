@@ -65,13 +65,13 @@ double Study::median_percent() const { return median(error_percent); }
 double Study::ninetieth_percent() const { return share_below(error_percent, 0.9); }
 double Study::within_ten_percent() const { return percent_within(error_percent, 10); }
 
-Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable, std::size_t seeds,
-                              std::uint64_t first_seed) {
+Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable,
+                              std::span<const std::uint64_t> seeds) {
     BoomScenario scenario;
     Circuit circuit = boom_circuit();
     auto motion = simulate_boom(scenario);
     Transients transients{scenario.machine.inlet_compliance_in3_per_psi, scenario.flow, {}};
-    for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+    for (std::uint64_t seed : seeds) {
         RandomStream sensors(seed, "sensors");
         Record record = measure_boom(motion, scenario.machine.moment_arm_in, sampling_period_s, noise,
                                      [&] { return sensors.uniform(); });
@@ -81,10 +81,10 @@ Transients measure_transients(const MeasurementNoise& noise, const UsableSamples
     return transients;
 }
 
-Study study(const Transients& transients, const IdentificationWay& way, std::uint64_t first_seed) {
+Study study(const Transients& transients, const IdentificationWay& way, std::span<const std::uint64_t> seeds) {
     Study result;
     for (std::size_t i = 0; i < transients.samples.size(); ++i)
-        add(result, transients, transients.samples[i], way, first_seed + i);
+        add(result, transients, transients.samples[i], way, seeds[i]);
     return result;
 }
 

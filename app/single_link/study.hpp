@@ -4,6 +4,7 @@
 #include "hydraulics/measurement.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace placedpar {
@@ -19,15 +20,16 @@ struct Study {
     double within_ten_percent() const; ///< percent of the seeds
 };
 
-/// The measured transients of seeds 1, 2, ..., from the first.
+/// Measured transients, one a seed.
 struct Transients {
     double true_in3_per_psi;
     FlowConstants flow;
     std::vector<std::vector<CircuitSample>> samples;
 };
-Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable, std::size_t seeds,
-                              std::uint64_t first_seed);
+Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable,
+                              std::span<const std::uint64_t> seeds);
 
-Study study(const Transients& transients, const IdentificationWay& way, std::uint64_t first_seed);
+/// REQUIRES: a seed for each transient.
+Study study(const Transients& transients, const IdentificationWay& way, std::span<const std::uint64_t> seeds);
 
 } // namespace placedpar

@@ -1,4 +1,5 @@
 #include "app/experiment.hpp"
+#include "app/record_seeds.hpp"
 #include "app/single_link/cells.hpp"
 #include "app/two_links/two_link_plots.hpp"
 #include "app/two_links/two_link_study.hpp"
@@ -36,18 +37,11 @@ struct Study {
     const char* name;
     IdentificationWay way;
     MeasurementNoise noise;
-    double known_percent, least_percent; ///< of seeds with both within 10 %: the prototype's, and what is asked for
+    double known_percent; ///< of records with both within 10 %: the prototype's
 };
 
-/// Judged from below: the more seeds within 10 % the better.
-Cell at_least(const std::string& column, double known, double least, double value) {
-    Cell cell = compared_cell("both within 10 %", column, "% of seeds", known, value, 0);
-    cell.tolerance = value >= least ? std::abs(value - known) : 0.0;
-    return cell;
-}
-
-void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion, std::uint64_t seed) {
-    auto runs = search_many(motion, study.noise, study.way, search_seeds, seed);
+void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion, const Seeds& seeds) {
+    auto runs = search_many(motion, study.noise, study.way, seeds);
     std::vector<double> bucket, boom;
     for (const SearchRun& run : runs) {
         TwoErrors errors = errors_of(run.estimates.back().compliance_in3_per_psi);
@@ -55,8 +49,10 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
         boom.push_back(errors.boom);
     }
     std::size_t last = runs.front().estimates.size() * study.way.search.window.trials;
-    reading.cells.push_back(at_least(study.name, study.known_percent, study.least_percent,
-                                     both_within_ten_percent(runs, last, study.way.search.window.trials)));
+    double within = both_within_ten_percent(runs, last, study.way.search.window.trials);
+    double least = study.known_percent - share_tolerance(study.known_percent, seeds.size());
+    Cell shared = compared_cell("both within 10 %", study.name, "% of records", study.known_percent, within, 0);
+    reading.cells.push_back(at_least(least, shared));
     auto add = [&](const char* row, double value) {
         reading.cells.push_back(plain_cell(row, study.name, "%", value, 1));
     };
@@ -66,42 +62,37 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
     add("  of C_BOi, 9 of 10 below", share_below(boom, 0.9));
 }
 
-Reading study_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Reading study_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
     Reading reading{
-        fmt::format("C_BUi and C_BOi found together, {} seeds, 20 samples of 5 generations", search_seeds),
+        fmt::format("C_BUi and C_BOi found together, {} records, 20 samples of 5 generations", seeds.size()),
         {},
-        "the percentages of seeds are judged from below: 55 as the thesis has it, 90 with an elite, 95 with "
-        "Gray code too\n",
+        "judged from below: three deviations of the difference of two samples of so many records are left\n",
         "known"};
-    add_study(reading, {"as the thesis has it", thesis_way(), no_noise, 65, 55}, motion, seed);
-    add_study(reading, {"elite, 2 skipped", elite_way(), no_noise, 98, 90}, motion, seed);
-    add_study(reading, {"and Gray code", gray_way(), no_noise, 100, 95}, motion, seed);
+    add_study(reading, {"as the thesis has it", thesis_way(), no_noise, 65}, motion, seeds);
+    add_study(reading, {"elite, 2 skipped", elite_way(), no_noise, 98}, motion, seeds);
+    add_study(reading, {"and Gray code", gray_way(), no_noise, 100}, motion, seeds);
     return reading;
 }
 
-Reading noise_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Reading noise_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
     Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known", true};
-    add_study(reading, {"as the thesis has it", thesis_way(), low_noise, 55, 40}, motion, seed);
-    add_study(reading, {"elite, 2 skipped", elite_way(), low_noise, 80, 65}, motion, seed);
-    add_study(reading, {"and Gray code", gray_way(), low_noise, 86, 75}, motion, seed);
+    add_study(reading, {"as the thesis has it", thesis_way(), low_noise, 55}, motion, seeds);
+    add_study(reading, {"elite, 2 skipped", elite_way(), low_noise, 80}, motion, seeds);
+    add_study(reading, {"and Gray code", gray_way(), low_noise, 86}, motion, seeds);
     return reading;
 }
 
-/// How far each state is off at the worst sample after the first window is full, over the range the state covers.
-Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
-    constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
-    Reading reading{"internal states by the best individual (Figure 3.10): greatest error of 15 samples",
-                    {},
-                    "judged: within 10 % of the state itself\n",
-                    "at most",
-                    true};
-    IdentificationWay way = gray_way();
+using StateErrors = std::array<double, InternalStates::count>;
+
+/// How far each state is off at the worst sample of one search, from the sixth on: the first answer, of five
+/// generations on five samples, is still searching. In percent of the state itself.
+StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
     RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
-    std::array<double, InternalStates::count> worst{};
+    StateErrors worst{};
     for (const TransientEstimate& estimate : run.estimates) {
         if (estimate.time_s < prepared.samples.front().time_s + 0.099)
-            continue; // five generations on five samples: still searching
+            continue;
         auto sample = std::ranges::find(prepared.samples, estimate.index, &CircuitSample::index);
         auto found = estimated_states(*sample, estimate.compliance_in3_per_psi, prepared.flow).values();
         auto state =
@@ -110,10 +101,23 @@ Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
         for (std::size_t i = 0; i < found.size(); ++i)
             worst[i] = std::max(worst[i], 100 * std::abs(found[i] / truth[i] - 1));
     }
-    for (std::size_t i = 0; i < worst.size(); ++i) {
-        Cell cell = compared_cell(names[i], "greatest error", "%", 10, worst[i], 1);
-        cell.tolerance = worst[i] <= 10 ? 10.0 : 0.0;
-        reading.cells.push_back(cell);
+    return worst;
+}
+
+/// The thesis's "states within 10 %".
+Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+    constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
+    Reading reading{"internal states by the best individual (Figure 3.10): greatest error from the sixth sample on, of "
+                    "one search without noise",
+                    {},
+                    "judged: with an elite, the first two samples skipped, and Gray code; as the thesis has it, chance "
+                    "decides\n",
+                    "thesis",
+                    true};
+    StateErrors gray = worst_errors(motion, gray_way(), seed), plain = worst_errors(motion, thesis_way(), seed);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        reading.cells.push_back(plain_cell(names[i], "as the thesis has it", "%", plain[i], 1));
+        reading.cells.push_back(at_most(10, plain_cell(names[i], "elite, 2 skipped, Gray", "%", gray[i], 1)));
     }
     return reading;
 }
@@ -124,12 +128,13 @@ Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
     context.progress("bucket and boom, simulated");
     TwoLinkMotion motion = simulate_two_links();
     Replay replay;
+    Seeds seeds = record_seeds(context.seed, search_records);
     context.progress("bucket and boom, identified");
-    replay.readings = {study_reading(motion, context.seed), steady_reading(motion),
-                       states_reading(motion, context.seed), noise_reading(motion, context.seed)};
+    replay.readings = {study_reading(motion, seeds), steady_reading(motion), states_reading(motion, seeds.front()),
+                       noise_reading(motion, seeds)};
     IdentificationWay way = gray_way();
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, context.seed);
-    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(context.seed, "master"));
+    RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
+    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seeds.front(), "master"));
     replay.plots = {{"figure-3-9", plot_of_states(motion)},
                     {"figure-3-10", plot_of_estimated_states(motion, prepared, run)}};
     replay.fingerprint = fingerprint_of(replay.readings);

@@ -110,14 +110,15 @@ Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& 
         add_state(pressures, static_cast<std::size_t>(which), motion, prepared, run, which);
     for (int which = 2; which < 6; ++which)
         add_state(flows, static_cast<std::size_t>(which), motion, prepared, run, which);
-    return {"Internal states by the best individual (Figure 3.10)", {pressures, flows}};
+    return {"Figure 3.10: internal states by the best individual (no noise; elite, 2 skipped, Gray code)",
+            {pressures, flows}};
 }
 
 Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& plain, const SearchRun& gated,
                          std::size_t trials) {
     return {"Two compliances found, and lost again when the motion is steady (Figure 3.11)",
             {panel_of_compliances("a: as the thesis has it", plain, trials),
-             panel_of_compliances("b: with the gate, which stops the search", gated, trials),
+             panel_of_compliances("b: with an elite, Gray code, and the gate, which stops the search", gated, trials),
              panel_of_excitation(prepared, plain, trials)}};
 }
 

@@ -48,9 +48,9 @@ IdentificationWay gray_way() {
 }
 
 std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
-                                   const IdentificationWay& way, std::size_t seeds, std::uint64_t first_seed) {
+                                   const IdentificationWay& way, std::span<const std::uint64_t> seeds) {
     std::vector<SearchRun> runs;
-    for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+    for (std::uint64_t seed : seeds) {
         RecordProblem prepared = measure_two_links(motion, noise, way, seed);
         runs.push_back(search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master")));
     }

@@ -36,12 +36,12 @@ IdentificationWay elite_way();
 /// That, and Gray code.
 IdentificationWay gray_way();
 
-/// Searches a share is counted over: one of p scatters by sqrt(p (1 - p) / 50), 7 points at one half.
-inline constexpr std::size_t search_seeds = 50;
+/// Records that a judged share is counted over: one of p scatters by sqrt(p (1 - p) / 200), 3.5 points at one half.
+inline constexpr std::size_t search_records = 200;
 
 /// Many searches, each with noise and random numbers of its own.
 std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
-                                   const IdentificationWay& way, std::size_t seeds, std::uint64_t first_seed);
+                                   const IdentificationWay& way, std::span<const std::uint64_t> seeds);
 
 /// The share of searches in percent in which both are within 10 % after the given generation.
 double both_within_ten_percent(std::span<const SearchRun> runs, std::size_t generation, std::size_t trials);

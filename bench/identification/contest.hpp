@@ -1,8 +1,10 @@
 #pragma once
 
 #include "gaprocs/fitness.hpp"
-#include "hydraulics/boom_problem.hpp"
+#include "hydraulics/circuit_problem.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,25 +18,34 @@ namespace placedpar {
 /// Identify the boom's compliance from its record, as chapter 3 does: for every new sample from the fifth on a
 /// window of up to ten, and five generations of 120 individuals.
 struct Transient {
-    std::vector<BoomSample> record;
+    std::vector<LinkSample> record;
     FlowConstants flow;
     std::uint64_t seed = 0; // of the contestant's random numbers
 
     static constexpr std::size_t population = 120, window = 10, first = 5, trials = 5;
     static constexpr double bias = 400, crossover = 0.8, mutation = 0.01;
-    static constexpr double largest = BoomProblem::largest_in3_per_psi;
-    static constexpr std::size_t bits = BoomProblem::usual_bits;
+    static constexpr double largest = CircuitProblem::largest_in3_per_psi;
+    static constexpr std::size_t bits = CircuitProblem::usual_bits;
 
     /// Windows that get generations.
     std::size_t windows() const { return record.size() + 1 - first; }
-    std::span<const BoomSample> window_at(std::size_t number) const {
+    std::span<const LinkSample> window_at(std::size_t number) const {
         std::size_t end = first + number, length = end < window ? end : window;
         return std::span(record).subspan(end - length, length);
     }
-    double fitness(double compliance, std::span<const BoomSample> samples) const {
+    /// Equations 3.5 to 3.8 as one writes them by hand: the fastest that a contestant without the library can have.
+    double error(double compliance, const LinkSample& sample) const {
+        const double k = flow.orifice_in3_per_s_in2_sqrt_psi;
+        double inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance;
+        double root = inlet / (k * sample.inlet_in2);
+        double pump_psi = root * root + sample.inlet_psi;
+        double bypass = k * sample.bypass_in2 * std::sqrt(std::max(pump_psi - flow.tank_psi, 0.0));
+        return std::abs(flow.pump_in3_per_s - std::abs(inlet) - bypass);
+    }
+    double fitness(double compliance, std::span<const LinkSample> samples) const {
         double sum = 0;
-        for (const BoomSample& sample : samples)
-            sum += fitness_term(bias, boom_error_in3_per_s(compliance, sample, flow));
+        for (const LinkSample& sample : samples)
+            sum += fitness_term(bias, error(compliance, sample));
         return sum;
     }
 };

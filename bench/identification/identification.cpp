@@ -31,7 +31,7 @@ Transient transient_of(std::uint64_t seed) {
     RandomStream sensors(seed, "sensors");
     Transient transient{{}, scenario.flow, seed};
     for (const auto& values : boom_record(scenario, low_noise, [&] { return sensors.uniform(); }))
-        transient.record.push_back(BoomSample::from(values));
+        transient.record.push_back(LinkSample::from(values));
     return transient;
 }
 
@@ -120,11 +120,11 @@ double nanoseconds_of(std::size_t evaluations, int goes, Evaluate evaluate) {
 
 /// False if one by one and all at once do not give the same bits.
 bool time_evaluations(const Transient& transient, int goes) {
-    auto problem = make_search_problem(BoomProblem(transient.flow));
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow));
     RandomStream random(1, "evaluations");
     auto population = random_population(Transient::population, problem->bits(), random);
     std::vector<Sample> window;
-    for (const BoomSample& each : transient.window_at(transient.windows() - 1))
+    for (const LinkSample& each : transient.window_at(transient.windows() - 1))
         window.push_back(
             {each.inlet_psi, each.inlet_slope_psi_per_s, each.piston_flow_in3_per_s, each.inlet_in2, each.bypass_in2});
     std::vector<double> alone(population.size()), together(population.size());

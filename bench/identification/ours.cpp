@@ -2,6 +2,7 @@
 
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
+#include "hydraulics/boom_record.hpp"
 
 #include <algorithm>
 #include <array>
@@ -82,7 +83,7 @@ private:
 
 std::vector<Sample> plain_numbers(const Transient& transient) {
     std::vector<Sample> record;
-    for (const BoomSample& each : transient.record)
+    for (const LinkSample& each : transient.record)
         record.push_back(
             {each.inlet_psi, each.inlet_slope_psi_per_s, each.piston_flow_in3_per_s, each.inlet_in2, each.bypass_in2});
     return record;
@@ -90,7 +91,7 @@ std::vector<Sample> plain_numbers(const Transient& transient) {
 
 /// The library, but with the virtual function for one individual.
 Answer one_by_one(const Transient& transient) {
-    auto problem = make_search_problem(BoomProblem(transient.flow));
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow));
     Search search(problem->bits(), {}, RandomStream(transient.seed, stream));
     SlidingWindow window{WindowSettings{}};
     std::vector<double> fitness(search.population().size());
@@ -106,7 +107,7 @@ Answer one_by_one(const Transient& transient) {
 }
 
 Answer with(const Transient& transient, const SearchSettings& settings, Coding coding) {
-    auto problem = make_search_problem(BoomProblem(transient.flow), coding);
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow), coding);
     SearchResult result =
         run_traditional(*problem, plain_numbers(transient), settings, RandomStream(transient.seed, stream));
     return {result.estimates.back().parameters.at(0), all_evaluations(transient)};

@@ -14,7 +14,7 @@ namespace {
 /// What an objective function finds behind GAGenome::userData.
 struct Objective {
     const Transient& transient;
-    std::span<const BoomSample> window;
+    std::span<const LinkSample> window;
     std::uint64_t error_evaluations = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 /// pagmo minimises. A problem is copied into every population, so that a moved window makes a new one.
 struct WindowProblem {
     const Transient* transient = nullptr;
-    std::span<const BoomSample> window;
+    std::span<const LinkSample> window;
 
     pagmo::vector_double fitness(const pagmo::vector_double& x) const { return {-transient->fitness(x[0], window)}; }
     std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const { return {{0.0}, {Transient::largest}}; }

@@ -62,3 +62,17 @@ TEST_CASE("tolerances: in percent, in the unit, none; without a figure no tolera
     CHECK(within_tolerance(Reading{"", {cell("x", "a", "", 100, 1)}, ""}));
     CHECK_FALSE(within_tolerance(Reading{"", {cell("x", "a", "", 1, 1), judged}, ""}));
 }
+
+TEST_CASE("a one-sided cell is printed with its bound in place of an error, and marked when it misses it") {
+    Reading reading{"name", {}, ""};
+    reading.cells = {cell("share", "a", "%", 65, 52, {}, 0), cell("share", "b", "%", 65, 72, {}, 0),
+                     cell("error", "a", "%", {}, 10.4, {}, 1)};
+    reading.cells[0].at_least = reading.cells[1].at_least = 55;
+    reading.cells[2].at_most = 10;
+    CHECK(print_reading(reading) == "name\n"
+                                    "                                  a                         b\n"
+                                    "           simulat.  thesis   error   simulat.  thesis   error\n"
+                                    "share [%]       52      65   >= 55!       72      65   >= 55\n"
+                                    "error [%]     10.4           <= 10!\n");
+    CHECK_FALSE(within_tolerance(reading));
+}

@@ -92,6 +92,31 @@ class Replay(unittest.TestCase):
                 self.assertEqual((cell["thesis"], cell["unit"]), (spool, "in"))
                 self.assertLessEqual(abs(cell["simulated"] - spool), 2e-4)
 
+    def test_the_first_attempt_stands_beside_the_prototype_s_figures(self):
+        _, document = replay("first-attempt", self.folder)
+        known = [self.cell(document, "  its error", column)["known"]
+                 for column in ("-0.02 in", "-0.015 in", "-0.01 in", "no offset", "+0.01 in")]
+        self.assertEqual(known, [-142, None, -51, 0, 53])
+
+    def test_bounds_from_one_side_are_told(self):
+        _, document = replay("figures-3-9-to-3-11", self.folder)
+        for cell in (c for c in document["cells"] if c["row"] == "both within 10 %"):
+            self.assertIsNone(cell["tolerance_percent"])
+            self.assertLess(cell["at_least"], cell["known"])
+            self.assertGreaterEqual(cell["simulated"], cell["at_least"])
+        states = next(r for r in document["other_readings"] if "Figure 3.10" in r["reading"])
+        self.assertEqual([c.get("at_most") for c in states["cells"]], [None, 10] * 6)
+
+    def test_studies_of_any_seed_are_within_their_tolerances(self):
+        for experiment in ("experiments-1-2", "first-attempt", "figure-3-8", "identification-study",
+                           "figures-3-9-to-3-11", "loss-of-excitation"):
+            figures = set()
+            for seed in (201, 18446744073709551615):
+                run, document = replay(experiment, self.folder, "--seed", seed)
+                self.assertEqual(run.returncode, 0, run.stdout)
+                figures.add(document["fingerprint"])
+            self.assertEqual(len(figures), 2)
+
     def test_other_costs_miss_the_tolerance(self):
         examples = pathlib.Path(self.folder) / "examples"
         shutil.copytree(EXAMPLES, examples)

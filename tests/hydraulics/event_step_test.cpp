@@ -108,6 +108,18 @@ TEST_CASE("several events within one step are each stopped at") {
         CHECK(std::abs(times[i] - std::numbers::pi / 10 * static_cast<double>(i + 1)) < 1e-11);
 }
 
+TEST_CASE("events without end cost a call a few steps, not hundreds") {
+    static std::size_t rates = 0;
+    struct Counted : Sliding {
+        Mode rate(const State& x, State& slope, double time_s) const {
+            ++rates;
+            return Sliding::rate(x, slope, time_s);
+        }
+    };
+    CHECK(std::abs(stepped<Counted>({0.25}, 100, 10'000)) < 0.01);
+    CHECK(rates < 10'000 * 60); // 5 in a step, 50 in a search for an event
+}
+
 TEST_CASE("events without end let time pass") {
     Sliding system;
     EventStepper stepper(system, {0.25}, 0);

@@ -1,4 +1,3 @@
-#include "hydraulics/boom_motion.hpp"
 #include "hydraulics/excavator_motion.hpp"
 #include "hydraulics/excavator_values.hpp"
 
@@ -133,23 +132,25 @@ TEST_CASE("the boom alone: order 4 through the spool's knees and the opening, to
     CHECK(std::abs(steps_4_ms.checks.at(0).time_s - steps_2_ms.checks.at(0).time_s) < 2e-9);
 }
 
-TEST_CASE("the boom alone is the boom of scenario A, of the same numbers, to 1e-3 psi") {
-    BoomScenario boom;
+TEST_CASE("the boom alone: scenario A's check valve opens at .192 s") {
     ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
-    std::vector<BoomState> expected = simulate_boom(boom);
-    REQUIRE(motion.states.size() == expected.size());
-    double pressure = 0, outlet = 0, travel = 0, spool = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        const LinkState& link = motion.states[i].links[0];
-        pressure = std::max(pressure, std::abs(link.inlet_psi - expected[i].inlet_psi));
-        outlet = std::max(outlet, std::abs(link.outlet_psi - expected[i].outlet_psi));
-        travel = std::max(travel, std::abs(link.piston_in - expected[i].piston_in));
-        spool = std::max(spool, std::abs(link.spool_in - expected[i].spool_in));
-    }
-    CHECK(pressure < 1e-3);
-    CHECK(outlet < 0.01);
-    CHECK(travel < 1e-6);
-    CHECK(spool < 1e-10);
+    REQUIRE(motion.checks.size() == 1);
+    CHECK(std::abs(motion.checks[0].time_s - 0.192) < 5e-4);
+}
+
+TEST_CASE("a ramp moves the spool's command evenly, whatever the step: in closed form") {
+    // a' = a_0 (rest + r t - a): a = rest + r (t - (1 - exp(-a_0 t)) / a_0) while the ramp lasts.
+    ExcavatorScenario scenario = single_boom_scenario();
+    auto& valve = std::get<SpoolOrifices>(scenario.links[0].valve);
+    valve.steps = {{0.1003, 0.2297, 0.5}};
+    scenario.integration_step_s = 0.002;
+    ExcavatorMotion motion = simulate_excavator(scenario);
+    double rate = (0.2297 - valve.rest_in) / 0.5, gone_s = 0.4 - 0.1003;
+    CHECK(at(motion, 0.1, 0).spool_in == valve.rest_in);
+    CHECK(at(motion, 0.4, 0).spool_in ==
+          doctest::Approx(valve.rest_in + rate * (gone_s - (1 - std::exp(-8 * gone_s)) / 8)).epsilon(1e-9));
+    double lag_in = rate * (1 - std::exp(-8 * 0.5)) / 8; // behind the command when the ramp ends
+    CHECK(at(motion, 1, 0).spool_in == doctest::Approx(0.2297 - lag_in * std::exp(-8 * (1 - 0.6003))).epsilon(1e-9));
 }
 
 TEST_CASE("any configuration with all links: each gets what the controller asks for, and stays there") {

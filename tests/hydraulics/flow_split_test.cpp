@@ -1,4 +1,5 @@
 #include "hydraulics/boom_orifices.hpp"
+#include "hydraulics/flow_constants_fit.hpp"
 #include "hydraulics/flow_split.hpp"
 #include "runtime/random.hpp"
 #include "tests/hydraulics/rounded_flow.hpp"
@@ -27,20 +28,10 @@ double spool_for(double inlet_in3_per_s, double inlet_psi) {
     return low;
 }
 
-struct TableEntry {
-    double inlet_in3_per_s, inlet_psi, spool_in;
-};
-
-// Thesis Table 2.6, printed as Figure 2.6.
-constexpr TableEntry table_2_6[] = {
-    {60, 2030, 0.2741}, {60, 1830, 0.2688}, {60, 1630, 0.2627}, {50, 2030, 0.2650}, {50, 1830, 0.2592},
-    {50, 1630, 0.2527}, {40, 2030, 0.2561}, {40, 1830, 0.2499}, {40, 1630, 0.2427},
-};
-
 } // namespace
 
 TEST_CASE("Table 2.6 of the thesis: flow within 0.15 in^3/s, spool within 2e-4 in") {
-    for (const TableEntry& entry : table_2_6) {
+    for (const SteadyFlowPoint& entry : table_2_6()) {
         CAPTURE(entry.spool_in);
         double inlet = boom_split(entry.spool_in, entry.inlet_psi).inlet_in3_per_s;
         CHECK(std::abs(inlet - entry.inlet_in3_per_s) < 0.15);

@@ -1,8 +1,8 @@
 // Identification of the boom's compliance over 50 seeds: figures of an independent prototype.
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
-#include "hydraulics/boom_problem.hpp"
 #include "hydraulics/boom_record.hpp"
+#include "hydraulics/circuit_problem.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +39,7 @@ std::uint64_t exhaustive_optimum(const SearchProblem& problem, std::span<const S
 
 Study study(const MeasurementNoise& noise) {
     BoomScenario scenario;
-    auto problem = make_search_problem(BoomProblem(scenario.flow, true_compliance));
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), scenario.flow));
     Study result;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         RandomStream sensors(seed, "sensors");

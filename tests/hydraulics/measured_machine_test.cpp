@@ -205,16 +205,24 @@ TEST_CASE("the voltage is held from one sampling instant to the next, in the con
     CHECK(held_volts(machine, 0.66) == 10 - 20.0 / 4096); // the converter's end
 }
 
-TEST_CASE("halving the step changes the pressure by less than 0.05 psi") {
-    MeasuredMachine machine;
-    machine.duration_s = 1.5;
-    std::vector<MeasuredState> coarse = simulate_measured_machine(machine);
-    machine.integration_step_s /= 2;
-    std::vector<MeasuredState> fine = simulate_measured_machine(machine);
-    double greatest = 0;
-    for (std::size_t i = 0; i < coarse.size(); ++i)
-        greatest = std::max(greatest, std::abs(coarse[i].inlet_psi - fine[2 * i].inlet_psi));
-    CHECK(greatest < 0.05);
+TEST_CASE("halving the step divides the change of pressure by 16, through the opening and the knees") {
+    auto with_step = [](double step_s) {
+        MeasuredMachine machine;
+        machine.duration_s = 0.6;
+        machine.integration_step_s = step_s;
+        return simulate_measured_machine(machine);
+    };
+    auto difference_psi = [](const std::vector<MeasuredState>& coarse, const std::vector<MeasuredState>& halved) {
+        double greatest = 0;
+        for (std::size_t i = 0; i < coarse.size(); ++i)
+            greatest = std::max(greatest, std::abs(coarse[i].inlet_psi - halved[2 * i].inlet_psi));
+        return greatest;
+    };
+    auto coarse = with_step(2e-4), halved = with_step(1e-4), fine = with_step(5e-5);
+    double first = difference_psi(coarse, halved), second = difference_psi(halved, fine);
+    CHECK(first < 5e-5);
+    CHECK(first / second > 12);
+    CHECK(first / second < 24);
 }
 
 TEST_CASE("a machine that cannot be simulated says why") {

@@ -1,6 +1,4 @@
 #include "gaprocs/genome.hpp"
-#include "hydraulics/boom_problem.hpp"
-#include "hydraulics/circuit_problem.hpp"
 #include "hydraulics/parameter_coding.hpp"
 
 #include <doctest/doctest.h>
@@ -62,22 +60,4 @@ TEST_CASE("codings that cannot be are refused with the number of the parameter")
             "parameter 0: the range is 0 to inf, expected a lower and a higher number");
     refused({{std::numeric_limits<double>::quiet_NaN(), 1, 10}},
             "parameter 0: the range is nan to 1, expected a lower and a higher number");
-}
-
-TEST_CASE("the boom and a circuit of one link code a compliance alike, in any number of bits") {
-    Circuit circuit = circuit_of(Configuration::a, {MachineLink::boom});
-    for (std::size_t bits : {1u, 10u, 12u, 32u}) {
-        BoomProblem boom(rounded_flow_constants, {}, bits);
-        CircuitProblem alone(circuit, rounded_flow_constants, bits);
-        CHECK(boom.bits() == bits);
-        CHECK(alone.bits() == bits);
-        Genome ones(bits), half(bits);
-        for (std::size_t i = 0; i < bits; ++i)
-            ones.flip(i);
-        half.flip(0);
-        CHECK(boom.decode(half).at(0) == 0.05);
-        CHECK(boom.decode(half) == alone.decode(half));
-        CHECK(boom.decode(ones) == alone.decode(ones));
-        CHECK(boom.decode(ones).at(0) < 0.1);
-    }
 }

@@ -5,7 +5,7 @@
 #include "gaprocs/population_fitness.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/share.hpp"
-#include "hydraulics/boom_problem.hpp"
+#include "hydraulics/boom_record.hpp"
 #include "hydraulics/circuit_problem.hpp"
 
 #include <doctest/doctest.h>
@@ -69,9 +69,7 @@ TEST_CASE("terms of eight errors at once are those of each") {
     }
 }
 
-TEST_CASE("the boom states its error for populations, and so do circuits") {
-    CHECK(ErrorOfParameters<BoomProblem, Genome>);
-    CHECK(ErrorOfParameters<BoomProblem, GrayCoded<Genome>>);
+TEST_CASE("circuits state their error for populations") {
     CHECK(ErrorOfParameters<CircuitProblem, Genome>);
     CHECK(ErrorOfParameters<CircuitProblem, GrayCoded<Genome>>);
 }
@@ -80,7 +78,7 @@ TEST_CASE("the boom: random populations of every size, window, length and coding
     RandomStream random(2, "boom");
     for (std::size_t bits : {1u, 10u, 12u, 40u})
         for (Coding coding : {Coding::natural, Coding::gray}) {
-            auto problem = make_search_problem(BoomProblem(fitted_flow_constants, {}, bits), coding);
+            auto problem = make_search_problem(CircuitProblem(boom_circuit(), fitted_flow_constants, bits), coding);
             for (std::size_t individuals = 0; individuals < 34; ++individuals)
                 for (int i = 0; i < 10; ++i)
                     check_population(*problem, 1, individuals, random);
@@ -102,7 +100,7 @@ TEST_CASE("circuits of one to four links: random populations") {
 }
 
 TEST_CASE("a share of whole individuals has the terms of one cut into pieces") {
-    auto problem = make_search_problem(BoomProblem(rounded_flow_constants));
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants));
     RandomStream random(4, "shares");
     auto population = random_population(30, problem->bits(), random);
     std::vector<Sample> window;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 using namespace placedpar;
 
@@ -57,7 +59,8 @@ TEST_CASE("the measured machine's spool comes after what the lag makes of the vo
 
 TEST_CASE("many measurements are one motion, with the noise of each seed") {
     BoomMotion motion{BoomPlant::simple, low_noise};
-    auto many = measure(motion, 3, 7);
+    const std::vector<std::uint64_t> seeds{7, 18446744073709551615u, 9};
+    auto many = measure(motion, seeds);
     REQUIRE(many.size() == 3);
     CHECK(of(many[2], Sensor::inlet_pressure) == of(measure(motion, 9), Sensor::inlet_pressure));
     CHECK(of(many[0], Sensor::inlet_pressure) != of(many[1], Sensor::inlet_pressure));
