@@ -1,28 +1,14 @@
 #include "hydraulics/boom_sensors.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <stdexcept>
 
 namespace placedpar {
 
 namespace {
 
 constexpr double whole_turn_deg = 360;
-
-std::size_t stride_of(std::span<const MeasuredState> motion, double period_s) {
-    if (motion.size() < 2)
-        throw std::invalid_argument("a motion of fewer than two states cannot be sampled");
-    double ratio = period_s / (motion[1].time_s - motion[0].time_s);
-    double whole = std::round(ratio);
-    if (!(whole >= 1) || std::abs(ratio - whole) > 1e-6 * whole)
-        throw std::invalid_argument(
-            fmt::format("the sampling period is {:.9g} integration steps, expected a whole number", ratio));
-    return static_cast<std::size_t>(whole);
-}
 
 } // namespace
 
@@ -36,7 +22,7 @@ BoomSensors::BoomSensors(const Parameters& p)
 
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredMachine& machine,
                          const BoomSensors& sensors, const UniformSource& uniform) {
-    std::size_t stride = stride_of(motion, sensors.period_s);
+    std::size_t stride = steps_in(sensors.period_s, step_of(motion));
     constexpr double deg_per_rad = 180 / std::numbers::pi;
     Record record;
     record.period_s = sensors.period_s;

@@ -3,6 +3,7 @@
 #include "hydraulics/boom_orifices.hpp"
 #include "hydraulics/junction_flow.hpp"
 #include "hydraulics/line_fit.hpp"
+#include "hydraulics/square.hpp"
 #include "hydraulics/voltage_spool.hpp"
 
 #include <fmt/format.h>
@@ -70,8 +71,6 @@ LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::s
             link.piston_flow_in3_per_deg * fit.slope_per_s(link.angle_deg, i), link.areas[i].inlet_in2,
             link.areas[i].bypass_in2};
 }
-
-double square(double x) { return x * x; }
 
 } // namespace
 

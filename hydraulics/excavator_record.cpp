@@ -1,29 +1,14 @@
 #include "hydraulics/excavator_record.hpp"
 
-#include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace placedpar {
-
-namespace {
-
-std::size_t stride_of(const ExcavatorScenario& scenario, double period_s) {
-    double ratio = period_s / scenario.integration_step_s, whole = std::round(ratio);
-    if (!(whole >= 1) || std::abs(ratio - whole) > 1e-6 * whole)
-        throw std::invalid_argument("the sampling period is no whole multiple of the motion's step");
-    return static_cast<std::size_t>(whole);
-}
-
-double reading(double value, double resolution) { return std::nearbyint(value / resolution) * resolution; }
-
-} // namespace
 
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
                          const MeasurementNoise& noise, const UniformSource& uniform) {
     Record record;
     record.period_s = period_s;
-    std::size_t stride = stride_of(scenario, period_s);
+    std::size_t stride = steps_in(period_s, scenario.integration_step_s);
     for (std::size_t i = 0; i < motion.states.size(); i += stride) {
         record.time_s.push_back(motion.states[i].time_s);
         for (std::size_t l = 0; l < scenario.links.size(); ++l) {

@@ -1,4 +1,5 @@
 #include "hydraulics/excavator_scenario.hpp"
+#include "hydraulics/requirement.hpp"
 
 #include <fmt/format.h>
 
@@ -11,70 +12,59 @@ namespace placedpar {
 
 namespace {
 
-[[noreturn]] void refuse(std::string_view what, double value, std::string_view expected) {
-    throw std::invalid_argument(fmt::format("excavator scenario: {} is {}, expected {}", what, value, expected));
-}
-
-void require_positive(std::string_view what, double value) {
-    if (!(value > 0 && std::isfinite(value)))
-        refuse(what, value, "above 0");
-}
-
-void require_not_negative(std::string_view what, double value) {
-    if (!(value >= 0 && std::isfinite(value)))
-        refuse(what, value, "0 or above");
-}
+constexpr Requirement scenario_needs{"excavator scenario"};
 
 void require_valid(const LinkMachine& machine, std::string_view link) {
     auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    require_positive(its("inlet area"), machine.inlet_area_in2);
-    require_not_negative(its("outlet area"), machine.outlet_area_in2);
-    require_positive(its("moment arm"), machine.moment_arm_in);
-    require_positive(its("mass"), machine.mass_lbf_s2_per_in);
-    require_not_negative(its("damping"), machine.damping_lbf_s_per_in);
-    require_not_negative(its("friction"), machine.friction_lbf);
-    require_positive(its("friction velocity"), machine.friction_velocity_in_per_s);
-    require_positive(its("inlet compliance"), machine.inlet_compliance_in3_per_psi);
+    scenario_needs.positive(its("inlet area"), machine.inlet_area_in2);
+    scenario_needs.not_negative(its("outlet area"), machine.outlet_area_in2);
+    scenario_needs.positive(its("moment arm"), machine.moment_arm_in);
+    scenario_needs.positive(its("mass"), machine.mass_lbf_s2_per_in);
+    scenario_needs.not_negative(its("damping"), machine.damping_lbf_s_per_in);
+    scenario_needs.not_negative(its("friction"), machine.friction_lbf);
+    scenario_needs.positive(its("friction velocity"), machine.friction_velocity_in_per_s);
+    scenario_needs.positive(its("inlet compliance"), machine.inlet_compliance_in3_per_psi);
     if (machine.outlet_area_in2 > 0)
-        require_positive(its("outlet compliance"), machine.outlet_compliance_in3_per_psi);
-    require_positive(its("spool lag"), machine.spool_lag_per_s);
+        scenario_needs.positive(its("outlet compliance"), machine.outlet_compliance_in3_per_psi);
+    scenario_needs.positive(its("spool lag"), machine.spool_lag_per_s);
     if (!std::isfinite(machine.load_lbf))
-        refuse(its("load"), machine.load_lbf, "a finite force");
+        scenario_needs.refuse(its("load"), machine.load_lbf, "a finite force");
 }
 
 void require_valid(const TimedOrifices& valve, std::string_view link) {
     auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    require_not_negative(its("final inlet orifice"), valve.inlet_final_in2);
-    require_not_negative(its("bypass orifice at rest"), valve.bypass_rest_in2);
-    require_not_negative(its("final bypass orifice"), valve.bypass_final_in2);
-    require_not_negative(its("final outlet orifice"), valve.outlet_final_in2);
-    require_positive(its("valve rate"), valve.rate_per_s);
+    scenario_needs.not_negative(its("final inlet orifice"), valve.inlet_final_in2);
+    scenario_needs.not_negative(its("bypass orifice at rest"), valve.bypass_rest_in2);
+    scenario_needs.not_negative(its("final bypass orifice"), valve.bypass_final_in2);
+    scenario_needs.not_negative(its("final outlet orifice"), valve.outlet_final_in2);
+    scenario_needs.positive(its("valve rate"), valve.rate_per_s);
     if (!std::isfinite(valve.step_time_s))
-        refuse(its("step time"), valve.step_time_s, "a finite time");
+        scenario_needs.refuse(its("step time"), valve.step_time_s, "a finite time");
 }
 
 void require_valid(const SpoolOrifices& valve, std::string_view link) {
     auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    require_not_negative(its("spool at rest"), valve.rest_in);
+    scenario_needs.not_negative(its("spool at rest"), valve.rest_in);
     for (std::size_t i = 0; i < valve.steps.size(); ++i) {
-        require_not_negative(its("desired spool"), valve.steps[i].desired_in);
-        require_not_negative(its("ramp"), valve.steps[i].ramp_s);
+        scenario_needs.not_negative(its("desired spool"), valve.steps[i].desired_in);
+        scenario_needs.not_negative(its("ramp"), valve.steps[i].ramp_s);
         if (i > 0 && !(valve.steps[i].time_s > valve.steps[i - 1].time_s + valve.steps[i - 1].ramp_s))
-            refuse(its("step time"), valve.steps[i].time_s, "one after the step before");
+            scenario_needs.refuse(its("step time"), valve.steps[i].time_s, "one after the step before");
     }
 }
 
 } // namespace
 
 void require_valid(const ExcavatorScenario& scenario) {
-    require_positive("the integration step", scenario.integration_step_s);
-    require_positive("the duration", scenario.duration_s);
+    scenario_needs.positive("the integration step", scenario.integration_step_s);
+    scenario_needs.positive("the duration", scenario.duration_s);
     constexpr double most_steps = 2e6; // a motion is kept whole
     if (scenario.duration_s > most_steps * scenario.integration_step_s)
-        refuse("the duration", scenario.duration_s, fmt::format("at most {:g} integration steps", most_steps));
-    require_positive("the orifice constant", scenario.flow.orifice_in3_per_s_in2_sqrt_psi);
-    require_positive("the pump flow", scenario.flow.pump_in3_per_s);
-    require_positive("the relief pressure", scenario.flow.relief_psi);
+        scenario_needs.refuse("the duration", scenario.duration_s,
+                              fmt::format("at most {:g} integration steps", most_steps));
+    scenario_needs.positive("the orifice constant", scenario.flow.orifice_in3_per_s_in2_sqrt_psi);
+    scenario_needs.positive("the pump flow", scenario.flow.pump_in3_per_s);
+    scenario_needs.positive("the relief pressure", scenario.flow.relief_psi);
     if (scenario.links.empty())
         throw std::invalid_argument("excavator scenario: no link is active, expected at least one");
     LinkSet seen;
@@ -86,7 +76,7 @@ void require_valid(const ExcavatorScenario& scenario) {
         seen.insert(active.link);
         require_valid(active.machine, name);
         std::visit([name](const auto& valve) { require_valid(valve, name); }, active.valve);
-        require_not_negative(fmt::format("the {}'s leak", name), active.leak.in3_per_s_psi);
+        scenario_needs.not_negative(fmt::format("the {}'s leak", name), active.leak.in3_per_s_psi);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "hydraulics/flow_split.hpp"
 
+#include "hydraulics/square.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,6 @@
 namespace placedpar {
 
 namespace {
-
-double square(double x) { return x * x; }
 
 /// The pressure at which flow Q parts into two outlets; infinite when both are shut. With u^2 the drop over
 /// `high`: Q = a u + b sqrt(u^2 + D), a quadratic in u whose positive root is written without cancellation.

@@ -9,24 +9,16 @@
 
 namespace placedpar {
 
-namespace {
-
-/// Steps of the motion in one period.
-std::size_t stride_of(std::span<const BoomState> motion, double period_s) {
-    if (motion.size() < 2)
-        throw std::invalid_argument("a motion of fewer than two states cannot be sampled");
-    double ratio = period_s / (motion[1].time_s - motion[0].time_s);
+std::size_t steps_in(double period_s, double step_s) {
+    double ratio = period_s / step_s;
     double whole = std::round(ratio);
     if (!(whole >= 1) || std::abs(ratio - whole) > 1e-6 * whole)
         throw std::invalid_argument(
-            fmt::format("the sampling period is {} steps of the motion, expected a whole number", ratio));
+            fmt::format("the sampling period is {:.9g} steps of the motion, expected a whole number", ratio));
     return static_cast<std::size_t>(whole);
 }
 
-/// REQUIRES: resolution is a power of two, so that nothing but the rounding to it rounds.
 double reading(double value, double resolution) { return std::nearbyint(value / resolution) * resolution; }
-
-} // namespace
 
 double standard_normal(const UniformSource& uniform) {
     double radius = std::sqrt(-2 * std::log(1 - uniform())); // 1 - u is never 0
@@ -35,7 +27,7 @@ double standard_normal(const UniformSource& uniform) {
 
 Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
                     const MeasurementNoise& noise, const UniformSource& uniform) {
-    std::size_t stride = stride_of(motion, period_s);
+    std::size_t stride = steps_in(period_s, step_of(motion));
     constexpr double deg_per_rad = 180 / std::numbers::pi;
     Record record;
     record.period_s = period_s;

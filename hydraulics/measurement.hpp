@@ -3,8 +3,10 @@
 #include "hydraulics/boom_motion.hpp"
 #include "hydraulics/record.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <span>
+#include <stdexcept>
 
 namespace placedpar {
 
@@ -37,6 +39,21 @@ inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
 inline constexpr double area_resolution_in2 = 0x1p-30;
+
+/// The reading of a value in such steps. REQUIRES: resolution is a power of two, so that nothing but the rounding to it
+/// rounds.
+double reading(double value, double resolution);
+
+/// The step of a motion that is noted at equal steps. Throws std::invalid_argument for fewer than two states.
+template <class State>
+double step_of(std::span<const State> motion) {
+    if (motion.size() < 2)
+        throw std::invalid_argument("a motion of fewer than two states cannot be sampled");
+    return motion[1].time_s - motion[0].time_s;
+}
+
+/// Steps of a motion from one sample to the next. Throws std::invalid_argument unless that is a whole number.
+std::size_t steps_in(double period_s, double step_s);
 
 /// Samples a motion every `period_s`, from its first state on: the boom's inlet pressure, angle and spool. Draws three
 /// normal numbers a sample in the order pressure, angle, spool, whatever the noise, so that two levels see the same

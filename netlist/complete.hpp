@@ -30,6 +30,9 @@ struct Completion {
     std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
 };
 
+/// "input" or "output".
+constexpr const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
+
 /// complete_wires.cpp: from pieces of wire and crosspoints to connections between processors.
 void complete_wires(Completion& completion);
 /// complete_processes.cpp: placement, kinds, and interfaces against kinds.

@@ -10,8 +10,6 @@ namespace placedpar {
 
 namespace {
 
-const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
-
 class Channels {
 public:
     explicit Channels(Completion& c) : c_(c), bindings_(c.draft.processes.size()) {}

@@ -45,8 +45,6 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
     return nullptr;
 }
 
-const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
-
 void check_port(Completion& c, const DraftProcess& process, const PortDeclaration& port, const ProcessKind& kind) {
     const auto* known = kind.port(port.name);
     if (known == nullptr) {

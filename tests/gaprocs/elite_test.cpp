@@ -1,6 +1,7 @@
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "tests/gaprocs/strings.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,15 +10,9 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using test::strings;
 
 namespace {
-
-std::vector<Genome> strings(std::initializer_list<const char*> texts) {
-    std::vector<Genome> population;
-    for (const char* text : texts)
-        population.push_back(Genome::from_string(text));
-    return population;
-}
 
 SearchSettings with_elite(std::size_t elite, std::size_t population) {
     SearchSettings settings;

@@ -1,4 +1,5 @@
 #include "gaprocs/operators.hpp"
+#include "tests/gaprocs/strings.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,15 +11,9 @@
 #include <string>
 
 using namespace placedpar;
+using test::strings;
 
 namespace {
-
-std::vector<Genome> strings(std::initializer_list<const char*> texts) {
-    std::vector<Genome> population;
-    for (const char* text : texts)
-        population.push_back(Genome::from_string(text));
-    return population;
-}
 
 std::vector<int> ones_by_position(const std::vector<Genome>& population) {
     std::vector<int> ones(population.front().size());

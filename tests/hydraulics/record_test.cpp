@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-constexpr const char* header = "time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]\n";
+constexpr const char* boom_columns = "time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]\n";
 
 std::string row(double time_s) {
     return fmt::format("{:.3f},{:.2f},{:.3f},{:.4f}\n", time_s, 1555 + 1000 * time_s, 20 + time_s, 0.13 + time_s / 10);
@@ -24,7 +24,7 @@ std::string rows(int first, int last) {
 }
 
 /// "error 3:5: message | hint" for each fault.
-std::string faults_of(const std::string& text) {
+std::string record_faults(const std::string& text) {
     ReadRecord read = read_record(text);
     CHECK(read.record.has_value() != refuses(read.faults));
     std::string all;
@@ -37,7 +37,7 @@ std::string faults_of(const std::string& text) {
 } // namespace
 
 TEST_CASE("a record as it is written") {
-    ReadRecord read = read_record("# boom, seed 1\n# by hand\n" + (header + rows(0, 10)));
+    ReadRecord read = read_record("# boom, seed 1\n# by hand\n" + (boom_columns + rows(0, 10)));
     REQUIRE(read.record);
     CHECK(read.faults.empty());
     const Record& record = *read.record;
@@ -61,7 +61,7 @@ TEST_CASE("columns in any order, by a link's symbol, from other units") {
             fmt::format("{:.9f},{:.12f},{:.6f},{:.9f}\n", (0.13 + time_s / 10) * 25.4,
                         (20 + time_s) * std::acos(-1.0) / 180, 1000 * time_s, (1555 + 1000 * time_s) * 6.894757293168);
     }
-    ReadRecord inch = read_record(header + rows(0, 10)), metric = read_record(si);
+    ReadRecord inch = read_record(boom_columns + rows(0, 10)), metric = read_record(si);
     REQUIRE(metric.record);
     CHECK(metric.faults.empty());
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
@@ -82,23 +82,24 @@ TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs"
 }
 
 TEST_CASE("what is wrong with a header") {
-    CHECK(faults_of("") == "error 0:0: there is no header | such as time [s],boom.inlet_pressure [psi]\n");
-    CHECK(faults_of("boom.angle [deg]\n1\n") ==
+    CHECK(record_faults("") == "error 0:0: there is no header | such as time [s],boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("boom.angle [deg]\n1\n") ==
           "error 1:1: there is no column \"time\" | the first column is mostly time [s]\n");
-    CHECK(faults_of("time [s]\n"
-                    "0\n") == "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]\n");
-    CHECK(faults_of("time [s],boom.angle\n0,1\n") ==
+    CHECK(record_faults("time [s]\n"
+                        "0\n") ==
+          "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("time [s],boom.angle\n0,1\n") ==
           "error 1:10: column \"boom.angle\" has no unit | boom.angle [UNIT] with deg or rad\n");
-    CHECK(faults_of("time [s],boom.angle [psi]\n0,1\n") ==
+    CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
           "error 1:10: \"psi\" is not a unit of angle | boom.angle [UNIT] with deg or rad\n");
-    CHECK(faults_of("time [s],boom.angle [deg],BO.angle [rad]\n0,1,2\n") ==
+    CHECK(record_faults("time [s],boom.angle [deg],BO.angle [rad]\n0,1,2\n") ==
           "error 1:27: column \"BO.angle\" is there twice | the first is column 2 of the table\n");
     std::string text = "time [s],boom.angle [deg],boom.temperature [C],motor.angle [deg]\n";
     for (int i = 0; i < 5; ++i)
         text += fmt::format("{},{},x,y\n", 0.02 * i, i);
     constexpr const char* used = "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle\n";
     CHECK(
-        faults_of(text) ==
+        record_faults(text) ==
         fmt::format("warning 1:27: column \"boom.temperature\" is not used | {}warning 1:48: column \"motor.angle\" is "
                     "not used | {}",
                     used, used));
@@ -106,52 +107,53 @@ TEST_CASE("what is wrong with a header") {
 
 TEST_CASE("what is wrong with a reading") {
     constexpr const char* missing = "leave a row out where a reading is missing";
-    CHECK(faults_of(header + rows(0, 5) + "0.100,nan,20,0.2\n") ==
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,nan,20,0.2\n") ==
           fmt::format("error 7:7: \"nan\" is not a finite number | a number such as 1830.5 or -2e-3; {}\n", missing));
     CHECK(
-        faults_of(header + rows(0, 5) + "0.100,,20,inf\n") ==
+        record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
         fmt::format("error 7:7: no value | a number such as 1830.5 or -2e-3; {0}\nerror 7:11: \"inf\" is not a finite "
                     "number | a number such as 1830.5 or -2e-3; {0}\n",
                     missing));
-    CHECK(faults_of(header + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
           fmt::format("error 7:7: 1e300 is larger than anything measured | {}\n", missing));
-    CHECK(faults_of("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
+    CHECK(record_faults("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
               .starts_with("error 2:3: 1e308 is larger than anything measured"));
-    CHECK(faults_of(header + rows(0, 5) + "0.100,1600,20\n") ==
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1600,20\n") ==
           "error 7:12: 3 values, expected 4 | the header on line 1 has 4 columns\n");
 }
 
 TEST_CASE("what is wrong with the times") {
-    CHECK(faults_of(header + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
-    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
-                                    "instant; lines end in LF or in CR LF\n";
-    CHECK(faults_of(header) == rowless);
-    CHECK(faults_of("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // its line ends were lost
-    CHECK(faults_of("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
-    CHECK(faults_of(header + rows(0, 6) + rows(8, 12)) ==
+    CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
+    constexpr const char* rowless =
+        "error 0:0: 0 samples, expected at least 5 | below the boom_columns, a line for each "
+        "instant; lines end in LF or in CR LF\n";
+    CHECK(record_faults(boom_columns) == rowless);
+    CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // its line ends were lost
+    CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
+    CHECK(record_faults(boom_columns + rows(0, 6) + rows(8, 12)) ==
           "warning 8:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
-    CHECK(faults_of(header + rows(0, 6) + rows(5, 9)) == "warning 8:1: repeats line 7 | used once\n");
-    CHECK(faults_of(header + rows(0, 6) + "0.100,1700,20,0.2\n" + rows(6, 9)) ==
+    CHECK(record_faults(boom_columns + rows(0, 6) + rows(5, 9)) == "warning 8:1: repeats line 7 | used once\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + "0.100,1700,20,0.2\n" + rows(6, 9)) ==
           "error 8:1: the same time as on line 7, with other readings | leave out the one that is wrong\n");
-    CHECK(faults_of(header + rows(0, 6) + row(0.06) + rows(6, 9)) ==
+    CHECK(record_faults(boom_columns + rows(0, 6) + row(0.06) + rows(6, 9)) ==
           "error 8:1: 0.04 s before the time on line 7 | rows must be in order of time\n"
           "warning 9:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
     CHECK(
-        faults_of(header + rows(0, 6) + row(0.127) + rows(7, 12)) ==
+        record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
         "error 8:1: 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the median step), "
         "within 2 %\n"
         "error 9:1: 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the median step), "
         "within 2 %\n");
-    std::string backwards = header;
+    std::string backwards = boom_columns;
     for (int i = 9; i >= 0; --i)
         backwards += row(0.02 * i);
-    CHECK(faults_of(backwards) == "error 3:1: most times do not rise | rows must be in order of time\n");
+    CHECK(record_faults(backwards) == "error 3:1: most times do not rise | rows must be in order of time\n");
     std::string milliseconds = "boom.angle [deg],time [s]\n";
     for (int i = 0; i < 6; ++i)
         milliseconds += fmt::format("{},{}\n", i, 20 * i);
-    CHECK(faults_of(milliseconds) ==
+    CHECK(record_faults(milliseconds) ==
           "warning 1:18: samples are 20 s apart, which is unusual | it would be ordinary in ms\n");
-    CHECK(faults_of("boom.angle [deg],time [s]\n1,0\n2,0.02\n3,0.04\n4,0.06\n5,0.08\n6,0.01\n")
+    CHECK(record_faults("boom.angle [deg],time [s]\n1,0\n2,0.02\n3,0.04\n4,0.06\n5,0.08\n6,0.01\n")
               .starts_with("error 7:3: 0.07 s before"));
 }
 
@@ -160,7 +162,7 @@ TEST_CASE("channels that are likely wrong") {
     for (int i = 0; i < 6; ++i)
         text += fmt::format("{},{},{},{},7\n", 0.02 * i, 110 + i, 0.13 + 0.01 * i, 340 + i);
     CHECK(
-        faults_of(text) ==
+        record_faults(text) ==
         "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
         "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
         "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
@@ -169,7 +171,7 @@ TEST_CASE("channels that are likely wrong") {
 }
 
 TEST_CASE("gaps part a record into stretches") {
-    ReadRecord read = read_record(header + rows(0, 6) + rows(8, 12) + rows(20, 21));
+    ReadRecord read = read_record(boom_columns + rows(0, 6) + rows(8, 12) + rows(20, 21));
     REQUIRE(read.record);
     auto stretches = read.record->stretches();
     REQUIRE(stretches.size() == 3);
@@ -179,7 +181,7 @@ TEST_CASE("gaps part a record into stretches") {
 }
 
 TEST_CASE("what no sensor could have read is found: the earliest, and the first channel of its instant") {
-    ReadRecord read = read_record(header + rows(0, 6));
+    ReadRecord read = read_record(boom_columns + rows(0, 6));
     REQUIRE(read.record);
     Record& record = *read.record;
     CHECK(!first_unmeasurable(record));

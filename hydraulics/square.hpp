@@ -1,0 +1,7 @@
+#pragma once
+
+namespace placedpar {
+
+constexpr double square(double x) { return x * x; }
+
+} // namespace placedpar
