@@ -124,9 +124,8 @@ TEST_CASE("what is wrong with a reading") {
 
 TEST_CASE("what is wrong with the times") {
     CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
-    constexpr const char* rowless =
-        "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
-        "instant; lines end in LF or in CR LF\n";
+    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
+                                    "instant; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // its line ends were lost
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
