@@ -103,9 +103,8 @@ Record record_two_links(const Parameters& parameters, const LinksInMotion&, cons
 }
 
 bool links_use(std::string_view name) {
-    if (in_group(name, {"boom.", "stick.", "swing."}))
-        return two_links_use(fmt::format("bucket{}", name.substr(name.find('.')))) &&
-               Parameters::excavator().find(fmt::format("bucket{}", name.substr(name.find('.'))));
+    if (in_group(name, {"boom.", "stick.", "swing."})) // what the bucket has all links have
+        return Parameters::excavator().find(fmt::format("bucket{}", name.substr(name.find('.')))) != nullptr;
     if (name.starts_with("two_links."))
         return name.ends_with("_damping") ||
                !in_group(name, {"two_links.boom", "two_links.bucket_inlet_final", "two_links.bucket_bypass_final"});
