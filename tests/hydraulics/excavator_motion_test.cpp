@@ -210,6 +210,10 @@ TEST_CASE("a scenario that cannot be simulated says why") {
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario), "excavator scenario: the boom's mass is 0, expected above 0",
                          std::invalid_argument);
     scenario = two_link_scenario();
+    scenario.links[0].machine.damping_lbf_s_per_in = -1;
+    CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
+                         "excavator scenario: the bucket's damping is -1, expected 0 or above", std::invalid_argument);
+    scenario = two_link_scenario();
     scenario.links[1].link = MachineLink::bucket;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
                          "excavator scenario: the bucket is listed twice, expected each link once",
