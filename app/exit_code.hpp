@@ -1,5 +1,7 @@
 #pragma once
 
+#include "runtime/kernel.hpp"
+
 namespace placedpar {
 
 /// What the program's exit code says; documented in README.md.
@@ -10,5 +12,8 @@ enum class ExitCode {
     missed_tolerance = 3, ///< a cell of a comparison is further from the thesis than it may be
     interrupted = 130     ///< by a signal, as shells count it; what was measured so far is printed
 };
+
+/// Of a run that ended so. A run that reached its time limit is a success: the user set the limit.
+ExitCode exit_code_of(Ending);
 
 } // namespace placedpar

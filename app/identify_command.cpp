@@ -1,17 +1,17 @@
 #include "app/identify_command.hpp"
 
-#include "app/identification/flags.hpp"
-#include "app/identification/identification_report.hpp"
-#include "app/identification/process_search.hpp"
 #include "app/identify_options.hpp"
 #include "app/link_options.hpp"
-#include "app/manifest.hpp"
-#include "app/output_file.hpp"
-#include "app/overrides.hpp"
-#include "app/refused_input.hpp"
-#include "app/run_report.hpp"
-#include "app/standard_output.hpp"
-#include "app/text_file.hpp"
+#include "identification/flags.hpp"
+#include "text/output_file.hpp"
+#include "text/refused_input.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/identification_report.hpp"
+#include "workbench/manifest.hpp"
+#include "workbench/overrides.hpp"
+#include "workbench/process_search.hpp"
+#include "workbench/run_report.hpp"
+#include "workbench/text_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "app/kinds_command.hpp"
 
-#include "app/problems.hpp"
-#include "app/standard_output.hpp"
 #include "netlist/catalogue.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hydraulics/circuit.hpp"
-#include "hydraulics/machine_link.hpp"
+#include "hydraulics/circuit/circuit.hpp"
+#include "hydraulics/data/machine_link.hpp"
 
 #include <string>
 

@@ -2,13 +2,13 @@
 #include "app/common_options.hpp"
 #include "app/identify_command.hpp"
 #include "app/kinds_command.hpp"
-#include "app/manifest.hpp"
-#include "app/monitor/monitor_command.hpp"
+#include "app/monitor_command.hpp"
 #include "app/netlist_commands.hpp"
 #include "app/record_command.hpp"
 #include "app/replay_command.hpp"
-#include "app/standard_output.hpp"
-#include "hydraulics/parameters.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
 

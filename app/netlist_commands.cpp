@@ -1,14 +1,15 @@
 #include "app/netlist_commands.hpp"
 
 #include "app/common_options.hpp"
-#include "app/manifest.hpp"
-#include "app/netlist_run.hpp"
-#include "app/output_file.hpp"
-#include "app/overrides.hpp"
-#include "app/perfetto_trace.hpp"
-#include "app/run_report.hpp"
-#include "app/standard_output.hpp"
-#include "netlist/print.hpp"
+#include "app/exit_code.hpp"
+#include "netlist/print/print.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/manifest.hpp"
+#include "workbench/netlist_run.hpp"
+#include "workbench/overrides.hpp"
+#include "workbench/perfetto_trace.hpp"
+#include "workbench/run_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,12 +2,12 @@
 
 #include "app/common_options.hpp"
 #include "app/link_options.hpp"
-#include "app/output_file.hpp"
-#include "app/overrides.hpp"
-#include "app/scenario_record.hpp"
-#include "app/standard_output.hpp"
-#include "app/text_file.hpp"
-#include "hydraulics/record_table.hpp"
+#include "hydraulics/data/record_table.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/overrides.hpp"
+#include "workbench/scenario_record.hpp"
+#include "workbench/text_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,16 +1,16 @@
 #include "app/replay_command.hpp"
 
 #include "app/common_options.hpp"
-#include "app/examples_folder.hpp"
-#include "app/experiment.hpp"
-#include "app/experiment_runs.hpp"
-#include "app/gnuplot.hpp"
-#include "app/manifest.hpp"
-#include "app/netlist_run.hpp"
-#include "app/output_file.hpp"
 #include "app/progress.hpp"
-#include "app/run_report.hpp"
-#include "app/standard_output.hpp"
+#include "experiments/kit/examples_folder.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/experiment_runs.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/gnuplot.hpp"
+#include "workbench/manifest.hpp"
+#include "workbench/netlist_run.hpp"
+#include "workbench/run_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>

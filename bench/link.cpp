@@ -1,7 +1,7 @@
 // How long the simulation of a link takes: nanoseconds of wall time per byte of long messages, with the closed
 // form and with every byte simulated, one way and both ways.
 
-#include "runtime/simulation.hpp"
+#include "runtime/hardware/simulation.hpp"
 
 #include <fmt/format.h>
 

@@ -5,10 +5,10 @@
 //
 //     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the last three parts
 
-#include "app/monitor/load_meter.hpp"
-#include "app/monitor/service.hpp"
+#include "monitor/protocol/load_meter.hpp"
+#include "monitor/service/service.hpp"
 #include "runtime/fingerprint.hpp"
-#include "tests/monitor/transient.hpp"
+#include "tests/identification/on_line/transient.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/asio.hpp>

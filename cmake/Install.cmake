@@ -1,7 +1,7 @@
 # Installs the program, the rooms as an exported package, their headers, and the examples.
 include(CMakePackageConfigHelpers)
 
-set(rooms runtime netlist gaprocs hydraulics)
+set(rooms text runtime netlist gaprocs hydraulics identification monitor workbench)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/PlacedPar)
 
 foreach(room ${rooms})

@@ -1,5 +1,5 @@
-# A room is a static library placedpar_NAME, known to consumers as PlacedPar::NAME, built from the
-# sources in its own folder. Includes read "room/header.hpp" from the top of the tree.
+# A room is a folder at the top and a static library placedpar_NAME, known to consumers as PlacedPar::NAME, built from
+# all sources below the folder. Includes read "room/folder/header.hpp" from the top of the tree.
 
 add_library(placedpar_options INTERFACE)
 target_compile_features(placedpar_options INTERFACE cxx_std_20)
@@ -17,9 +17,11 @@ if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
 
+# placedpar_room(name [SOURCES generated.cpp] LINKS ...)
 function(placedpar_room name)
     cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
-    add_library(placedpar_${name} STATIC ${ROOM_SOURCES})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_library(placedpar_${name} STATIC ${sources} ${ROOM_SOURCES})
     add_library(PlacedPar::${name} ALIAS placedpar_${name})
     set_target_properties(placedpar_${name} PROPERTIES EXPORT_NAME ${name})
     target_include_directories(placedpar_${name} PUBLIC
@@ -30,11 +32,12 @@ function(placedpar_room name)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
 endfunction()
 
-# placedpar_test(name [PROGRAM] SOURCES ... LINKS ...): a doctest program. One a room, with the label room; the target
-# room_tests builds them all. What needs the whole program is no room's: PROGRAM.
+# placedpar_test(name [PROGRAM] LINKS ...): a doctest program of all sources below the folder. One a room, with the
+# label room; the target room_tests builds them all. What needs the whole program is no room's: PROGRAM.
 function(placedpar_test name)
-    cmake_parse_arguments(TEST "PROGRAM" "" "SOURCES;LINKS" ${ARGN})
-    add_executable(test_${name} ${TEST_SOURCES})
+    cmake_parse_arguments(TEST "PROGRAM" "" "LINKS" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_executable(test_${name} ${sources})
     target_link_libraries(test_${name} PRIVATE placedpar_options placedpar_test_main ${TEST_LINKS})
     target_compile_definitions(test_${name} PRIVATE PLACEDPAR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     add_test(NAME ${name} COMMAND test_${name})

@@ -3,7 +3,7 @@
 #include "netlist/catalogue.hpp"
 #include "netlist/environment.hpp"
 #include "netlist/network.hpp"
-#include "runtime/simulation.hpp"
+#include "runtime/hardware/simulation.hpp"
 
 #include <cstdint>
 #include <list>

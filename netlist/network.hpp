@@ -1,8 +1,8 @@
 #pragma once
 
 #include "netlist/catalogue.hpp"
-#include "netlist/source.hpp"
 #include "netlist/value.hpp"
+#include "text/source.hpp"
 
 #include <cstddef>
 #include <cstdint>

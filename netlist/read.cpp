@@ -1,9 +1,9 @@
 #include "netlist/read.hpp"
 
-#include "netlist/complete.hpp"
-#include "netlist/elaborator.hpp"
-#include "netlist/parser.hpp"
-#include "netlist/print.hpp"
+#include "netlist/complete/complete.hpp"
+#include "netlist/elaborate/elaborator.hpp"
+#include "netlist/language/parser.hpp"
+#include "netlist/print/print.hpp"
 
 #include <algorithm>
 

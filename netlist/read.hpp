@@ -1,8 +1,8 @@
 #pragma once
 
 #include "netlist/catalogue.hpp"
-#include "netlist/diagnostic.hpp"
 #include "netlist/network.hpp"
+#include "text/diagnostic.hpp"
 
 #include <filesystem>
 #include <map>

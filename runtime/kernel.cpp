@@ -1,7 +1,7 @@
 #include "runtime/kernel.hpp"
 
 #include "runtime/fiber_scheduler.hpp"
-#include "runtime/processor.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/worker.hpp"
 
 #include <boost/fiber/algo/round_robin.hpp>

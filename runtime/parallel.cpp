@@ -1,8 +1,8 @@
 #include "runtime/parallel.hpp"
 
-#include "runtime/instructions.hpp"
+#include "runtime/hardware/instructions.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/kernel.hpp"
-#include "runtime/processor.hpp"
 
 #include <list>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gaprocs/fitness.hpp"
-#include "hydraulics/circuit_problem.hpp"
+#include "hydraulics/circuit/circuit_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

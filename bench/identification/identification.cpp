@@ -6,7 +6,7 @@
 #include "bench/identification/contest.hpp"
 #include "gaprocs/operators.hpp"
 #include "gaprocs/search_problem.hpp"
-#include "hydraulics/boom_record.hpp"
+#include "hydraulics/plant/boom_record.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/random.hpp"
 

@@ -1,9 +1,9 @@
 // Two processes of a program that uses PlacedPar as a library, and something of every room.
 
 #include "gaprocs/genome.hpp"
-#include "hydraulics/boom_orifices.hpp"
+#include "hydraulics/circuit/boom_orifices.hpp"
 #include "netlist/catalogue.hpp"
-#include "runtime/simulation.hpp"
+#include "runtime/hardware/simulation.hpp"
 
 #include <cstdio>
 

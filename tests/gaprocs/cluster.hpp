@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gaprocs/kinds.hpp"
 #include "gaprocs/problem_registry.hpp"
+#include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"

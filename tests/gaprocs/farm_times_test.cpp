@@ -1,6 +1,6 @@
 // What masters and slaves measure of themselves.
 
-#include "gaprocs/share.hpp"
+#include "gaprocs/processes/share.hpp"
 #include "tests/gaprocs/cluster.hpp"
 
 #include <doctest/doctest.h>

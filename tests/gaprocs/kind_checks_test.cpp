@@ -1,7 +1,7 @@
 // What the kinds refuse of a netlist before it runs, and where they say it is.
 
-#include "gaprocs/kinds.hpp"
-#include "gaprocs/messages.hpp"
+#include "gaprocs/processes/kinds.hpp"
+#include "gaprocs/processes/messages.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "tests/gaprocs/line_problem.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/identification/record_problem.hpp"
-#include "hydraulics/boom_record.hpp"
+#include "hydraulics/plant/boom_record.hpp"
+#include "identification/record_problem.hpp"
 #include "runtime/random.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "app/identification/flags.hpp"
 #include "boom_records.hpp"
+#include "identification/flags.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // A gap of the record: no slope and no window reaches over it, and the spool goes on by the time that has passed.
 #include "boom_records.hpp"
-#include "hydraulics/voltage_spool.hpp"
+#include "hydraulics/circuit/voltage_spool.hpp"
 
 #include <doctest/doctest.h>
 

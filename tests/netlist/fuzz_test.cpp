@@ -1,7 +1,7 @@
 // Mutations of good netlists: whatever they say, reading them ends, in a network or in an error.
 // A failure prints the number of the case; the same number makes the same case again.
 
-#include "netlist/print.hpp"
+#include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
 #include "small_catalogue.hpp"
 

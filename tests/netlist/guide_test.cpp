@@ -1,6 +1,6 @@
 // Every netlist in the language reference is one that loads.
 
-#include "netlist/print.hpp"
+#include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
 #include "small_catalogue.hpp"
 

@@ -1,7 +1,7 @@
 // Virtual time lasts for 106 days. What would come later ends the run with an error, and overflows nowhere.
 
 #include "runtime/alternation.hpp"
-#include "runtime/simulation.hpp"
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

@@ -1,8 +1,8 @@
 // However a simulation ends, every process's stack is unwound, and another can follow.
 
 #include "runtime/alternation.hpp"
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/parallel.hpp"
-#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

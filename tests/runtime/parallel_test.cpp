@@ -1,7 +1,7 @@
 // PAR and PRI PAR.
 
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/parallel.hpp"
-#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 

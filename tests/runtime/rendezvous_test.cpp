@@ -1,8 +1,8 @@
 // The rules by which two processes meet in a channel.
 
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/random.hpp"
-#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 

@@ -1,6 +1,6 @@
 #include "runtime/alternation.hpp"
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/parallel.hpp"
-#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

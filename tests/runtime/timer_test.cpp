@@ -1,6 +1,6 @@
 // TIMERs: a microsecond a tick at high priority, 64 at low.
 
-#include "runtime/simulation.hpp"
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // How long a process has waited, for the report.
 
+#include "runtime/hardware/simulation.hpp"
 #include "runtime/parallel.hpp"
-#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

@@ -1,0 +1,139 @@
+#include "experiments/kit/experiment.hpp"
+
+#include "hydraulics/plant/boom_scenario.hpp"
+#include "hydraulics/plant/bulk_modulus.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::array pressures_psia{100.0, 500.0, 1000.0, 2000.0};
+
+/// A row of moduli that were worked out independently of this program, in 1e3 psi, to the digit given.
+struct ModulusRow {
+    double air_fraction, exponent;
+    std::array<double, 4> modulus_kpsi;
+};
+
+constexpr std::array<ModulusRow, 5> known_moduli{{{.001, 1, {166.2, 217.2, 219.3, 219.8}},
+                                                  {.01, 1, {51.6, 194.6, 213.1, 218.2}},
+                                                  {.05, 1, {12.3, 131.1, 188.1, 211.1}},
+                                                  {.05, 1.4, {10.1, 94.7, 156.9, 196.1}},
+                                                  {.10, 1.4, {5.0, 58.2, 119.1, 175.0}}}};
+
+/// The same: below which absolute pressure the mixture is that much softer than oil.
+struct SofterRow {
+    const char* name;
+    double share; // of the oil's modulus
+    std::array<double, 4> psia;
+};
+
+constexpr std::array air_fractions{.01, .02, .05, .10};
+constexpr std::array<SofterRow, 2> known_softer{{{"compliance 10 times that of oil below", 0.1, {60, 85, 137, 199}},
+                                                 {"twice that of oil below", 0.5, {181, 257, 412, 598}}}};
+
+std::string percent(double fraction) { return fmt::format("{:g} % air", 100 * fraction); }
+
+Cell judged(std::string row, std::string column, std::string unit, double known, double value, double tolerance,
+            int decimals) {
+    Cell cell{std::move(row), std::move(column), std::move(unit), known, value, {}};
+    cell.tolerance = tolerance;
+    cell.decimals = decimals;
+    return cell;
+}
+
+Cell unjudged(std::string row, std::string column, std::string unit, double value, int decimals) {
+    Cell cell{std::move(row), std::move(column), std::move(unit), {}, value, {}};
+    cell.decimals = decimals;
+    return cell;
+}
+
+std::string psia_column(double psia) { return fmt::format("{} psia", psia); }
+
+void add_moduli(Reading& reading) {
+    for (const ModulusRow& row : known_moduli)
+        for (std::size_t i = 0; i < pressures_psia.size(); ++i) {
+            double modulus = bulk_modulus_psi({row.air_fraction, row.exponent}, pressures_psia[i]);
+            reading.cells.push_back(
+                judged(fmt::format("{}, {}", percent(row.air_fraction), row.exponent == 1 ? "isothermal" : "N = 1.4"),
+                       psia_column(pressures_psia[i]), "1e3 psi", row.modulus_kpsi[i], modulus / 1000, 0.051, 1));
+        }
+}
+
+/// C = V / beta: how many times the compliance of the same volume of oil alone.
+void add_compliances(Reading& reading) {
+    for (double air : air_fractions)
+        for (double psia : pressures_psia)
+            reading.cells.push_back(unjudged("C over that of oil, " + percent(air), psia_column(psia), "",
+                                             bulk_modulus_psi({0}, psia) / bulk_modulus_psi({air}, psia), 3));
+}
+
+void add_softer(Reading& reading) {
+    for (const SofterRow& row : known_softer)
+        for (std::size_t i = 0; i < air_fractions.size(); ++i)
+            reading.cells.push_back(judged(row.name, percent(air_fractions[i]), "psia", row.psia[i],
+                                           psia_at_modulus({air_fractions[i]}, row.share), 0.51, 1));
+}
+
+/// The oil that alone would have the boom's compliance.
+void add_volume(Reading& reading) {
+    double compliance = BoomMachine().inlet_compliance_in3_per_psi;
+    reading.cells.push_back(judged(fmt::format("oil that alone has C = {}", compliance), "no air", "in^3", 1892,
+                                   compliance * bulk_modulus_psi({0}, 1800), 0.51, 1));
+}
+
+constexpr std::array plotted_fractions{0.0, .001, .01, .02, .05, .10};
+
+template <class Value>
+std::vector<Series> over_pressure(double from_psia, double to_psia, Value value) {
+    std::vector<Series> all;
+    constexpr int steps = 200;
+    for (double air : plotted_fractions) {
+        Series series{air == 0 ? "no air" : percent(air), {}};
+        for (int i = 0; i <= steps; ++i) {
+            double psia = from_psia * std::pow(to_psia / from_psia, static_cast<double>(i) / steps);
+            series.points.push_back({psia, value(air, psia)});
+        }
+        all.push_back(series);
+    }
+    return all;
+}
+
+Plot plot_of_air() {
+    auto modulus = [](double air, double psia) { return bulk_modulus_psi({air}, psia) / 1000; };
+    auto softer = [](double air, double psia) { return bulk_modulus_psi({0}, psia) / bulk_modulus_psi({air}, psia); };
+    Plot plot{"Figure 2.3: what free air does to oil", {}};
+    plot.panels.push_back({"Bulk modulus of an air-oil mixture (isothermal; the air is free)",
+                           {"absolute pressure [psi]", 0, 3000},
+                           {"bulk modulus [1000 psi]", 0, 240},
+                           over_pressure(10, 3000, modulus)});
+    plot.panels.push_back({"Compliance C = V / β over that of the same volume of oil alone",
+                           {"absolute pressure [psi]", 20, 3000, true},
+                           {"C with air / C without", 0.8, 100, true},
+                           over_pressure(20, 3000, softer),
+                           {{"an order of magnitude", 10}}});
+    return plot;
+}
+
+} // namespace
+
+Replay replay_figure_2_3(const ReplayContext&) {
+    Replay replay;
+    Reading reading{
+        "bulk modulus of oil of 220 000 psi with free air, and what it means for C = V / beta", {}, "", "known"};
+    add_moduli(reading);
+    add_compliances(reading);
+    add_softer(reading);
+    add_volume(reading);
+    replay.readings.push_back(reading);
+    replay.fingerprint = fingerprint_of(replay.readings);
+    replay.plots = {{"figure-2-3", plot_of_air()}};
+    return replay;
+}
+
+} // namespace placedpar

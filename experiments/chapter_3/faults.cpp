@@ -1,0 +1,133 @@
+#include "experiments/chapter_3/fault_plots.hpp"
+#include "experiments/chapter_3/fault_study.hpp"
+#include "experiments/kit/cells.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/record_seeds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t records_a_fault = 20;
+// What `placedpar monitor` calls off unless told otherwise.
+constexpr double off_by = 0.12;
+
+const Plant simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true};
+
+/// A fault, and what the compliance found should be, of the sound machine's.
+struct Case {
+    Fault fault;
+    double known_ratio, tolerance;
+    bool in_servo; ///< so that only a machine with a servo-valve can have it
+};
+
+std::vector<Case> cases() {
+    return {
+        {no_fault(), 1, 0.05, false},
+        {doubled_compliance(), 2, 0.15, false},
+        {leak_of("leak of 5 %", 0.0014), 1.13, 0.05, false},
+        {leak_of("leak of 10 %", 0.0028), 1.27, 0.05, false},
+        // 0.01 in of spool is 21 mV in the working range, and 20 % of the flow.
+        {drift_of(0.021), 1, 0.05, true},
+    };
+}
+
+/// The compliances of all records, by the spool or by the voltage.
+std::vector<double> found_in(const Fault& fault, const Plant& plant, AreasFrom from, const Seeds& seeds) {
+    std::vector<double> found;
+    for (std::uint64_t seed : seeds)
+        found.push_back(identified(record_of(fault, plant, seed), from, seed));
+    return found;
+}
+
+double percent_off(const std::vector<double>& found, double sound_one) {
+    auto off = std::ranges::count_if(found, [&](double value) { return std::abs(value / sound_one - 1) > off_by; });
+    return 100 * static_cast<double>(off) / static_cast<double>(found.size());
+}
+
+void add_case(Reading& reading, const Case& each, const Plant& plant, const Seeds& seeds, AreasFrom from,
+              double sound_one) {
+    bool by_spool = from == AreasFrom::spool;
+    auto found = found_in(each.fault, plant, from, seeds);
+    double middle = median(found), ratio = middle / sound_one;
+    std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
+    reading.cells.push_back(
+        plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
+    // What a drift does to C by the voltage nobody has told.
+    reading.cells.push_back(by_spool || !each.in_servo
+                                ? judged_cell(of, column, "", each.known_ratio, ratio, each.tolerance, 2)
+                                : plain_cell(of, column, "", ratio, 2));
+    reading.cells.push_back(plain_cell(by_spool ? "  records off by 12 %" : "  off by 12 %", column, "%",
+                                       percent_off(found, sound_one), 0));
+}
+
+Reading fault_reading(std::string name, const Plant& plant, const Seeds& seeds) {
+    Reading reading{std::move(name), {}, "", "known", true};
+    for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
+        if (from == AreasFrom::servo && !plant.has_servo)
+            continue;
+        double sound_one = median(found_in(no_fault(), plant, from, seeds));
+        for (const Case& each : cases())
+            if (!each.in_servo || plant.has_servo)
+                add_case(reading, each, plant, seeds, from, sound_one);
+    }
+    return reading;
+}
+
+/// What a leak does to least squares over the rise, beside what is known.
+Reading leak_reading() {
+    Reading reading{"a leak that the model does not know, scenario A without noise, while the pressure rises: growth "
+                    "of C by least squares",
+                    {},
+                    "",
+                    "known",
+                    true};
+    auto fit = [](const Fault& fault) { return least_squares(record_of(fault, {"scenario-a", "none", false}, 1)); };
+    double before = fit(no_fault());
+    auto add = [&](const char* name, double leak_in3_per_s_psi, double known) {
+        double growth = 100 * (fit(leak_of(name, leak_in3_per_s_psi)) / before - 1);
+        reading.cells.push_back(judged_cell("growth of C", name, "%", known, growth, 0.2 * known, 1));
+    };
+    add("leak of 4 %", 0.001, 9);
+    add("leak of 5 %", 0.0014, 13);
+    add("leak of 7 %", 0.002, 18);
+    add("leak of 10 %", 0.0028, 27);
+    add("leak of 14 %", 0.004, 37);
+    return reading;
+}
+
+std::vector<Fault> drawn_faults() {
+    std::vector<Fault> drawn;
+    for (const Case& each : cases())
+        if (!each.in_servo)
+            drawn.push_back(each.fault);
+    return drawn;
+}
+
+} // namespace
+
+Replay replay_faults(const ReplayContext& context) {
+    Replay replay;
+    Seeds seeds = record_seeds(context.seed, records_a_fault);
+    context.progress("faults of the simple plant");
+    replay.readings.push_back(fault_reading(
+        fmt::format("simple plant, low noise, median of {} records", records_a_fault), simple_plant, seeds));
+    replay.readings.push_back(leak_reading());
+    context.progress("faults of the measured machine");
+    replay.readings.push_back(fault_reading(
+        fmt::format("measured machine, mid noise, median of {} records", records_a_fault), measured_machine, seeds));
+    replay.readings.back().notes =
+        "a drift of the servo-valve shows by the voltage only, a fault of hose or cylinder by both\n";
+    replay.plots = {{"faults", plot_of_faults(drawn_faults(), measured_machine, seeds)}};
+    replay.fingerprint = fingerprint_of(replay.readings);
+    return replay;
+}
+
+} // namespace placedpar

@@ -1,0 +1,172 @@
+#include "experiments/chapter_3/study.hpp"
+#include "experiments/kit/cells.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/record_seeds.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// A figure of an independent prototype, and that which a sound identification must not exceed.
+struct Bound {
+    double known;
+    std::optional<double> most;
+};
+
+struct NoiseLevel {
+    const char* name;
+    MeasurementNoise noise;
+    Bound median_percent, ninetieth_percent;
+    double within_ten_percent;
+    Bound rising_median_percent;
+};
+
+// High noise must be too much for the thesis's "within 10 %".
+constexpr double too_much_percent = 10;
+
+constexpr std::array<NoiseLevel, 4> levels{{{"no noise", no_noise, {0.07, 1.5}, {2.2, 4}, 100, {1.06, 2.3}},
+                                            {"low", low_noise, {1.7, 3.5}, {4.5, 8}, 100, {1.1, 2.3}},
+                                            {"mid", mid_noise, {3.5, 6}, {7.9, 13}, 96, {1.7, 3.5}},
+                                            {"high", high_noise, {6.9, 11}, {18, {}}, 66, {3.3, 6}}}};
+
+using Progress = std::function<void(const std::string&)>;
+
+void add_level(Reading& reading, const NoiseLevel& level, const Seeds& seeds) {
+    auto add = [&](const char* row, const char* unit, Bound bound, double value, int decimals) {
+        reading.cells.push_back(compared_cell(row, level.name, unit, bound.known, value, decimals));
+        reading.cells.back().at_most = bound.most;
+    };
+    Study all = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
+    add("error, median", "%", level.median_percent, all.median_percent(), 2);
+    add("  90th percentile", "%", level.ninetieth_percent, all.ninetieth_percent(), 2);
+    if (!level.ninetieth_percent.most)
+        reading.cells.back().at_least = too_much_percent;
+    reading.cells.push_back(
+        compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
+    add("codes from the best of all, 90th percentile", "", {0, 3}, share_below(all.codes_from_optimum, 0.9), 0);
+    add("codes from that to the best in SI, greatest", "", {0, 1}, share_below(all.si_codes, 1), 0);
+    Study rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
+    add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
+    reading.cells.push_back(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
+}
+
+/// A way to identify, and what is known of it: the share of seeds within 10 %.
+struct Variant {
+    std::string name;
+    IdentificationWay way;
+    std::optional<double> known_within_ten;
+};
+
+IdentificationWay changed(const std::function<void(IdentificationWay&)>& change) {
+    IdentificationWay way = thesis_way();
+    change(way);
+    return way;
+}
+
+std::vector<Variant> populations() {
+    std::vector<Variant> all;
+    for (auto [size, known] : {std::pair(20, 54), {30, 66}, {60, 84}, {120, 96}, {240, 92}})
+        all.push_back({fmt::format("{} individuals", size),
+                       changed([size = size](auto& way) { way.search.population = static_cast<std::size_t>(size); }),
+                       known});
+    return all;
+}
+
+std::vector<Variant> variants() {
+    using Way = IdentificationWay;
+    std::vector<Variant> all{{"as the thesis describes it", thesis_way(), {}},
+                             {"Gray code", changed([](Way& way) { way.coding = Coding::gray; }), {}},
+                             {"one elite", changed([](Way& way) { way.search.elite = 1; }), {}},
+                             {"Gray code and elite",
+                              changed([](Way& way) {
+                                  way.coding = Coding::gray;
+                                  way.search.elite = 1;
+                              }),
+                              {}},
+                             {"window of 20", changed([](Way& way) { way.search.window.length = 20; }), {}},
+                             {"1 trial a sample", changed([](Way& way) { way.search.window.trials = 1; }), {}},
+                             {"7 bits", changed([](Way& way) { way.bits = 7; }), {}},
+                             {"16 bits", changed([](Way& way) { way.bits = 16; }), {}},
+                             {"no mutation", changed([](Way& way) { way.search.mutation_probability = 0; }), {}}};
+    return all;
+}
+
+void add_variant(Reading& reading, const Variant& variant, const Transients& transients, const Seeds& seeds) {
+    Study result = study(transients, variant.way, seeds);
+    auto add = [&](const char* column, double value, int decimals) {
+        reading.cells.push_back(plain_cell(variant.name, column, "", value, decimals)); // the columns' units differ
+    };
+    add("error, median [%]", result.median_percent(), 1);
+    add("90th percentile [%]", result.ninetieth_percent(), 1);
+    const char* within = "seeds within 10 % [%]";
+    if (variant.known_within_ten)
+        reading.cells.push_back(judged_cell(variant.name, within, "", *variant.known_within_ten,
+                                            result.within_ten_percent(),
+                                            share_tolerance(*variant.known_within_ten, seeds.size()), 0));
+    else
+        add(within, result.within_ten_percent(), 0);
+    if (result.codes_from_optimum.size() == seeds.size())
+        add("codes off, 90th", share_below(result.codes_from_optimum, 0.9), 0);
+}
+
+Reading variants_reading(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
+    Reading reading{std::move(name), {}, "", "known", true};
+    Seeds seeds = record_seeds(context.seed, usual_records);
+    Transients transients = measure_transients(mid_noise, thesis_way().usable, seeds);
+    for (const Variant& variant : all) {
+        context.progress(variant.name);
+        add_variant(reading, variant, transients, seeds);
+    }
+    return reading;
+}
+
+Series distribution(const NoiseLevel& level, const Seeds& seeds) {
+    Series series{level.name, {{0, 0}}};
+    Study result = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
+    for (std::size_t i = 1; i <= seeds.size(); ++i) {
+        double share = static_cast<double>(i) / static_cast<double>(seeds.size()),
+               error = share_below(result.error_percent, share);
+        series.points.push_back({error, series.points.back().y});
+        series.points.push_back({error, 100 * share});
+    }
+    return series;
+}
+
+Plot plot_of_study(const Seeds& seeds) {
+    Panel panel;
+    panel.title = "50 searches at each level of noise: how many end within an error";
+    panel.x = {"error of the compliance [%]", 0, 30};
+    panel.y = {"searches [%]", 0, 100};
+    for (const NoiseLevel& level : levels)
+        panel.series.push_back(distribution(level, seeds));
+    panel.series.push_back({"10 %", {{10, 0}, {10, 100}}, Stroke::dashes, 6});
+    return {"Identification of the boom's compliance from scenario A", {panel}};
+}
+
+} // namespace
+
+Replay replay_identification_study(const ReplayContext& context) {
+    Replay replay;
+    Seeds seeds = record_seeds(context.seed, usual_records);
+    Reading reading{"50 records of scenario A and as many searches, the thesis's way", {}, "", "known"};
+    for (const NoiseLevel& level : levels) {
+        context.progress(fmt::format("noise: {}", level.name));
+        add_level(reading, level, seeds);
+    }
+    replay.readings.push_back(reading);
+    replay.readings.push_back(variants_reading("other populations, mid noise", populations(), context));
+    replay.readings.push_back(variants_reading("other ways, mid noise", variants(), context));
+    replay.fingerprint = fingerprint_of(replay.readings);
+    replay.plots = {{"identification-study", plot_of_study(seeds)}};
+    return replay;
+}
+
+} // namespace placedpar

@@ -1,0 +1,99 @@
+#include "gaprocs/processes/farm.hpp"
+
+#include "runtime/hardware/processor.hpp"
+
+#include <utility>
+
+namespace placedpar {
+
+Farm::Farm(const SearchProblem& problem, const Workload& workload, const Settings& settings, Output<Task> to_slaves,
+           Input<Fitnesses> from_slaves)
+    : problem_(problem), workload_(workload), settings_(settings), to_slaves_(to_slaves), from_slaves_(from_slaves) {}
+
+void Farm::measure(Window window) {
+    window_ = std::move(window);
+    measurements_are_new_ = true;
+}
+
+std::vector<double> Farm::evaluate(std::span<const Genome> population) {
+    std::vector<double> fitness(population.size(), 0.0);
+    send_to_receive.start();
+    if (settings_.split == Split::demand && settings_.slaves > 0)
+        evaluate_on_demand(population, fitness);
+    else
+        evaluate_dealt_out(population, fitness);
+    send_to_receive.stop();
+    measurements_are_new_ = settings_.measurements_every_generation;
+    return fitness;
+}
+
+void Farm::evaluate_dealt_out(std::span<const Genome> population, std::vector<double>& fitness) {
+    // The master is the last evaluator: where the work does not divide, it has the smaller share.
+    auto shares = deal(population.size(), window_->size(), settings_.slaves + 1, settings_.split);
+    send_to_all(Task::Kind::evaluate, shares, population, measurements_are_new_);
+    own_evaluation.start();
+    evaluate_own(shares.back(), population, fitness);
+    own_evaluation.stop();
+    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+        take(from_slaves_.input(), fitness);
+}
+
+void Farm::rehearse(std::span<const Genome> population) {
+    std::vector<double> fitness(population.size());
+    if (settings_.split == Split::demand)
+        return rehearse_on_demand(population, fitness);
+    auto shares = deal(population.size(), window_->size(), settings_.slaves + 1, settings_.split);
+    send_to_all(Task::Kind::rehearse, shares, population, true);
+    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+        take(from_slaves_.input(), fitness);
+}
+
+void Farm::end() {
+    if (settings_.slaves == 0)
+        return;
+    to_slaves_.output(Task{});
+    while (!from_slaves_.input().end) {
+    }
+}
+
+void Farm::send_to_all(Task::Kind kind, std::span<const Share> shares, std::span<const Genome> population,
+                       bool measurements) {
+    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+        to_slaves_.output(make_task(kind, slave, shares[slave], population, measurements));
+}
+
+/// Packs a message: the measurements converted word by word, the strings copied.
+Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std::span<const Genome> population,
+                     bool measurements) {
+    Task task;
+    task.kind = kind;
+    task.slave = task.hops_left = slave;
+    task.share = share;
+    auto strings = population.subspan(share.first_individual(), share.individuals());
+    task.strings.assign(strings.begin(), strings.end());
+    task.bias = settings_.bias;
+    task.coding = problem_.coding();
+    task.results_in_order = settings_.results_in_order;
+    task.bytes = message_bytes(strings.size(), workload_.string_bytes);
+    compute(block_move(task.bytes));
+    if (measurements) {
+        task.window = window_;
+        task.bytes = message_bytes(strings.size(), workload_.string_bytes, workload_.measurement_bytes);
+        compute((workload_.measurement_bytes + 3) / 4 * workload_.measurement_conversion);
+    }
+    return task;
+}
+
+/// Unpacks a message.
+void Farm::take(const Fitnesses& result, std::vector<double>& fitness) {
+    compute(block_move(result.bytes));
+    add_terms(result.share, result.terms, fitness);
+}
+
+void Farm::evaluate_own(const Share& share, std::span<const Genome> population, std::vector<double>& fitness) {
+    compute(static_cast<std::int64_t>(share.evaluations()) * workload_.error_evaluation);
+    auto strings = population.subspan(share.first_individual(), share.individuals());
+    add_terms(share, evaluate_share(problem_, share, strings, *window_, settings_.bias), fitness);
+}
+
+} // namespace placedpar

@@ -1,0 +1,101 @@
+#include "gaprocs/processes/farm.hpp"
+
+#include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+/// Deals out individuals one by one, to whoever is idle: slaves by their tasks, the master's own evaluator,
+/// a process of low priority beside the dealer, over soft channels.
+class Farm::Dealer {
+public:
+    Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
+        : population_(population), window_(window), lacks_measurements_(slaves, measurements_are_new) {}
+
+    bool anything_left() const { return next_ < population_; }
+    bool everything_in() const { return received_ == population_; }
+    Share next() {
+        std::size_t individual = next_++;
+        return {individual * window_, (individual + 1) * window_, window_};
+    }
+    void received() { ++received_; }
+    /// True for the first task of a slave that is to get the measurements.
+    bool owes_measurements(std::size_t slave) {
+        bool owed = lacks_measurements_[slave];
+        lacks_measurements_[slave] = false;
+        return owed;
+    }
+
+private:
+    std::size_t population_, window_;
+    std::size_t next_ = 0, received_ = 0;
+    std::vector<bool> lacks_measurements_;
+};
+
+namespace {
+
+struct Done {};
+
+} // namespace
+
+void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
+    Dealer dealer(population.size(), window_->size(), settings_.slaves, measurements_are_new_);
+    Channel<Share> work("own work");
+    Channel<Done> done("own work done");
+    auto send_to = [&](std::size_t slave) { deal_to_slave(slave, dealer, Task::Kind::evaluate, population); };
+    auto deal_out = [&] {
+        for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+            send_to(slave);
+        bool own_evaluator_works = true;
+        auto deal_to_self = [&] {
+            own_evaluator_works = dealer.anything_left();
+            work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends it
+        };
+        deal_to_self();
+        while (!dealer.everything_in())
+            alt(on(from_slaves_,
+                   [&](const Fitnesses& result) {
+                       take(result, fitness);
+                       dealer.received();
+                       send_to(result.slave);
+                   }),
+                when(own_evaluator_works, on(done.in(), [&](Done) {
+                         dealer.received();
+                         deal_to_self();
+                     })));
+    };
+    auto evaluate_own_share = [&] {
+        own_evaluation.start();
+        for (Share share = work.in().input(); share.evaluations() > 0; share = work.in().input()) {
+            evaluate_own(share, population, fitness);
+            done.out().output(Done{});
+        }
+        own_evaluation.stop();
+    };
+    pri_par(deal_out, evaluate_own_share);
+}
+
+void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
+    std::size_t own = population.size() / (settings_.slaves + 1);
+    Dealer dealer(population.size() - own, window_->size(), settings_.slaves, true);
+    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+        deal_to_slave(slave, dealer, Task::Kind::rehearse, population);
+    while (!dealer.everything_in()) {
+        Fitnesses result = from_slaves_.input();
+        take(result, fitness);
+        dealer.received();
+        deal_to_slave(result.slave, dealer, Task::Kind::rehearse, population);
+    }
+}
+
+/// Nothing when all are dealt out.
+void Farm::deal_to_slave(std::size_t slave, Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
+    if (!dealer.anything_left())
+        return;
+    Share next = dealer.next();
+    to_slaves_.output(make_task(kind, slave, next, population, dealer.owes_measurements(slave)));
+}
+
+} // namespace placedpar

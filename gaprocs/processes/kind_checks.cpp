@@ -1,0 +1,156 @@
+#include "gaprocs/processes/kind_checks.hpp"
+
+#include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/processes/slave_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// Collects what is to be said about one process, and reads its parameters.
+class Check {
+public:
+    Check(const Network& network, std::size_t process, const ProblemRegistry& problems)
+        : network_(network), process_(process), problems_(problems) {
+        try {
+            recorded_ = &problems.find(text("problem"));
+        } catch (const std::invalid_argument& unknown) {
+            refuse("problem", unknown.what());
+        }
+    }
+
+    void host() {
+        if (recorded_ && integer("samples") > record_length())
+            refuse("samples", fmt::format("samples = {}, but the record of \"{}\" has {}", integer("samples"),
+                                          text("problem"), record_length()));
+    }
+
+    void search() {
+        check_window();
+        if (integer("elite") > integer("population") - 2)
+            refuse("elite",
+                   fmt::format("an elite of {} leaves no pair to be bred in a population of {}", integer("elite"),
+                               integer("population")),
+                   fmt::format("it is {} at the most", integer("population") - 2));
+        check_coding();
+        auto host = other_end(network_, process_, "from_host");
+        if (host && !host->at_edge() && network_.processes[host->process].kind == "ga.host")
+            check_problem(host->process, process_);
+        if (other_end(network_, process_, "to_slaves"))
+            check_slaves();
+    }
+
+    std::vector<Complaint> take() { return std::move(complaints_); }
+
+private:
+    std::int64_t integer(const char* parameter) const { return integer_of(process_, parameter); }
+    std::int64_t integer_of(std::size_t process, const char* parameter) const {
+        return std::get<std::int64_t>(network_.processes[process].parameters.at(parameter));
+    }
+    const std::string& text(const char* parameter) const { return text_of(process_, parameter); }
+    const std::string& text_of(std::size_t process, const char* parameter) const {
+        return std::get<std::string>(network_.processes[process].parameters.at(parameter));
+    }
+    const std::string& name(std::size_t process) const { return network_.processes[process].name; }
+    std::int64_t record_length() const { return static_cast<std::int64_t>(recorded_->record.size()); }
+
+    void refuse(std::string about, std::string message, std::string hint = "") {
+        refuse_of(process_, std::move(about), std::move(message), std::move(hint));
+    }
+    void refuse_of(std::size_t process, std::string about, std::string message, std::string hint = "") {
+        complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
+    }
+
+    void check_window() {
+        if (recorded_ && integer("window") > record_length())
+            refuse("window", fmt::format("the window holds {} samples, the record of \"{}\" only {}", integer("window"),
+                                         text("problem"), record_length()));
+        bool stated = network_.processes[process_].given.contains("first_window");
+        if (stated && integer("first_window") > integer("window"))
+            refuse("first_window", fmt::format("the first generation waits for {} samples, but the window holds {}",
+                                               integer("first_window"), integer("window")));
+    }
+
+    void check_coding() {
+        if (!recorded_)
+            return;
+        try {
+            recorded_->problem->coded(coding_named(text("coding")).value());
+        } catch (const std::invalid_argument& refused) {
+            refuse("coding", refused.what());
+        }
+    }
+
+    /// An unknown one is its own process's complaint.
+    void check_problem(std::size_t process, std::size_t other) {
+        auto known = problems_.names();
+        if (text_of(process, "problem") != text_of(other, "problem") &&
+            std::ranges::count(known, text_of(process, "problem")) > 0)
+            refuse_of(process, "problem",
+                      fmt::format("\"{}\" works on the problem \"{}\", but \"{}\" on \"{}\"", name(process),
+                                  text_of(process, "problem"), name(other), text_of(other, "problem")));
+    }
+
+    void check_slaves() {
+        std::int64_t population = integer("population"), slaves = integer("slaves");
+        SlaveChain chain = follow_slaves(network_, process_);
+        complaints_.insert(complaints_.end(), chain.complaints.begin(), chain.complaints.end());
+        if (chain.known && std::cmp_not_equal(chain.slaves.size(), slaves))
+            refuse("slaves", fmt::format("slaves = {}, but the chain at \"{}.to_slaves\" has {}", slaves,
+                                         name(process_), chain.slaves.size()));
+        else if (slaves >= population)
+            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, the "
+                                         "master being an evaluator too",
+                                         slaves, population, population - 1, population == 2 ? "" : "s"));
+        std::size_t individuals = most_individuals(static_cast<std::size_t>(population),
+                                                   static_cast<std::size_t>(slaves) + 1, split_named(text("split")));
+        check_message(process_, individuals, "string_bytes", integer("measurement_bytes"));
+        for (std::size_t slave : chain.slaves) {
+            check_problem(slave, process_);
+            check_message(slave, individuals, "fitness_bytes", 0);
+        }
+    }
+
+    void check_message(std::size_t process, std::size_t individuals, const char* bytes_each, std::int64_t others) {
+        try {
+            message_bytes(individuals, static_cast<std::uint32_t>(integer_of(process, bytes_each)),
+                          static_cast<std::uint32_t>(others));
+        } catch (const std::invalid_argument& too_long) {
+            refuse_of(process, bytes_each, too_long.what());
+        }
+    }
+
+    const Network& network_;
+    std::size_t process_;
+    const ProblemRegistry& problems_;
+    const RecordedProblem* recorded_ = nullptr;
+    std::vector<Complaint> complaints_;
+};
+
+} // namespace
+
+std::vector<Complaint> check_host(const Network& network, std::size_t process, const ProblemRegistry& problems) {
+    Check check(network, process, problems);
+    check.host();
+    return check.take();
+}
+
+std::vector<Complaint> check_slave(const Network& network, std::size_t process, const ProblemRegistry& problems) {
+    return Check(network, process, problems).take();
+}
+
+std::vector<Complaint> check_search(const Network& network, std::size_t process, const ProblemRegistry& problems) {
+    Check check(network, process, problems);
+    check.search();
+    return check.take();
+}
+
+} // namespace placedpar

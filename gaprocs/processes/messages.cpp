@@ -1,0 +1,17 @@
+#include "gaprocs/processes/messages.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace placedpar {
+
+std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others) {
+    auto bytes = static_cast<std::int64_t>(individuals) * bytes_each + others;
+    if (bytes > largest_message_bytes)
+        throw std::invalid_argument(fmt::format("a message for {} individuals comes to {} bytes, it has {} at the most",
+                                                individuals, bytes, largest_message_bytes));
+    return static_cast<std::uint32_t>(bytes);
+}
+
+} // namespace placedpar

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "gaprocs/processes/share.hpp"
+#include "gaprocs/search.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "runtime/protocol.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace placedpar {
+
+/// How many bytes of each message travel is stated by the netlist (thesis, appendix E: 148 bytes of
+/// measurements, 240 of strings, 240 of fitness), not by how this program keeps its data. A word before
+/// the bytes says what they are and how many: occam's counted array, whose count is an INT.
+inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
+
+/// The length of a message of so many strings, or fitnesses, and of what else is in it. Throws
+/// std::invalid_argument where that is more than a message can be.
+std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
+
+struct Parcel {
+    std::uint32_t bytes = 0;
+    WireForm wire_form() const { return WireForm(4u, bytes); }
+};
+
+/// From the host: a sample of the record, or the end of it.
+struct HostMessage : Parcel {
+    bool end = false;
+    Sample sample;
+};
+
+using Window = std::shared_ptr<const std::vector<Sample>>;
+
+/// From a master to one of its slaves: evaluate these strings.
+struct Task : Parcel {
+    enum class Kind { evaluate, rehearse, end } kind = Kind::end;
+    std::size_t slave = 0;     ///< for whom, counted from the master
+    std::size_t hops_left = 0; ///< slaves that are still to pass it on
+    Share share;
+    std::vector<Genome> strings; ///< the individuals that the share touches
+    Window window;               ///< the measurements, when they are new; null when the slave has them
+    double bias = 0;
+    Coding coding = Coding::natural; ///< how the strings are to be read
+    bool results_in_order = false;   ///< in every round the farthest slave's result first; else as they come
+};
+
+/// From a slave to its master: what the share adds to the fitness of each individual that it touches.
+struct Fitnesses : Parcel {
+    bool end = false; ///< the answer to Task::Kind::end
+    std::size_t slave = 0;
+    std::size_t hops = 0; ///< slaves that have passed it on
+    Share share;
+    std::vector<double> terms;
+};
+
+/// A message between two processes of one processor, which share its memory: what passes is its address.
+template <class T>
+struct InPlace {
+    T message;
+    WireForm wire_form() const { return WireForm(4u); }
+};
+
+/// From an island to the next one in the ring.
+struct Emigrant : Parcel {
+    Individual individual;
+};
+
+} // namespace placedpar

@@ -1,0 +1,83 @@
+#include "gaprocs/processes/parameters.hpp"
+
+#include "netlist/environment.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+std::uint32_t bytes(const ProcessEnvironment& environment, std::string_view parameter) {
+    return static_cast<std::uint32_t>(environment.integer(parameter));
+}
+
+std::size_t size(const ProcessEnvironment& environment, std::string_view parameter) {
+    return static_cast<std::size_t>(environment.integer(parameter));
+}
+
+} // namespace
+
+Split split_named(const std::string& name) {
+    if (name == "individuals")
+        return Split::individuals;
+    if (name == "demand")
+        return Split::demand;
+    return Split::evaluations; // the catalogue allows no other
+}
+
+Workload read_slave_workload(const ProcessEnvironment& environment) {
+    Workload workload;
+    workload.error_evaluation = Cycles{environment.integer("cycles_per_error")};
+    workload.fitness_bytes = bytes(environment, "fitness_bytes");
+    return workload;
+}
+
+Workload read_workload(const ProcessEnvironment& environment) {
+    Workload workload = read_slave_workload(environment);
+    workload.genetic_operators = Cycles{environment.integer("cycles_per_individual")};
+    workload.measurement_conversion = Cycles{environment.integer("cycles_per_measurement_word")};
+    workload.string_bytes = bytes(environment, "string_bytes");
+    workload.measurement_bytes = bytes(environment, "measurement_bytes");
+    return workload;
+}
+
+Coding read_coding(const ProcessEnvironment& environment) {
+    return coding_named(environment.text("coding")).value(); // the catalogue allows no other
+}
+
+SearchSettings read_search_settings(const ProcessEnvironment& environment) {
+    SearchSettings settings;
+    settings.population = size(environment, "population");
+    settings.crossover_probability = environment.real("crossover");
+    settings.mutation_probability = environment.real("mutation");
+    settings.elite = size(environment, "elite");
+    if (environment.text("reproduction") == "universal")
+        settings.reproduction = Reproduction::universal;
+    settings.window.length = size(environment, "window");
+    settings.window.first = size(environment, "first_window");
+    settings.window.trials = size(environment, "trials");
+    settings.window.bias = environment.real("bias");
+    return settings;
+}
+
+Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
+    Farm::Settings settings;
+    settings.bias = environment.real("bias");
+    if (!environment.connected("to_slaves"))
+        return settings;
+    settings.slaves = size(environment, "slaves");
+    settings.split = split_named(environment.text("split"));
+    settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
+    settings.measurements_every_generation = environment.text("measurements") == "generation";
+    if (settings.slaves >= size(environment, "population"))
+        throw std::invalid_argument(fmt::format("slaves = {}, but a population of {} has work for {} "
+                                                "slaves at the most, the master being an evaluator too",
+                                                settings.slaves, environment.integer("population"),
+                                                environment.integer("population") - 1));
+    return settings;
+}
+
+} // namespace placedpar

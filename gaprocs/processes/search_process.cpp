@@ -1,0 +1,174 @@
+#include "gaprocs/processes/kinds.hpp"
+
+#include "gaprocs/processes/farm.hpp"
+#include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/window.hpp"
+#include "netlist/environment.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/timer.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// The ends of the farm's channels; unused ones when there are no slaves.
+Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& problem, const Workload& workload) {
+    Farm::Settings settings = read_farm_settings(environment);
+    Output<Task> to_slaves;
+    Input<Fitnesses> from_slaves;
+    if (settings.slaves > 0) {
+        to_slaves = environment.output<Task>("to_slaves");
+        from_slaves = environment.input<Fitnesses>("from_slaves");
+    }
+    return Farm(problem, workload, settings, to_slaves, from_slaves);
+}
+
+class SearchProcess {
+public:
+    SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem)
+        : environment_(environment), problem_(problem), settings_(read_search_settings(environment)),
+          workload_(read_workload(environment)), from_host_(environment.input<HostMessage>("from_host")),
+          farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
+          rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
+          search_(problem.bits(), settings_, environment.random_stream(stream_name(environment))) {
+        if (environment.connected("ring_out")) {
+            to_ring_ = environment.output<Emigrant>("ring_out");
+            from_ring_ = environment.input<Emigrant>("ring_in");
+            exchange_every_ = static_cast<std::uint64_t>(environment.integer("exchange_every"));
+        }
+    }
+
+    void run() {
+        for (HostMessage message = from_host_.input(); !message.end; message = from_host_.input()) {
+            window_.push(message.sample);
+            if (!window_.ready())
+                continue;
+            auto samples = window_.samples();
+            farm_.measure(std::make_shared<const std::vector<Sample>>(samples.begin(), samples.end()));
+            bool full = samples.size() == settings_.window.length;
+            if (full && !std::exchange(timing_, true))
+                begin_timing();
+            for (std::size_t trial = 0; trial < settings_.window.trials; ++trial)
+                run_generation();
+        }
+        rate_.stop();
+        farm_.end();
+        report();
+    }
+
+private:
+    static std::string stream_name(const ProcessEnvironment& environment) {
+        const std::string& stream = environment.text("stream");
+        return stream.empty() ? environment.process() : stream;
+    }
+
+    /// Times are taken from the first full window on: all generations from there cost the same.
+    void begin_timing() {
+        farm_.forget_times();
+        execution_ = operators_ = Stopwatch{};
+        rehearsal_.start();
+        for (std::int64_t i = 0; i < rehearsals_; ++i)
+            farm_.rehearse(search_.population());
+        rehearsal_.stop();
+        generations_before_timing_ = search_.generation();
+        rate_.start();
+    }
+
+    void run_generation() {
+        execution_.start();
+        for (const Genome& genome : search_.population())
+            for (std::uint64_t word : genome.words())
+                populations_.mix(word);
+        std::vector<double> fitness = farm_.evaluate(search_.population());
+        if (exchange_every_ > 0 && (search_.generation() + 1) % exchange_every_ == 0)
+            exchange(fitness);
+        operators_.start();
+        compute(static_cast<std::int64_t>(fitness.size()) * workload_.genetic_operators);
+        search_.next_generation(fitness);
+        operators_.stop();
+        execution_.stop();
+    }
+
+    /// The best goes to the next island, the best of the one before takes the place of the worst.
+    void exchange(std::vector<double>& fitness) {
+        Emigrant emigrant;
+        emigrant.individual = search_.emigrant(fitness);
+        emigrant.bytes = workload_.string_bytes + workload_.fitness_bytes;
+        Emigrant immigrant;
+        par([&] { to_ring_.output(emigrant); }, [&] { immigrant = from_ring_.input(); });
+        search_.accept(immigrant.individual, fitness);
+    }
+
+    void report() {
+        if (timing_)
+            report_times();
+        environment_.measure("generations", static_cast<double>(search_.generation()));
+        if (timing_)
+            report_rate();
+        environment_.measure("populations", fmt::format("{:016x}", populations_.value()));
+        if (search_.generation() > 0)
+            report_estimate();
+    }
+
+    /// Of the generations with a full window.
+    void report_times() {
+        environment_.measure("T_exe", execution_.mean_milliseconds(), "ms");
+        environment_.measure("T_sr", farm_.send_to_receive.mean_milliseconds(), "ms");
+        environment_.measure("P_time2", farm_.own_evaluation.mean_milliseconds(), "ms");
+        environment_.measure(
+            "C_time2", rehearsals_ > 0 ? rehearsal_.mean_milliseconds() / static_cast<double>(rehearsals_) : 0, "ms");
+        environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
+    }
+
+    /// A run on a workstation costs no time, and has no rate.
+    void report_rate() {
+        auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
+        if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)
+            environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
+    }
+
+    void report_estimate() {
+        environment_.measure("best_fitness", search_.best().fitness);
+        auto values = problem_.decode(search_.best().genome);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            environment_.measure(problem_.parameter_names()[i], values[i], problem_.parameter_units()[i]);
+    }
+
+    ProcessEnvironment& environment_;
+    const SearchProblem& problem_;
+    SearchSettings settings_;
+    Workload workload_;
+    Input<HostMessage> from_host_;
+    Farm farm_;
+    bool has_slaves_;
+    std::int64_t rehearsals_;
+    Output<Emigrant> to_ring_;
+    Input<Emigrant> from_ring_;
+    std::uint64_t exchange_every_ = 0;
+
+    SlidingWindow window_;
+    Search search_;
+    Fingerprint populations_;
+
+    bool timing_ = false;
+    std::uint64_t generations_before_timing_ = 0;
+    Stopwatch execution_, operators_, rehearsal_, rate_;
+};
+
+} // namespace
+
+void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
+    const RecordedProblem& recorded = problems.find(environment.text("problem"));
+    read_search_settings(environment).window.validate_for(recorded.record.size());
+    SearchProcess(environment, *recorded.problem->coded(read_coding(environment))).run();
+}
+
+} // namespace placedpar

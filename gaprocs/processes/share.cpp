@@ -1,0 +1,46 @@
+#include "gaprocs/processes/share.hpp"
+
+#include "gaprocs/fitness.hpp"
+
+namespace placedpar {
+
+std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t evaluators, Split split) {
+    // In whole individuals, or in single evaluations: the first `rest` evaluators get one unit more.
+    std::size_t unit = split == Split::evaluations ? 1 : window;
+    std::size_t units = population * window / unit;
+    std::vector<Share> shares;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < evaluators; ++i) {
+        std::size_t end = next + units / evaluators + (i < units % evaluators);
+        shares.push_back({next * unit, end * unit, window});
+        next = end;
+    }
+    return shares;
+}
+
+std::size_t most_individuals(std::size_t population, std::size_t evaluators, Split split) {
+    if (split == Split::demand)
+        return 1;
+    return (population + evaluators - 1) / evaluators + (split == Split::evaluations ? 1 : 0);
+}
+
+std::vector<double> evaluate_share(const SearchProblem& problem, const Share& share, std::span<const Genome> strings,
+                                   std::span<const Sample> window, double bias) {
+    std::vector<double> terms(share.individuals(), 0.0);
+    if (share.first % share.window == 0 && share.last % share.window == 0) { // whole individuals
+        problem.fitness_of(strings, window, bias, terms);
+        return terms;
+    }
+    for (std::size_t e = share.first; e < share.last; ++e) {
+        std::size_t individual = e / share.window - share.first_individual();
+        terms[individual] += fitness_term(bias, problem.error(strings[individual], window[e % share.window]));
+    }
+    return terms;
+}
+
+void add_terms(const Share& share, std::span<const double> terms, std::span<double> fitness) {
+    for (std::size_t i = 0; i < terms.size(); ++i)
+        fitness[share.first_individual() + i] += terms[i];
+}
+
+} // namespace placedpar

@@ -1,0 +1,101 @@
+#include "hydraulics/circuit/circuit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace placedpar {
+
+namespace {
+
+/// A link's place in the main valve, whether or not the link is active.
+struct Place {
+    MachineLink link;
+    bool pump;
+    std::optional<MachineLink> next; // none: the bypass leads to the tank, or nowhere
+    bool shut = false;
+};
+
+/// Pump 1 feeds the bucket and then the boom, pump 2 the swing and then the stick.
+constexpr Place bucket_then_boom{MachineLink::bucket, true, MachineLink::boom}, boom_last{MachineLink::boom, false, {}},
+    swing_then_stick{MachineLink::swing, true, MachineLink::stick}, stick_last{MachineLink::stick, false, {}};
+/// The cross-over: what the stick (the boom) does not take goes on to the other branch's last link.
+constexpr Place stick_then_boom{MachineLink::stick, false, MachineLink::boom},
+    boom_then_stick{MachineLink::boom, false, MachineLink::stick};
+/// The first link of a branch alone with its pump, because the pressure behind it is higher.
+constexpr Place bucket_alone{MachineLink::bucket, true, {}, true}, swing_alone{MachineLink::swing, true, {}, true};
+
+using MainValve = std::array<Place, 4>; // upstream before downstream
+
+const MainValve& main_valve(Configuration configuration) {
+    static constexpr std::array<MainValve, 5> valves{{
+        {bucket_then_boom, boom_last, swing_then_stick, stick_last},
+        {bucket_alone, swing_then_stick, stick_then_boom, boom_last},
+        {swing_alone, bucket_then_boom, boom_then_stick, stick_last},
+        {bucket_then_boom, swing_then_stick, stick_then_boom, boom_last},
+        {swing_then_stick, bucket_then_boom, boom_then_stick, stick_last},
+    }};
+    return valves[static_cast<std::size_t>(configuration)];
+}
+
+const Place& place_of(const MainValve& valve, MachineLink link) {
+    return *std::ranges::find(valve, link, &Place::link);
+}
+
+/// The next active link that the flow past `place` reaches.
+std::optional<MachineLink> next_active(const MainValve& valve, const Place& place, LinkSet active) {
+    std::optional<MachineLink> next = place.next;
+    while (next && !active.contains(*next))
+        next = place_of(valve, *next).next;
+    return next;
+}
+
+/// The first active link downstream of a pump.
+std::optional<MachineLink> fed_by(const MainValve& valve, const Place& first, LinkSet active) {
+    return active.contains(first.link) ? first.link : next_active(valve, first, active);
+}
+
+} // namespace
+
+char name_of(Configuration configuration) { return "abcde"[static_cast<std::size_t>(configuration)]; }
+
+std::optional<Configuration> configuration_named(std::string_view text) {
+    for (Configuration each : all_configurations)
+        if (text.size() == 1 && text[0] == name_of(each))
+            return each;
+    return std::nullopt;
+}
+
+std::vector<LinkSet> coupled_groups(Configuration configuration) {
+    switch (configuration) {
+    case Configuration::a: return {{MachineLink::bucket, MachineLink::boom}, {MachineLink::stick, MachineLink::swing}};
+    case Configuration::b: return {{MachineLink::bucket}, {MachineLink::boom, MachineLink::stick, MachineLink::swing}};
+    case Configuration::c: return {{MachineLink::bucket, MachineLink::boom, MachineLink::stick}, {MachineLink::swing}};
+    case Configuration::d:
+    case Configuration::e: break;
+    }
+    return {LinkSet::all()};
+}
+
+Circuit circuit_of(Configuration configuration, LinkSet active) {
+    assert(!active.empty());
+    const MainValve& valve = main_valve(configuration);
+    Circuit circuit;
+    for (const Place& place : valve)
+        if (active.contains(place.link))
+            circuit.push_back({place.link, 0, place.shut ? Through::nowhere : Through::tank});
+    auto junction_of = [&](MachineLink link) {
+        return static_cast<std::size_t>(std::ranges::find(circuit, link, &Junction::link) - circuit.begin());
+    };
+    for (Junction& junction : circuit)
+        if (auto next = next_active(valve, place_of(valve, junction.link), active)) {
+            junction.through = Through::junction;
+            junction.next = junction_of(*next);
+        }
+    for (const Place& place : valve)
+        if (auto first = place.pump ? fed_by(valve, place, active) : std::nullopt)
+            ++circuit[junction_of(*first)].pumps;
+    return circuit;
+}
+
+} // namespace placedpar

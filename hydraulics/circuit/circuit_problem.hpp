@@ -1,0 +1,72 @@
+#pragma once
+
+#include "hydraulics/circuit/circuit_error.hpp"
+#include "hydraulics/circuit/parameter_coding.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// Identification of the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2), as a
+/// search problem. The string has a whole number of `bits` bits for each junction, in the circuit's order, over
+/// 0 ... 0.1 in^3/psi. A sample is the LinkSamples of the junctions, end to end.
+class CircuitProblem {
+public:
+    /// Thesis 3.1.1: 0.1 > C > 0.0.
+    static constexpr double largest_in3_per_psi = 0.1;
+    /// Thesis 3.2: 20 bits for two compliances.
+    static constexpr std::size_t usual_bits = 10;
+
+    /// Throws std::invalid_argument when the circuit has no junction or more than 4, and as ParameterCoding.
+    CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits = usual_bits)
+        : CircuitProblem(circuit, flow, bits, printed_inlet_flow(circuit.size())) {}
+    CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form);
+
+    std::size_t bits() const { return coding_.bits(); }
+    std::size_t channels() const { return circuit_.size() * LinkSample::channels; }
+    const Circuit& circuit() const { return circuit_; }
+    InletFlow inlet_flow() const { return form_; }
+    /// That of every compliance.
+    const ParameterField& field() const { return coding_.field(0); }
+
+    std::size_t parameters() const { return coding_.parameters(); }
+    template <BinaryString G>
+    double parameter(const G& genome, std::size_t number) const {
+        return coding_.value(genome, number);
+    }
+    /// The error of one set of compliances, or of each of an array of them.
+    template <typename T>
+    T error_of(std::span<const T> compliances, std::span<const double> sample) const {
+        PerJunction<LinkSample> links;
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
+            links[j] = LinkSample::from(sample.subspan(j * LinkSample::channels));
+        return circuit_error_in3_per_s<T>(circuit_, compliances, links, flow_, form_);
+    }
+
+    template <BinaryString G>
+    std::vector<double> decode(const G& genome) const {
+        return coding_.decode(genome);
+    }
+    template <BinaryString G>
+    double error(const G& genome, std::span<const double> sample) const {
+        PerJunction<double> compliances;
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
+            compliances[j] = coding_.value(genome, j);
+        return error_of<double>(compliances, sample);
+    }
+
+    /// "C_BUi", ... in the circuit's order.
+    std::vector<std::string> parameter_names() const;
+    std::vector<std::string> parameter_units() const;
+
+private:
+    Circuit circuit_;
+    FlowConstants flow_;
+    ParameterCoding coding_;
+    InletFlow form_;
+};
+
+} // namespace placedpar

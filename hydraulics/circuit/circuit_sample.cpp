@@ -1,0 +1,151 @@
+#include "hydraulics/circuit/circuit_sample.hpp"
+
+#include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/circuit/junction_flow.hpp"
+#include "hydraulics/circuit/line_fit.hpp"
+#include "hydraulics/circuit/square.hpp"
+#include "hydraulics/circuit/voltage_spool.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace placedpar {
+
+namespace {
+
+std::string list_channels(const Record& record) {
+    std::string channels;
+    for (MachineLink link : all_links)
+        for (Sensor sensor : all_sensors)
+            if (record.has(link, sensor))
+                channels += fmt::format("{}{}.{}", channels.empty() ? "" : ", ", name_of(link), name_of(sensor));
+    return channels;
+}
+
+void require(const Record& record, MachineLink link, Sensor sensor) {
+    if (!record.has(link, sensor))
+        throw UnfitRecord(fmt::format("the record has no channel {}.{}; it has {}", name_of(link), name_of(sensor),
+                                      list_channels(record)));
+}
+
+/// The areas of one link at every instant, as far as identification needs them.
+std::vector<OrificeAreas> areas_of(const Record& record, MachineLink link, const LinkReading& reading) {
+    std::vector<OrificeAreas> areas;
+    AreasFrom from = areas_from(record, link, reading);
+    if (from == AreasFrom::areas) {
+        require(record, link, Sensor::inlet_area);
+        require(record, link, Sensor::bypass_area);
+        for (std::size_t i = 0; i < record.size(); ++i)
+            areas.push_back({record.of(link, Sensor::inlet_area)[i], record.of(link, Sensor::bypass_area)[i], 0});
+        return areas;
+    }
+    require(record, link, from == AreasFrom::spool ? Sensor::spool : Sensor::servo);
+    std::vector<double> spool =
+        from == AreasFrom::spool
+            ? record.of(link, Sensor::spool)
+            : spool_from_volts(record.of(link, Sensor::servo), record.time_s, reading.spool_lag_per_s, record.period_s);
+    for (double spool_in : spool) // sensor noise may take it a little below 0
+        areas.push_back(boom_orifices(std::max(spool_in - reading.spool_offset_in, 0.0)));
+    return areas;
+}
+
+/// A link's channels in the record.
+struct LinkChannels {
+    const std::vector<double>&inlet_psi, &angle_deg;
+    std::vector<OrificeAreas> areas;
+    double piston_flow_in3_per_deg;
+};
+
+LinkChannels channels_of(const Record& record, MachineLink link, const LinkReading& reading) {
+    require(record, link, Sensor::inlet_pressure);
+    require(record, link, Sensor::angle);
+    return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle), areas_of(record, link, reading),
+            reading.piston_flow_in3_per_deg};
+}
+
+LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::size_t i) {
+    return {link.inlet_psi[i], fit.slope_per_s(link.inlet_psi, i),
+            link.piston_flow_in3_per_deg * fit.slope_per_s(link.angle_deg, i), link.areas[i].inlet_in2,
+            link.areas[i].bypass_in2};
+}
+
+} // namespace
+
+std::vector<double> CircuitSample::values() const {
+    std::vector<double> values;
+    for (const LinkSample& link : links)
+        values.insert(values.end(), {link.inlet_psi, link.inlet_slope_psi_per_s, link.piston_flow_in3_per_s,
+                                     link.inlet_in2, link.bypass_in2});
+    return values;
+}
+
+AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading) {
+    if (reading.from)
+        return *reading.from;
+    if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
+        return AreasFrom::areas;
+    return record.has(link, Sensor::spool) || !record.has(link, Sensor::servo) ? AreasFrom::spool : AreasFrom::servo;
+}
+
+std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit, const LinkReadings& readings) {
+    std::vector<LinkChannels> links;
+    for (const Junction& junction : circuit)
+        links.push_back(channels_of(record, junction.link, readings[index_of(junction.link)]));
+    std::vector<CircuitSample> samples;
+    if (record.size() == 0)
+        return samples;
+    CentredLineFit fit(record.period_s);
+    constexpr std::size_t side = line_fit_points / 2;
+    std::vector<Stretch> stretches = record.stretches();
+    for (std::size_t s = 0; s < stretches.size(); ++s)
+        for (std::size_t i = stretches[s].first + side; i + side < stretches[s].last; ++i) {
+            CircuitSample sample{i, record.time_s[i], {}, s};
+            for (const LinkChannels& link : links)
+                sample.links.push_back(sample_at(link, fit, i));
+            samples.push_back(std::move(sample));
+        }
+    return samples;
+}
+
+bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi) {
+    std::vector<JunctionOpening> openings;
+    for (const LinkSample& link : links)
+        openings.push_back({link.inlet_psi + margin_psi, link.inlet_in2, link.bypass_in2});
+    return std::ranges::all_of(solve_junctions(circuit, openings, flow),
+                               [](const JunctionFlow& junction) { return junction.inlet_in3_per_s > 0; });
+}
+
+double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction) {
+    double squares = 0;
+    for (const CircuitSample& sample : samples)
+        squares += square(sample.links[junction].inlet_slope_psi_per_s);
+    return std::sqrt(squares / static_cast<double>(samples.size()));
+}
+
+std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
+                                          const FlowConstants& flow, const UsableSamples& rule) {
+    auto starts = [&](const CircuitSample& sample) {
+        return all_open(circuit, sample.links, flow, rule.open_by_psi) &&
+               std::ranges::all_of(sample.links, [&](const LinkSample& link) {
+                   return link.inlet_slope_psi_per_s > rule.first_slope_psi_per_s;
+               });
+    };
+    auto falls = [&](const CircuitSample& sample) {
+        return rule.rising &&
+               std::ranges::any_of(sample.links, [](const LinkSample& link) { return link.inlet_slope_psi_per_s < 0; });
+    };
+    std::vector<CircuitSample> usable;
+    std::size_t skipped = 0;
+    for (auto sample = std::ranges::find_if(samples, starts); sample != samples.end(); ++sample) {
+        if (usable.size() == rule.count || falls(*sample))
+            break;
+        if (all_open(circuit, sample->links, flow, 0) && skipped++ >= rule.skipped)
+            usable.push_back(*sample);
+    }
+    return usable;
+}
+
+} // namespace placedpar

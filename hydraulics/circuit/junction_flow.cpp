@@ -1,0 +1,175 @@
+#include "hydraulics/circuit/junction_flow.hpp"
+
+#include "hydraulics/circuit/flow_split.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class Solver {
+public:
+    Solver(const Circuit& circuit, std::span<const JunctionOpening> openings, const FlowConstants& constants,
+           std::span<JunctionFlow> flows)
+        : circuit_(circuit), openings_(openings), constants_(constants), flows_(flows) {}
+
+    void solve() const {
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
+            if (circuit_[j].through != Through::junction)
+                solve(j, constants_.tank_psi);
+    }
+
+private:
+    struct Outlets {
+        Outlet inlet, bypass;
+
+        /// The pressure from which on anything leaves.
+        double lowest_psi() const {
+            return std::min(inlet.coefficient > 0 ? inlet.psi : infinity,
+                            bypass.coefficient > 0 ? bypass.psi : infinity);
+        }
+        /// Of the outlets that lead there.
+        double lowest_coefficient() const {
+            double lowest = lowest_psi();
+            return (inlet.psi == lowest ? inlet.coefficient : 0) + (bypass.psi == lowest ? bypass.coefficient : 0);
+        }
+        double flow(double psi) const { return flow_through(inlet, psi) + flow_through(bypass, psi); }
+    };
+
+    bool leads_to(std::size_t upstream, std::size_t junction) const {
+        return circuit_[upstream].through == Through::junction && circuit_[upstream].next == junction;
+    }
+
+    bool fed_by_pumps_alone(std::size_t junction) const {
+        for (std::size_t i = 0; i < junction; ++i)
+            if (leads_to(i, junction))
+                return false;
+        return circuit_[junction].pumps > 0;
+    }
+
+    double pumped(std::size_t junction) const { return circuit_[junction].pumps * constants_.pump_in3_per_s; }
+
+    /// What comes to the junction when its pressure is `psi`; leaves the junctions before it solved for that.
+    double inflow(std::size_t junction, double psi) const {
+        double sum = pumped(junction);
+        for (std::size_t i = 0; i < junction; ++i)
+            if (leads_to(i, junction)) {
+                solve(i, psi);
+                sum += flows_[i].bypass_in3_per_s;
+            }
+        return sum;
+    }
+
+    Outlets outlets_of(std::size_t junction, double next_psi) const {
+        double k = constants_.orifice_in3_per_s_in2_sqrt_psi;
+        const JunctionOpening& opening = openings_[junction];
+        double bypass_in2 = circuit_[junction].through == Through::nowhere ? 0 : opening.bypass_in2;
+        return {{k * opening.inlet_in2, opening.link_psi}, {k * bypass_in2, next_psi}};
+    }
+
+    /// Solves the junction and all before it, with `next_psi` beyond its bypass.
+    void solve(std::size_t junction, double next_psi) const {
+        Outlets outlets = outlets_of(junction, next_psi);
+        if (fed_by_pumps_alone(junction)) {
+            FlowSplit split = split_flow(outlets.inlet, outlets.bypass, pumped(junction), constants_.relief_psi);
+            flows_[junction] = {split.pump_psi, split.inlet_in3_per_s, split.bypass_in3_per_s, split.relief_in3_per_s};
+            return;
+        }
+        double most = inflow(junction, std::min(outlets.lowest_psi(), constants_.relief_psi));
+        if (most <= 0)
+            leave_unreached(junction, outlets);
+        else
+            balance(junction, outlets, most);
+    }
+
+    /// Settles a junction to which no flow comes even at the lowest pressure that it can have.
+    void leave_unreached(std::size_t junction, const Outlets& outlets) const {
+        double before = -infinity;
+        for (std::size_t i = 0; i < junction; ++i)
+            if (leads_to(i, junction) && openings_[i].bypass_in2 > 0)
+                before = std::max(before, flows_[i].psi);
+        double drained = outlets.lowest_psi() < infinity ? outlets.lowest_psi() : constants_.tank_psi;
+        flows_[junction] = {before > -infinity ? before : drained, 0, 0, 0};
+    }
+
+    /// Finds the pressure at which as much leaves as comes, or the relief pressure. `most` comes at the lowest.
+    void balance(std::size_t junction, const Outlets& outlets, double most) const {
+        double psi = balanced_psi(junction, outlets, most);
+        double in = flow_through(outlets.inlet, psi), by = flow_through(outlets.bypass, psi);
+        double rest = inflow(junction, psi) - in - by;
+        bool relieving = psi == constants_.relief_psi && circuit_[junction].pumps > 0 && rest >= 0;
+        if (!relieving)
+            give_rest(outlets, rest, in, by);
+        flows_[junction] = {psi, in, by, relieving ? rest : 0};
+    }
+
+    /// The unknown is u, of lowest + u^2: flows are smooth in it where they begin. At the greatest u the lowest
+    /// outlet alone takes all that comes, or the relief pressure is reached.
+    double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
+        double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;
+        if (lowest >= highest)
+            return highest;
+        double relieved = std::sqrt(highest - lowest),
+               greatest = std::min(most / outlets.lowest_coefficient(), relieved);
+        auto psi_at = [=](double u) { return u < relieved ? std::min(lowest + u * u, highest) : highest; };
+        auto excess = [&](double u) { return inflow(junction, psi_at(u)) - outlets.flow(psi_at(u)); };
+        double least = excess(greatest);
+        if (least >= 0) // relieving; or a rounding
+            return psi_at(greatest);
+        std::uintmax_t iterations = 200;
+        auto [below, above] = boost::math::tools::toms748_solve(
+            excess, 0.0, greatest, most, least, boost::math::tools::eps_tolerance<double>(), iterations);
+        return psi_at(below + (above - below) / 2);
+    }
+
+    /// Gives what rounding the pressure left over to the outlet where it changes the pressure least: the drop
+    /// is flow^2 / coefficient^2, so that is the one of the greater coefficient^2 / flow. A shut one gets
+    /// nothing, unless both are: then the flow is too small to show in the pressure, and takes the lowest way.
+    static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
+        double a = outlets.inlet.coefficient, b = outlets.bypass.coefficient;
+        bool to_inlet = a * a * by >= b * b * in;
+        if (in == 0 && by == 0)
+            to_inlet = a > 0 && outlets.inlet.psi == outlets.lowest_psi();
+        else if (in == 0 || by == 0)
+            to_inlet = in > 0;
+        double &taken = to_inlet ? in : by, &other = to_inlet ? by : in;
+        taken += rest;
+        if (taken < 0) {
+            other = std::max(other + taken, 0.0);
+            taken = 0;
+        }
+    }
+
+    const Circuit& circuit_;
+    std::span<const JunctionOpening> openings_;
+    const FlowConstants& constants_;
+    std::span<JunctionFlow> flows_;
+};
+
+} // namespace
+
+void solve_junctions(const Circuit& circuit, std::span<const JunctionOpening> openings, const FlowConstants& constants,
+                     std::span<JunctionFlow> flows) {
+    assert(openings.size() == circuit.size() && flows.size() == circuit.size());
+    Solver(circuit, openings, constants, flows).solve();
+}
+
+std::vector<JunctionFlow> solve_junctions(const Circuit& circuit, std::span<const JunctionOpening> openings,
+                                          const FlowConstants& constants) {
+    std::vector<JunctionFlow> flows(circuit.size());
+    solve_junctions(circuit, openings, constants, flows);
+    return flows;
+}
+
+} // namespace placedpar

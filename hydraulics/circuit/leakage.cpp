@@ -1,0 +1,24 @@
+#include "hydraulics/circuit/leakage.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace placedpar {
+
+double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::span<const double> slope_psi_per_s) {
+    if (leak_in3_per_s.size() != slope_psi_per_s.size())
+        throw std::invalid_argument(fmt::format("{} leak flows and {} pressure slopes, expected as many of either",
+                                                leak_in3_per_s.size(), slope_psi_per_s.size()));
+    double products = 0, squares = 0;
+    for (std::size_t i = 0; i < slope_psi_per_s.size(); ++i) {
+        products += leak_in3_per_s[i] * slope_psi_per_s[i];
+        squares += slope_psi_per_s[i] * slope_psi_per_s[i];
+    }
+    if (!(squares > 0))
+        throw std::invalid_argument("the pressure does not change: a leak has no apparent compliance");
+    return products / squares;
+}
+
+} // namespace placedpar

@@ -1,0 +1,35 @@
+#include "hydraulics/circuit/parameter_coding.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+void validate(const ParameterField& field, std::size_t number) {
+    if (field.bits < 1 || field.bits > ParameterCoding::most_bits)
+        throw std::invalid_argument(
+            fmt::format("parameter {}: {} bits, expected 1 to {}", number, field.bits, ParameterCoding::most_bits));
+    if (!std::isfinite(field.low) || !std::isfinite(field.high) || !(field.low < field.high))
+        throw std::invalid_argument(
+            fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", number, field.low,
+                        field.high));
+}
+
+} // namespace
+
+ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(std::move(fields)) {
+    if (fields_.empty())
+        throw std::invalid_argument("a binary string that codes no parameter");
+    for (const ParameterField& field : fields_) {
+        validate(field, firsts_.size());
+        firsts_.push_back(bits_);
+        bits_ += field.bits;
+    }
+}
+
+} // namespace placedpar

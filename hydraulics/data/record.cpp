@@ -1,0 +1,63 @@
+#include "hydraulics/data/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar {
+
+namespace {
+
+struct SensorName {
+    std::string_view name;
+    Quantity quantity;
+};
+
+constexpr std::array<SensorName, all_sensors.size()> sensors{{{"inlet_pressure", Quantity::pressure},
+                                                              {"outlet_pressure", Quantity::pressure},
+                                                              {"angle", Quantity::angle},
+                                                              {"spool", Quantity::length},
+                                                              {"servo", Quantity::voltage},
+                                                              {"inlet_area", Quantity::area},
+                                                              {"bypass_area", Quantity::area}}};
+
+} // namespace
+
+std::string_view name_of(Sensor sensor) { return sensors[static_cast<std::size_t>(sensor)].name; }
+
+Quantity quantity_of(Sensor sensor) { return sensors[static_cast<std::size_t>(sensor)].quantity; }
+
+std::optional<Sensor> sensor_named(std::string_view name) {
+    for (Sensor each : all_sensors)
+        if (name == name_of(each))
+            return each;
+    return std::nullopt;
+}
+
+LinkSet Record::links() const {
+    LinkSet measured;
+    for (MachineLink link : all_links)
+        if (std::ranges::any_of(all_sensors, [&](Sensor sensor) { return has(link, sensor); }))
+            measured.insert(link);
+    return measured;
+}
+
+std::vector<Stretch> Record::stretches() const {
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < size(); ++i)
+        if (i == 0 || time_s[i] - time_s[i - 1] > 1.5 * period_s)
+            stretches.push_back({i, i + 1});
+        else
+            stretches.back().last = i + 1;
+    return stretches;
+}
+
+std::optional<SensorReading> first_unmeasurable(const Record& record) {
+    for (std::size_t i = 0; i < record.size(); ++i)
+        for (MachineLink link : all_links)
+            for (Sensor sensor : all_sensors)
+                if (record.has(link, sensor) && !(std::abs(record.of(link, sensor)[i]) <= largest_reading))
+                    return SensorReading{link, sensor, record.time_s[i], record.of(link, sensor)[i]};
+    return std::nullopt;
+}
+
+} // namespace placedpar

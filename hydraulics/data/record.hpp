@@ -1,0 +1,91 @@
+#pragma once
+
+#include "hydraulics/data/machine_link.hpp"
+#include "hydraulics/data/units.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// What is measured at a link.
+enum class Sensor : unsigned char {
+    inlet_pressure,  // psi: P_i, the pump side
+    outlet_pressure, // psi: P_o, the drain side
+    angle,           // deg, of the joint
+    spool,           // in
+    servo,           // V, at the servo-valve
+    inlet_area,      // in^2: a_i, where the spool's function is not the boom's
+    bypass_area      // in^2: a_e
+};
+
+inline constexpr std::array<Sensor, 7> all_sensors{Sensor::inlet_pressure, Sensor::outlet_pressure, Sensor::angle,
+                                                   Sensor::spool,          Sensor::servo,           Sensor::inlet_area,
+                                                   Sensor::bypass_area};
+
+/// "inlet_pressure", ... as in the header of a record's file: boom.inlet_pressure [psi].
+std::string_view name_of(Sensor);
+Quantity quantity_of(Sensor);
+std::optional<Sensor> sensor_named(std::string_view);
+
+/// Consecutive samples, [first, last).
+struct Stretch {
+    std::size_t first, last;
+};
+
+/// Measurements of a machine's motion: every channel is read at the same instants, a fixed period apart
+/// except for gaps.
+class Record {
+public:
+    std::string description;
+    double period_s = 0;
+    /// Rising; INVARIANT: neighbours are a whole number of periods apart, within sampling_tolerance.
+    std::vector<double> time_s;
+
+    std::size_t size() const { return time_s.size(); }
+    /// One value for each instant, in the unit of the sensor's quantity; empty where it was not measured.
+    const std::vector<double>& of(MachineLink link, Sensor sensor) const {
+        return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
+    }
+    std::vector<double>& of(MachineLink link, Sensor sensor) {
+        return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
+    }
+    bool has(MachineLink link, Sensor sensor) const { return !of(link, sensor).empty(); }
+    /// The links of which at least one sensor was read.
+    LinkSet links() const;
+
+    /// The stretches between its gaps.
+    std::vector<Stretch> stretches() const;
+
+private:
+    std::array<std::array<std::vector<double>, all_sensors.size()>, all_links.size()> channels_;
+};
+
+/// A record that does not hold what is asked of it; what() says what is missing, without the record's name.
+class UnfitRecord : public std::invalid_argument {
+public:
+    using std::invalid_argument::invalid_argument;
+};
+
+/// Beyond what is ever measured, in any unit of this room; slopes and squares of such values are finite.
+inline constexpr double largest_reading = 1e12;
+
+/// One value of a record.
+struct SensorReading {
+    MachineLink link;
+    Sensor sensor;
+    double time_s, value;
+};
+
+/// The first that is not finite or beyond largest_reading: the earliest, and of its instant the first channel.
+std::optional<SensorReading> first_unmeasurable(const Record& record);
+
+/// How far a sample may be from its place, of the period.
+inline constexpr double sampling_tolerance = 0.02;
+
+} // namespace placedpar

@@ -1,0 +1,128 @@
+#include "hydraulics/data/record_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+/// What the greatest value of a channel on an excavator is ordinarily between, in this room's unit.
+struct Ordinary {
+    double least, most;
+};
+
+constexpr Ordinary ordinary_period_s{0.0005, 1};
+
+Ordinary ordinary(Sensor sensor) {
+    switch (sensor) {
+    case Sensor::inlet_pressure: return {300, 9000}; // the relief valve of such a machine opens at 4500 psi
+    case Sensor::outlet_pressure: return {5, 9000};
+    case Sensor::angle: return {0, 400};
+    case Sensor::spool: return {0.05, 1.2};
+    case Sensor::servo: return {0, 15};
+    case Sensor::inlet_area:
+    case Sensor::bypass_area: return {0, 3};
+    }
+    return {0, std::numeric_limits<double>::infinity()};
+}
+
+bool within(double value, const Ordinary& usual) { return value >= usual.least && value <= usual.most; }
+
+/// The units in which the number that stands in the text would be ordinary.
+std::string likely_units(Quantity quantity, double number, const Ordinary& usual) {
+    std::string likely;
+    for (const Unit& unit : units_of(quantity))
+        if (within(number * unit.factor, usual))
+            likely += (likely.empty() ? "it would be ordinary in " : ", ") + std::string(unit.name);
+    return likely;
+}
+
+bool same_text(const TextRow& a, const TextRow& b) {
+    return std::ranges::equal(a.cells, b.cells, {}, &TextCell::text, &TextCell::text);
+}
+
+double median_step(std::span<const double> time_s) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < time_s.size(); ++i)
+        steps.push_back(time_s[i] - time_s[i - 1]);
+    auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::ranges::nth_element(steps, middle);
+    return *middle;
+}
+
+/// The fault between two neighbouring samples, if there is one.
+std::optional<TextFault> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
+                                       std::size_t line_before) {
+    auto fault = [&](bool refused, std::string message, std::string hint) {
+        return TextFault{refused, line, time.column, std::move(message), std::move(hint)};
+    };
+    if (step_s == 0)
+        return fault(true, fmt::format("the same time as on line {}, with other readings", line_before),
+                     "leave out the one that is wrong");
+    if (step_s < 0)
+        return fault(true, fmt::format("{:.6g} s before the time on line {}", -step_s, line_before),
+                     "rows must be in order of time");
+    double periods = std::round(step_s / period_s);
+    if (periods < 1 || std::abs(step_s - periods * period_s) > sampling_tolerance * period_s)
+        return fault(true, fmt::format("{:.6g} s after the time on line {}", step_s, line_before),
+                     fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
+                                 period_s, 100 * sampling_tolerance));
+    if (periods > 1)
+        return fault(
+            false, fmt::format("{:.0f} sample{} missing before this one", periods - 1, periods == 2 ? " is" : "s are"),
+            "no window and no slope reaches over the gap");
+    return std::nullopt;
+}
+
+} // namespace
+
+void drop_repeated_rows(TextTable& table, std::vector<TextFault>& faults) {
+    std::vector<TextRow> kept;
+    for (TextRow& row : table.rows) {
+        if (!kept.empty() && same_text(kept.back(), row))
+            faults.push_back({false, row.line, 1, fmt::format("repeats line {}", kept.back().line), "used once"});
+        else
+            kept.push_back(std::move(row));
+    }
+    table.rows = std::move(kept);
+}
+
+void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<TextFault>& faults) {
+    record.period_s = median_step(record.time_s);
+    if (!(record.period_s > 0)) {
+        faults.push_back({true, table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",
+                          "rows must be in order of time"});
+        return;
+    }
+    for (std::size_t i = 1; i < record.size(); ++i)
+        if (auto fault = fault_of_step(record.time_s[i] - record.time_s[i - 1], record.period_s,
+                                       table.rows[i].cells[time.index], table.rows[i].line, table.rows[i - 1].line))
+            faults.push_back(std::move(*fault));
+    if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
+        faults.push_back({false, time.place.line, time.place.column,
+                          fmt::format("samples are {:.6g} {} apart, which is unusual", number, time.unit.name),
+                          likely_units(Quantity::time, number, ordinary_period_s)});
+}
+
+void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
+                   HeaderPlace place, std::vector<TextFault>& faults) {
+    auto warn = [&](std::string message, std::string hint) {
+        faults.push_back({false, place.line, place.column, std::move(message), std::move(hint)});
+    };
+    auto [least, most] = std::ranges::minmax(values);
+    if (least == most)
+        warn(fmt::format("{} is {:.6g} {} in every sample", name, least / unit.factor, unit.name),
+             "a sensor that is not connected, or a link that was not moved");
+    double greatest = std::max(std::abs(least), std::abs(most)), number = greatest / unit.factor;
+    Ordinary usual = ordinary(sensor);
+    if (greatest > 0 && !within(greatest, usual))
+        warn(fmt::format("{} reaches {:.6g} {}, which is unusual", name, number, unit.name),
+             likely_units(unit.quantity, number, usual));
+}
+
+} // namespace placedpar

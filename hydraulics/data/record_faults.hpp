@@ -1,0 +1,40 @@
+#pragma once
+
+#include "hydraulics/data/record.hpp"
+#include "hydraulics/data/units.hpp"
+#include "text/table.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// The checks that read_record makes of what is measured, one function a fault that loggers are known for.
+
+/// Where a channel's name stands in the text.
+struct HeaderPlace {
+    std::size_t line, column;
+};
+
+struct TimeColumn {
+    std::size_t index; ///< of the table's cells
+    HeaderPlace place;
+    const Unit& unit; ///< of the text
+};
+
+/// Leaves out rows that repeat the one before to the letter, as loggers write them when they restart.
+void drop_repeated_rows(TextTable& table, std::vector<TextFault>& faults);
+
+/// Sets record.period_s to the median step of record.time_s; the times must rise by whole numbers of periods.
+/// Warns of gaps, and of a period that would be ordinary in another unit. REQUIRES: table's rows are the record's
+/// samples, at least two.
+void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<TextFault>& faults);
+
+/// Warns of a channel that never changes, and of one whose greatest value would be ordinary in another unit.
+/// `values` are in this room's unit, `unit` is the one of the text. REQUIRES: values.
+void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
+                   HeaderPlace place, std::vector<TextFault>& faults);
+
+} // namespace placedpar

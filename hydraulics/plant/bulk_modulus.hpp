@@ -1,0 +1,27 @@
+#pragma once
+
+#include "hydraulics/data/parameters.hpp"
+
+namespace placedpar {
+
+/// Hydraulic oil with air in it that is free, never dissolved, as in Figure 2.3 of the thesis.
+struct AirOilMixture {
+    double air_fraction;                                                  // x_0, of the volume at atmospheric pressure
+    double polytropic_exponent = 1;                                       // N: 1 isothermal, 1.4 adiabatic
+    double oil_modulus_psi = Parameters::excavator()["oil.bulk_modulus"]; // B_0
+    double atmospheric_psia = Parameters::excavator()["oil.atmospheric_pressure"]; // P_0
+};
+
+/// beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N), the shrinking of the oil neglected in V
+/// itself. Grows with pressure, falls with the air fraction, tends to the oil's. REQUIRES: psia > 0, an absolute
+/// pressure; 0 <= air_fraction < 1.
+double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
+
+/// The absolute pressure at which beta is `share` of the oil's; below it the mixture is softer still. REQUIRES:
+/// 0 < air_fraction < 1, 0 < share < 1.
+double psia_at_modulus(const AirOilMixture& mixture, double share);
+
+/// Equation 2.2: C_fluid = V / beta.
+inline double fluid_compliance_in3_per_psi(double volume_in3, double modulus_psi) { return volume_in3 / modulus_psi; }
+
+} // namespace placedpar

@@ -1,0 +1,100 @@
+#include "hydraulics/plant/excavator_scenario.hpp"
+#include "hydraulics/plant/requirement.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+
+namespace placedpar {
+
+namespace {
+
+constexpr Requirement scenario_needs{"excavator scenario"};
+
+void require_valid(const LinkMachine& machine, std::string_view link) {
+    auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
+    scenario_needs.positive(its("inlet area"), machine.inlet_area_in2);
+    scenario_needs.not_negative(its("outlet area"), machine.outlet_area_in2);
+    scenario_needs.positive(its("moment arm"), machine.moment_arm_in);
+    scenario_needs.positive(its("mass"), machine.mass_lbf_s2_per_in);
+    scenario_needs.not_negative(its("damping"), machine.damping_lbf_s_per_in);
+    scenario_needs.not_negative(its("friction"), machine.friction_lbf);
+    scenario_needs.positive(its("friction velocity"), machine.friction_velocity_in_per_s);
+    scenario_needs.positive(its("inlet compliance"), machine.inlet_compliance_in3_per_psi);
+    if (machine.outlet_area_in2 > 0)
+        scenario_needs.positive(its("outlet compliance"), machine.outlet_compliance_in3_per_psi);
+    scenario_needs.positive(its("spool lag"), machine.spool_lag_per_s);
+    if (!std::isfinite(machine.load_lbf))
+        scenario_needs.refuse(its("load"), machine.load_lbf, "a finite force");
+}
+
+void require_valid(const TimedOrifices& valve, std::string_view link) {
+    auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
+    scenario_needs.not_negative(its("final inlet orifice"), valve.inlet_final_in2);
+    scenario_needs.not_negative(its("bypass orifice at rest"), valve.bypass_rest_in2);
+    scenario_needs.not_negative(its("final bypass orifice"), valve.bypass_final_in2);
+    scenario_needs.not_negative(its("final outlet orifice"), valve.outlet_final_in2);
+    scenario_needs.positive(its("valve rate"), valve.rate_per_s);
+    if (!std::isfinite(valve.step_time_s))
+        scenario_needs.refuse(its("step time"), valve.step_time_s, "a finite time");
+}
+
+void require_valid(const SpoolOrifices& valve, std::string_view link) {
+    auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
+    scenario_needs.not_negative(its("spool at rest"), valve.rest_in);
+    for (std::size_t i = 0; i < valve.steps.size(); ++i) {
+        scenario_needs.not_negative(its("desired spool"), valve.steps[i].desired_in);
+        scenario_needs.not_negative(its("ramp"), valve.steps[i].ramp_s);
+        if (i > 0 && !(valve.steps[i].time_s > valve.steps[i - 1].time_s + valve.steps[i - 1].ramp_s))
+            scenario_needs.refuse(its("step time"), valve.steps[i].time_s, "one after the step before");
+    }
+}
+
+} // namespace
+
+void require_valid(const ExcavatorScenario& scenario) {
+    scenario_needs.positive("the integration step", scenario.integration_step_s);
+    scenario_needs.positive("the duration", scenario.duration_s);
+    constexpr double most_steps = 2e6; // a motion is kept whole
+    if (scenario.duration_s > most_steps * scenario.integration_step_s)
+        scenario_needs.refuse("the duration", scenario.duration_s,
+                              fmt::format("at most {:g} integration steps", most_steps));
+    scenario_needs.positive("the orifice constant", scenario.flow.orifice_in3_per_s_in2_sqrt_psi);
+    scenario_needs.positive("the pump flow", scenario.flow.pump_in3_per_s);
+    scenario_needs.positive("the relief pressure", scenario.flow.relief_psi);
+    if (scenario.links.empty())
+        throw std::invalid_argument("excavator scenario: no link is active, expected at least one");
+    LinkSet seen;
+    for (const ActiveLink& active : scenario.links) {
+        std::string_view name = name_of(active.link);
+        if (seen.contains(active.link))
+            throw std::invalid_argument(
+                fmt::format("excavator scenario: the {} is listed twice, expected each link once", name));
+        seen.insert(active.link);
+        require_valid(active.machine, name);
+        std::visit([name](const auto& valve) { require_valid(valve, name); }, active.valve);
+        scenario_needs.not_negative(fmt::format("the {}'s leak", name), active.leak.in3_per_s_psi);
+    }
+}
+
+Circuit junctions_of(const ExcavatorScenario& scenario) {
+    LinkSet active;
+    for (const ActiveLink& link : scenario.links)
+        active.insert(link.link);
+    Circuit all;
+    for (LinkSet group : coupled_groups(scenario.configuration)) {
+        if ((group & active).empty())
+            continue;
+        std::size_t first = all.size();
+        for (Junction junction : circuit_of(scenario.configuration, group & active)) {
+            junction.next += junction.through == Through::junction ? first : 0;
+            all.push_back(junction);
+        }
+    }
+    return all;
+}
+
+} // namespace placedpar

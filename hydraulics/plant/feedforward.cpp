@@ -1,0 +1,60 @@
+#include "hydraulics/plant/feedforward.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+double beyond_psi(const Circuit& circuit, std::size_t j, const std::vector<double>& psi,
+                  const FlowConstants& constants) {
+    return circuit[j].through == Through::junction ? psi[circuit[j].next] : constants.tank_psi;
+}
+
+std::vector<double> junction_pressures(const Circuit& circuit, std::span<const FlowTarget> targets,
+                                       const FlowConstants& constants, double inlet_drop_psi, double bypass_drop_psi) {
+    std::vector<double> psi(circuit.size());
+    for (std::size_t j = circuit.size(); j-- > 0;) {
+        psi[j] = targets[j].link_psi + inlet_drop_psi;
+        if (circuit[j].through != Through::nowhere)
+            psi[j] = std::max(psi[j], beyond_psi(circuit, j, psi, constants) + bypass_drop_psi);
+        if (psi[j] > constants.relief_psi)
+            throw std::invalid_argument(
+                fmt::format("the {} needs {:.0f} psi at its junction, the relief valve opens at {}",
+                            name_of(circuit[j].link), psi[j], constants.relief_psi));
+    }
+    return psi;
+}
+
+} // namespace
+
+std::vector<JunctionOpening> openings_for(const Circuit& circuit, std::span<const FlowTarget> targets,
+                                          const FlowConstants& constants, double inlet_drop_psi,
+                                          double bypass_drop_psi) {
+    assert(targets.size() == circuit.size());
+    std::vector<double> psi = junction_pressures(circuit, targets, constants, inlet_drop_psi, bypass_drop_psi);
+    std::vector<double> passed_on(circuit.size()); // what earlier junctions pass on to each
+    std::vector<JunctionOpening> openings;
+    double k = constants.orifice_in3_per_s_in2_sqrt_psi;
+    for (std::size_t j = 0; j < circuit.size(); ++j) {
+        double comes = circuit[j].pumps * constants.pump_in3_per_s + passed_on[j];
+        double in = circuit[j].through == Through::nowhere ? comes : targets[j].inlet_in3_per_s;
+        if (in > comes)
+            throw std::invalid_argument(fmt::format("the {} is to get {} in^3/s, {:.1f} come to its junction",
+                                                    name_of(circuit[j].link), in, comes));
+        if (circuit[j].through == Through::junction)
+            passed_on[circuit[j].next] += comes - in;
+        double inlet_in2 = in / (k * std::sqrt(psi[j] - targets[j].link_psi));
+        double bypass_in2 = (comes - in) / (k * std::sqrt(psi[j] - beyond_psi(circuit, j, psi, constants)));
+        openings.push_back({targets[j].link_psi, inlet_in2, comes > in ? bypass_in2 : 0});
+    }
+    return openings;
+}
+
+} // namespace placedpar

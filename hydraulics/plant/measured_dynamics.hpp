@@ -1,0 +1,72 @@
+#pragma once
+
+#include "hydraulics/plant/measured_machine.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar {
+
+/// The measured machine as a system of ordinary differential equations:
+///
+///   valve --- hose --- cylinder, on either side of the piston
+///   C_v P_v' = Q_i - q,  I q' = P_v - P_c - R q,  C_c P_c' = q - A_i v - Q_l          inlet
+///   C_c P_oc' = A_o v + Q_l - q_o,  I q_o' = P_oc - P_ov - R q_o,  C_v P_ov' = q_o - Q_o   drain
+///   M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z),  Q_l = k_l (P_c - P_oc)
+///   spool' = a_0 (desired - spool)
+///
+/// with Q_i from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o by 3.4. Solved by event_step.hpp.
+class MeasuredDynamics {
+public:
+    enum Component : std::size_t {
+        inlet_psi,
+        inlet_hose_in3_per_s,
+        inlet_cylinder_psi,
+        outlet_cylinder_psi,
+        outlet_hose_in3_per_s,
+        outlet_psi,
+        piston_in,
+        velocity_in_per_s,
+        bristle_in,
+        spool_in,
+        components
+    };
+    using State = std::vector<double>;
+    /// Which valves are open and which branch of each curve holds.
+    struct Mode {
+        bool inlet_open = false;
+        bool relieving = false;
+        bool leaking = false;
+        int spool_branch = 0;
+
+        friend bool operator==(const Mode&, const Mode&) = default;
+    };
+
+    /// REQUIRES: the machine outlives this.
+    explicit MeasuredDynamics(const MeasuredMachine& machine) : machine_(machine) { hold(0); }
+
+    State at_rest() const;
+    /// Keeps the command and the drift as they are at this instant.
+    void hold(double time_s);
+    /// The derivative, and the mode in which it holds.
+    Mode rate(const State& state, State& derivative, double time_s) const;
+    MeasuredState describe(const State& state, double time_s) const;
+
+private:
+    double pump_in3_per_s(double time_s) const;
+    FlowConstants flow_at(double time_s) const;
+    double leak_in3_per_s(const State& state, double time_s) const;
+    double acceleration(const State& state) const;
+
+    const MeasuredMachine& machine_;
+    double desired_spool_in_ = 0;
+};
+
+/// Flow of the drain side through an orifice (3.4), either way; laminar near a drop of 0, so that it has a slope there:
+/// Q = k a drop / (drop^2 + laminar^2)^(1/4).
+double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
+
+/// Throws std::invalid_argument that says which value cannot be simulated, and what would do.
+void require_valid(const MeasuredMachine& machine);
+
+} // namespace placedpar

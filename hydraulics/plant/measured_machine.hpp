@@ -1,0 +1,74 @@
+#pragma once
+
+#include "hydraulics/circuit/voltage_spool.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/plant/boom_scenario.hpp"
+#include "hydraulics/plant/bulk_modulus.hpp"
+#include "hydraulics/plant/hose.hpp"
+#include "hydraulics/plant/servo_command.hpp"
+#include "hydraulics/plant/stick_friction.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+/// The flow of an axial piston pump is not quite constant.
+struct PumpRipple {
+    double amplitude;       // of the flow, of the fundamental
+    double frequency_per_s; // pistons times shaft speed
+};
+
+/// The machine that stands in for the excavator of the thesis, whose recordings are not to be had: the boom in
+/// configuration a, with what the model that identifies it leaves out. Where the two agree (orifices, masses, areas)
+/// it reads the same rows of excavator.csv.
+struct MeasuredMachine {
+    explicit MeasuredMachine(const Parameters& parameters = Parameters::excavator());
+
+    FlowConstants flow;
+    BoomMachine boom; // its friction_velocity does not matter here
+    PumpRipple ripple;
+    Hose inlet_hose, outlet_hose;
+    StickFriction friction;
+    AirOilMixture oil; // of the inlet side
+    double oil_volume_in3;
+    double drain_laminar_psi;
+    double leak_in3_per_s_psi, leak_start_s; // k_l across the piston
+    DriftedVoltageSpool voltage_spool;       // what the servo-valve makes of a voltage
+    double dead_time_s;
+    ServoCommand command;
+    double sampling_period_s; // the control system holds a voltage so long
+    double servo_range_volts; // of the converter that makes it
+    int servo_bits;
+    double duration_s;
+    double integration_step_s;
+};
+
+/// The true state of the measured machine at one instant.
+struct MeasuredState {
+    double time_s;
+    double inlet_psi;            // at the valve's end of the hose, where the sensor is
+    double inlet_cylinder_psi;   // at the other end
+    double outlet_psi;           // the same of the drain side
+    double outlet_cylinder_psi;  //
+    double piston_in;            // 0 at the start
+    double velocity_in_per_s;    //
+    double spool_in;             //
+    double pump_in3_per_s;       // with its ripple
+    double inlet_in3_per_s;      // Q_i, out of the valve
+    double bypass_in3_per_s;     // Q_e
+    double inlet_hose_in3_per_s; // into the cylinder
+    double leak_in3_per_s;       // Q_l
+};
+
+/// The voltage at the servo-valve: the command as it was at the last sampling instant, through the converter.
+double held_volts(const MeasuredMachine& machine, double time_s);
+
+/// Simulates the machine from rest, the load held by the inlet side, the drain side at tank pressure, friction
+/// relaxed. Classical Runge-Kutta method of order 4 (Boost.Odeint); one state a step, the first at time 0. Steps end
+/// where the load check or the relief valve opens or shuts, where the orifices have their knees and where a leak begins
+/// (event_step.hpp); friction is not smooth where the piston turns. Throws std::invalid_argument when a value is out of
+/// range, or when the step is too long for the fastest of hoses, bristles and drain, naming it and the longest step
+/// that it allows.
+std::vector<MeasuredState> simulate_measured_machine(const MeasuredMachine& machine);
+
+} // namespace placedpar

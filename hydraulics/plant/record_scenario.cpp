@@ -1,0 +1,160 @@
+#include "hydraulics/plant/record_scenario.hpp"
+
+#include "hydraulics/plant/boom_sensors.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace placedpar {
+
+namespace {
+
+bool in_group(std::string_view name, std::initializer_list<std::string_view> groups) {
+    return std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
+}
+
+/// Of every scenario. The rounded constants are another set, for other experiments.
+bool used_by_all(std::string_view name) {
+    return in_group(name, {"flow.", "boom.", "noise.", "sensors.period"}) && !name.starts_with("flow.rounded.");
+}
+
+bool used_by_simple_plant(std::string_view name) {
+    return used_by_all(name) || in_group(name, {"fault.leak", "fault.spool_offset"});
+}
+
+bool scenario_a_uses(std::string_view name) { return used_by_simple_plant(name) || name.starts_with("scenario_a."); }
+
+/// The rows in which scenario B's machine differs from A's.
+constexpr std::array<std::string_view, 5> machine_of_b{"mass", "damping", "friction", "gravity", "spool_lag"};
+
+bool scenario_b_uses(std::string_view name) {
+    constexpr std::string_view prefix = "scenario_b.";
+    if (name.starts_with(prefix))
+        return std::ranges::find(machine_of_b, name.substr(prefix.size())) == machine_of_b.end();
+    return used_by_simple_plant(name);
+}
+
+bool excavator_uses(std::string_view name) {
+    if (name == "boom.friction_velocity") // the measured machine sticks instead
+        return false;
+    return used_by_all(name) ||
+           in_group(name, {"fault.", "excavator.", "valve.", "pump.", "hose.", "stiction.", "oil.", "sensors."});
+}
+
+Parameters as_they_are(const Parameters& machine) { return machine; }
+
+Parameters with_machine_of_b(const Parameters& machine) {
+    Parameters parameters = machine;
+    for (std::string_view each : machine_of_b) {
+        Parameter row = *machine.find(fmt::format("scenario_b.{}", each));
+        row.name = fmt::format("boom.{}", each);
+        row.source = "scenario B";
+        parameters.put(std::move(row));
+    }
+    return parameters;
+}
+
+Record record_simple_plant(const Parameters& parameters, const std::string& scenario, const UniformSource& uniform) {
+    BoomScenario boom(parameters, scenario);
+    MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], parameters["noise.spool"]};
+    Record record =
+        measure_boom(simulate_boom(boom), boom.machine.moment_arm_in, parameters["sensors.period"], noise, uniform);
+    for (double& spool_in : record.of(MachineLink::boom, Sensor::spool))
+        spool_in += parameters["fault.spool_offset"];
+    return record;
+}
+
+Record record_scenario_a(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
+    return record_simple_plant(parameters, "scenario_a", uniform);
+}
+
+Record record_scenario_b(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
+    return record_simple_plant(parameters, "scenario_b", uniform);
+}
+
+Record record_excavator(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
+    MeasuredMachine machine(parameters);
+    BoomSensors sensors(parameters);
+    return read_boom_sensors(simulate_measured_machine(machine), machine, sensors, uniform);
+}
+
+bool two_links_use(std::string_view name) {
+    if (in_group(name, {"flow.", "bucket.", "noise.", "sensors.period"}))
+        return name != "noise.spool" && !name.starts_with("flow.rounded.");
+    constexpr std::array<std::string_view, 6> boom{"inlet_area", "moment_arm", "mass",
+                                                   "gravity",    "spool_lag",  "inlet_compliance"};
+    if (name.starts_with("boom."))
+        return std::ranges::find(boom, name.substr(5)) != boom.end();
+    return name.starts_with("two_links.") && !in_group(name, {"two_links.stick", "two_links.swing"});
+}
+
+Record measure_links(const ExcavatorScenario& scenario, const Parameters& parameters, const UniformSource& uniform) {
+    MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], 0, parameters["noise.area"]};
+    return measure_excavator(simulate_excavator(scenario), scenario, parameters["sensors.period"], noise, uniform);
+}
+
+Record record_two_links(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
+    return measure_links(two_link_scenario(parameters), parameters, uniform);
+}
+
+bool links_use(std::string_view name) {
+    if (in_group(name, {"boom.", "stick.", "swing."})) // what the bucket has all links have
+        return Parameters::excavator().find(fmt::format("bucket{}", name.substr(name.find('.')))) != nullptr;
+    if (name.starts_with("two_links."))
+        return name.ends_with("_damping") ||
+               !in_group(name, {"two_links.boom", "two_links.bucket_inlet_final", "two_links.bucket_bypass_final"});
+    return two_links_use(name) || name.starts_with("controller.");
+}
+
+Record record_links(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform) {
+    return measure_links(step_scenario(moving.configuration, moving.links, parameters), parameters, uniform);
+}
+
+constexpr std::array<RecordScenario, 5> scenarios{{
+    {"scenario-a", "the simple plant, a step to 4 deg/s of boom", as_they_are, scenario_a_uses, record_scenario_a},
+    {"scenario-b", "the simple plant made heavy and slow, a ramp to 4 deg/s of boom", with_machine_of_b,
+     scenario_b_uses, record_scenario_b},
+    {"two-links", "bucket and boom, branch 1 of configuration a, a step of both (3.2)", as_they_are, two_links_use,
+     record_two_links},
+    {"links", "any links in any configuration of the main valve, a step of all", as_they_are, links_use, record_links,
+     true},
+    {"excavator", "the measured machine: hoses with inertia, pump ripple, stiction, dead time, converters", as_they_are,
+     excavator_uses, record_excavator},
+}};
+
+} // namespace
+
+std::span<const RecordScenario> record_scenarios() { return scenarios; }
+
+const RecordScenario* record_scenario_named(std::string_view name) {
+    const auto* found = std::ranges::find(scenarios, name, &RecordScenario::name);
+    return found == scenarios.end() ? nullptr : found;
+}
+
+std::vector<Parameter> noise_rows(const Parameters& machine, std::string_view level) {
+    struct Level {
+        std::string_view name;
+        MeasurementNoise noise;
+    };
+    constexpr std::array<Level, 4> levels{
+        {{"none", no_noise}, {"low", low_noise}, {"mid", mid_noise}, {"high", high_noise}}};
+    const auto* found = std::ranges::find(levels, level, &Level::name);
+    std::vector<Parameter> rows;
+    if (found == levels.end())
+        return rows;
+    for (auto [name, value] :
+         {std::pair{"noise.pressure", found->noise.pressure_psi}, std::pair{"noise.angle", found->noise.angle_deg},
+          std::pair{"noise.spool", found->noise.spool_in}, std::pair{"noise.area", found->noise.area_share}}) {
+        Parameter row = *machine.find(name);
+        row.value = value;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace placedpar

@@ -1,0 +1,131 @@
+#include "identification/compliance_fit.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace placedpar {
+
+namespace {
+
+Eigen::VectorXd residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
+                          const Eigen::VectorXd& compliance) {
+    auto junctions = static_cast<Eigen::Index>(circuit.size());
+    Eigen::VectorXd missing(static_cast<Eigen::Index>(samples.size()) * junctions);
+    Eigen::Index row = 0;
+    for (const CircuitSample& sample : samples) {
+        auto flows =
+            missing_flows_in3_per_s<double>(circuit, std::span<const double>(compliance.data(), circuit.size()),
+                                            sample.links, flow, InletFlow::as_signed);
+        for (std::size_t j = 0; j < circuit.size(); ++j)
+            missing[row++] = flows[j];
+    }
+    return missing;
+}
+
+Eigen::MatrixXd jacobian(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
+                         const Eigen::VectorXd& compliance) {
+    constexpr double step = 1e-6; // of compliances around 0.01: central differences good to 1e-8
+    Eigen::MatrixXd slopes(static_cast<Eigen::Index>(samples.size() * circuit.size()), compliance.size());
+    for (Eigen::Index c = 0; c < compliance.size(); ++c) {
+        Eigen::VectorXd shift = Eigen::VectorXd::Unit(compliance.size(), c) * step;
+        slopes.col(c) = (residuals(circuit, samples, flow, compliance + shift) -
+                         residuals(circuit, samples, flow, compliance - shift)) /
+                        (2 * step);
+    }
+    return slopes;
+}
+
+ComplianceFit fit_at(const Eigen::VectorXd& compliance, const Eigen::VectorXd& missing, const Eigen::MatrixXd& slopes) {
+    auto freedom = static_cast<double>(std::max<Eigen::Index>(missing.size() - compliance.size(), 1));
+    double variance = missing.squaredNorm() / freedom;
+    Eigen::FullPivLU<Eigen::MatrixXd> normal(slopes.transpose() * slopes);
+    ComplianceFit fit{
+        {compliance.begin(), compliance.end()},
+        std::vector<double>(static_cast<std::size_t>(compliance.size()), std::numeric_limits<double>::infinity()),
+        std::sqrt(missing.squaredNorm() / static_cast<double>(missing.size()))};
+    if (normal.isInvertible()) {
+        Eigen::MatrixXd covariance = variance * normal.inverse();
+        for (Eigen::Index c = 0; c < compliance.size(); ++c)
+            fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
+    }
+    return fit;
+}
+
+// Individuals that are evaluated at once: enough for any vector unit, few enough for the registers.
+using Batch = Eigen::Array<double, 8, 1>;
+constexpr std::uint64_t batch_size = 8;
+
+/// Fitness of strings first ... first + 7, read as one number with the first junction's code leftmost.
+Batch batch_fitness(const Circuit& circuit, std::span<const CircuitSample> window, const FlowConstants& flow,
+                    InletFlow form, std::size_t bits, double largest, double bias, std::uint64_t first) {
+    std::array<Batch, all_links.size()> compliance;
+    std::uint64_t codes = std::uint64_t{1} << bits;
+    for (std::size_t j = 0; j < circuit.size(); ++j)
+        for (std::uint64_t i = 0; i < batch_size; ++i) {
+            std::uint64_t code = ((first + i) >> (bits * (circuit.size() - 1 - j))) % codes;
+            compliance[j][static_cast<Eigen::Index>(i)] =
+                largest * static_cast<double>(code) / static_cast<double>(codes);
+        }
+    Batch fitness = Batch::Zero();
+    for (const CircuitSample& sample : window) {
+        Batch error =
+            circuit_error_in3_per_s<Batch>(circuit, std::span<const Batch>(compliance), sample.links, flow, form);
+        fitness += bias - error * error;
+    }
+    return fitness;
+}
+
+} // namespace
+
+std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<const CircuitSample> samples,
+                                             const FlowConstants& flow, std::span<const double> start) {
+    constexpr int most_steps = 50;
+    constexpr double settled = 1e-9; // in^3/psi
+    if (samples.empty())
+        return std::nullopt;
+    Eigen::VectorXd compliance = Eigen::Map<const Eigen::VectorXd>(start.data(), std::ssize(start));
+    for (int i = 0; i < most_steps; ++i) {
+        Eigen::VectorXd missing = residuals(circuit, samples, flow, compliance);
+        Eigen::MatrixXd slopes = jacobian(circuit, samples, flow, compliance);
+        Eigen::FullPivLU<Eigen::MatrixXd> normal(slopes.transpose() * slopes);
+        Eigen::VectorXd step = normal.solve(slopes.transpose() * missing);
+        if (!step.allFinite())
+            return std::nullopt;
+        if (step.cwiseAbs().maxCoeff() < settled)
+            return fit_at(compliance, missing, slopes);
+        // Far from the solution a full step may overshoot into another square root's branch: halve it.
+        while (residuals(circuit, samples, flow, compliance - step).squaredNorm() > missing.squaredNorm() &&
+               step.cwiseAbs().maxCoeff() >= settled)
+            step /= 2;
+        compliance -= step;
+    }
+    return std::nullopt;
+}
+
+ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const CircuitSample> window,
+                                     const FlowConstants& flow, InletFlow form, std::size_t bits,
+                                     double largest_in3_per_psi, double bias) {
+    assert(circuit.size() * bits <= exhaustive_bits);
+    std::uint64_t strings = std::uint64_t{1} << (circuit.size() * bits), best = 0;
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (std::uint64_t first = 0; first < strings; first += batch_size) {
+        Batch fitness = batch_fitness(circuit, window, flow, form, bits, largest_in3_per_psi, bias, first);
+        for (std::uint64_t i = 0; i < std::min(batch_size, strings - first); ++i)
+            if (double each = fitness[static_cast<Eigen::Index>(i)]; each > greatest) {
+                greatest = each;
+                best = first + i;
+            }
+    }
+    ExhaustiveOptimum optimum{{}, greatest};
+    for (std::size_t j = 0; j < circuit.size(); ++j)
+        optimum.codes.push_back((best >> (bits * (circuit.size() - 1 - j))) % (std::uint64_t{1} << bits));
+    return optimum;
+}
+
+} // namespace placedpar

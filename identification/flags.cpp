@@ -1,0 +1,119 @@
+#include "identification/flags.hpp"
+
+#include "identification/compliance_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar {
+
+namespace {
+
+// Ours: half the gate's. At the mid noise a third of the estimates are then off by more than 10 %.
+constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
+// Shares of the compliance by which independent answers may differ.
+constexpr double searches_differ = 0.2, halves_differ = 0.3;
+// ... and standard errors by which halves have to differ as well, so that noise alone raises no flag.
+constexpr double halves_differ_errors = 4;
+
+/// These two: has it been flagged?
+bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
+    double step = problem.field().resolution();
+    bool low = link.compliance_in3_per_psi<1.5 * step, high = link.compliance_in3_per_psi>
+                   CircuitProblem::largest_in3_per_psi -
+               2.5 * step;
+    if (low)
+        link.flags.push_back("at the lower bound of the search: the record asks for a compliance of 0 or below, as an "
+                             "offset of the spool makes it");
+    if (high)
+        link.flags.push_back(fmt::format("at the upper bound of the search, {} in^3/psi: the true value may be above",
+                                         CircuitProblem::largest_in3_per_psi));
+    return low || high;
+}
+
+bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window, std::size_t junction) {
+    double rms = excitation_psi_per_s(window, junction);
+    bool still = rms < least_slope_psi_per_s && rms * link.compliance_in3_per_psi < least_flow_in3_per_s;
+    if (still)
+        link.flags.push_back(fmt::format("no excitation: the pressure moves at {:.0f} psi/s (rms) over the last "
+                                         "window; below {:.0f} noise decides",
+                                         rms, least_slope_psi_per_s));
+    return still;
+}
+
+void flag_uncertainty(LinkIdentified& link) {
+    double share = link.standard_error / link.compliance_in3_per_psi;
+    if (!(share > uncertain_share))
+        return;
+    std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
+    link.flags.push_back(fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are the "
+                                     "spool, the units and the machine's constants right?",
+                                     size, 100 * uncertain_share));
+}
+
+/// After a valve has opened it moves on: a spool or an area that stands is a sensor that does not read.
+void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
+    auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
+    if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
+        link.flags.push_back("inconsistent: the valve reads the same in every sample, but the pressure is that of one "
+                             "that opens");
+}
+
+void flag_searches(LinkIdentified& link) {
+    if (link.highest - link.lowest > searches_differ * link.compliance_in3_per_psi)
+        link.flags.push_back(fmt::format("inconsistent: the searches end between {:.5f} and {:.5f} in^3/psi",
+                                         link.lowest, link.highest));
+}
+
+/// Do the first and the second half of the samples ask for different compliances?
+void flag_halves(LinkIdentified& link, const ComplianceFit& early, const ComplianceFit& late, std::size_t junction) {
+    double difference = std::abs(late.compliance_in3_per_psi[junction] - early.compliance_in3_per_psi[junction]);
+    double error = std::hypot(early.standard_error[junction], late.standard_error[junction]);
+    if (difference > halves_differ * link.compliance_in3_per_psi && difference > halves_differ_errors * error)
+        link.flags.push_back(fmt::format("inconsistent: least squares asks for {:.5f} in the first half of the "
+                                         "samples and for {:.5f} in^3/psi in the second",
+                                         early.compliance_in3_per_psi[junction],
+                                         late.compliance_in3_per_psi[junction]));
+}
+
+} // namespace
+
+void add_flags(Identified& identified, const CircuitProblem& problem, const FlowConstants& flow,
+               std::span<const CircuitSample> samples, std::span<const CircuitSample> window,
+               const IdentificationWay& way) {
+    std::vector<double> answer;
+    for (const LinkIdentified& link : identified.links)
+        answer.push_back(link.compliance_in3_per_psi);
+    auto early = fit_compliances(identified.circuit, samples.first(samples.size() / 2), flow, answer);
+    auto late = fit_compliances(identified.circuit, samples.subspan(samples.size() / 2), flow, answer);
+    double allowed = std::sqrt(way.search.window.bias), error = identified.estimates.back().error_in3_per_s;
+    for (std::size_t j = 0; j < identified.links.size(); ++j) {
+        LinkIdentified& link = identified.links[j];
+        bool at_bound = flag_bounds(link, problem), still = flag_excitation(link, window, j);
+        if (error >= allowed)
+            link.flags.push_back(fmt::format("inconsistent: the best individual still misses {:.1f} in^3/s of flow "
+                                             "(rms), more than the bias allows ({:.1f})",
+                                             error, allowed));
+        flag_still_valve(link, samples, j);
+        flag_searches(link);
+        if (early && late)
+            flag_halves(link, *early, *late, j);
+        if (!at_bound && !still)
+            flag_uncertainty(link);
+    }
+}
+
+void flag_calibration(Identified& identified, const SpoolOffset& found, double resolution_in) {
+    constexpr double errors = 3;
+    if (found.offset_in <= resolution_in + errors * found.deviation_in)
+        return;
+    auto boom = std::ranges::find(identified.links, MachineLink::boom, &LinkIdentified::link);
+    if (boom != identified.links.end())
+        boom->flags.push_back(fmt::format("an offset of {:+.4f} in was found: a leak looks the same; calibrate on a "
+                                          "machine known to be sound, and give --offset",
+                                          found.offset_in));
+}
+
+} // namespace placedpar

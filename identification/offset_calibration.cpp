@@ -1,0 +1,111 @@
+#include "identification/offset_calibration.hpp"
+
+#include "hydraulics/circuit/boom_orifices.hpp"
+
+#include <boost/math/tools/roots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// A sample of steady motion: the flow is known, the spool is in doubt.
+struct SteadySample {
+    double inlet_psi, piston_flow_in3_per_s, spool_in;
+};
+
+/// The flow that is missed if the spool is what it reads less the offset; falls as the offset grows, since a
+/// smaller spool opens the bypass wider.
+double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
+    OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
+    double k = flow.orifice_in3_per_s_in2_sqrt_psi;
+    double root = sample.piston_flow_in3_per_s / (k * areas.inlet_in2);
+    double pump_psi = std::min(sample.inlet_psi + root * root, flow.relief_psi);
+    return flow.pump_in3_per_s - sample.piston_flow_in3_per_s -
+           k * areas.bypass_in2 * std::sqrt(std::max(pump_psi - flow.tank_psi, 0.0));
+}
+
+double mean_missing(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
+    double sum = 0;
+    for (const SteadySample& sample : samples)
+        sum += missing_in3_per_s(sample, offset_in, flow);
+    return sum / static_cast<double>(samples.size());
+}
+
+/// The rms slope of the pressure; infinite when the motion is not steady.
+double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMotion& steady) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    double squares = 0, halves_psi = 0; // the second half's pressures less the first's
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const LinkSample& link = samples[i].links[0];
+        if (link.piston_flow_in3_per_s < steady.least_flow_in3_per_s)
+            return never;
+        squares += link.inlet_slope_psi_per_s * link.inlet_slope_psi_per_s;
+        halves_psi += 2 * i < samples.size() ? -link.inlet_psi : link.inlet_psi;
+    }
+    auto count = static_cast<double>(samples.size());
+    double unrest = std::sqrt(squares / count);
+    return unrest > steady.slope_psi_per_s || std::abs(2 * halves_psi / count) > steady.drift_psi ? never : unrest;
+}
+
+std::vector<SteadySample> steadiest_motion(const Record& record, const LinkReadings& readings,
+                                           const SteadyMotion& steady) {
+    auto samples = circuit_samples(record, circuit_of(Configuration::a, {MachineLink::boom}), readings);
+    auto length = 2 * static_cast<std::size_t>(std::lround(steady.duration_s / record.period_s / 2));
+    double least = std::numeric_limits<double>::infinity();
+    std::span<const CircuitSample> best;
+    for (std::size_t first = 0; length > 0 && first + length <= samples.size(); ++first) {
+        auto stretch = std::span<const CircuitSample>(samples).subspan(first, length);
+        bool whole = stretch.back().index - stretch.front().index == length - 1;
+        if (double unrest = unrest_psi_per_s(stretch, steady); whole && unrest < least) {
+            least = unrest;
+            best = stretch;
+        }
+    }
+    std::vector<SteadySample> motion;
+    for (const CircuitSample& sample : best)
+        motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s,
+                          record.of(MachineLink::boom, Sensor::spool)[sample.index]});
+    return motion;
+}
+
+/// How the mean of the single samples' offsets scatters, to first order.
+double standard_error(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
+    constexpr double step_in = 1e-4;
+    double sum = 0, squares = 0;
+    for (const SteadySample& sample : samples) {
+        double slope = (missing_in3_per_s(sample, offset_in + step_in, flow) -
+                        missing_in3_per_s(sample, offset_in - step_in, flow)) /
+                       (2 * step_in);
+        double own = missing_in3_per_s(sample, offset_in, flow) / slope;
+        sum += own;
+        squares += own * own;
+    }
+    auto count = static_cast<double>(samples.size());
+    return std::sqrt((squares - sum * sum / count) / (count - 1) / count);
+}
+
+} // namespace
+
+std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const LinkReadings& readings,
+                                                  const FlowConstants& flow, const SteadyMotion& steady) {
+    LinkReadings as_read = readings;
+    as_read[index_of(MachineLink::boom)].spool_offset_in = 0;
+    auto samples = steadiest_motion(record, as_read, steady);
+    if (samples.empty())
+        return std::nullopt;
+    auto missing = [&](double offset_in) { return mean_missing(samples, offset_in, flow); };
+    if (missing(-greatest_spool_offset_in) * missing(greatest_spool_offset_in) > 0)
+        return std::nullopt;
+    std::uintmax_t iterations = 100;
+    auto [low, high] = boost::math::tools::toms748_solve(missing, -greatest_spool_offset_in, greatest_spool_offset_in,
+                                                         boost::math::tools::eps_tolerance<double>(40), iterations);
+    double offset = (low + high) / 2;
+    return SpoolOffset{offset, standard_error(samples, offset, flow), samples.size()};
+}
+
+} // namespace placedpar

@@ -1,0 +1,68 @@
+#include "identification/on_line/link_track.hpp"
+
+#include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/circuit/voltage_spool.hpp"
+
+#include <numbers>
+#include <utility>
+
+namespace placedpar::monitor {
+
+namespace {
+
+void push_bounded(std::vector<double>& values, double value) {
+    if (values.size() == line_fit_points)
+        values.erase(values.begin());
+    values.push_back(value);
+}
+
+} // namespace
+
+void LinkTrack::restart() {
+    State former = std::exchange(state_, {});
+    state_.spool_in = former.spool_in;
+    state_.desired_in = former.desired_in;
+}
+
+double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& parameters, std::optional<double> elapsed_s) {
+    double desired = desired_spool_in(servo_V);
+    if (state_.spool_in && elapsed_s) {
+        SpoolLag spool(parameters.spool_lag_per_s, *elapsed_s, *state_.spool_in);
+        spool.hold(*state_.desired_in);
+        state_.spool_in = spool.spool_in();
+    } else
+        state_.spool_in = desired;
+    state_.desired_in = desired;
+    return *state_.spool_in;
+}
+
+void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s) {
+    push_bounded(state_.inlet_psi, reading.inlet_psi);
+    push_bounded(state_.angle_deg, reading.angle_deg);
+    AreaReading areas{};
+    if (const auto* given = std::get_if<AreaReading>(&reading.valve))
+        areas = *given;
+    else {
+        const auto* servo = std::get_if<ServoReading>(&reading.valve);
+        double spool = servo ? follow_spool_in(servo->servo_V, parameters, elapsed_s)
+                             : std::get<SpoolReading>(reading.valve).spool_in;
+        OrificeAreas orifices = boom_orifices(spool);
+        areas = {orifices.inlet_in2, orifices.bypass_in2};
+    }
+    if (!std::holds_alternative<ServoReading>(reading.valve))
+        state_.spool_in = state_.desired_in = std::nullopt; // not followed any more
+    push_bounded(state_.inlet_in2, areas.inlet_in2);
+    push_bounded(state_.bypass_in2, areas.bypass_in2);
+}
+
+std::optional<LinkSample> LinkTrack::centre(const CentredLineFit& fit, const LinkParameters& parameters) const {
+    constexpr std::size_t middle = line_fit_points / 2;
+    if (!CentredLineFit::has_slope(state_.inlet_psi.size(), middle))
+        return std::nullopt;
+    double piston_in3_per_deg = parameters.piston_in3_per_rad * std::numbers::pi / 180;
+    return LinkSample{state_.inlet_psi[middle], fit.slope_per_s(state_.inlet_psi, middle),
+                      piston_in3_per_deg * fit.slope_per_s(state_.angle_deg, middle), state_.inlet_in2[middle],
+                      state_.bypass_in2[middle]};
+}
+
+} // namespace placedpar::monitor

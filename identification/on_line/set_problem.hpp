@@ -1,0 +1,47 @@
+#pragma once
+
+#include "gaprocs/genome.hpp"
+#include "hydraulics/circuit/circuit_error.hpp"
+#include "hydraulics/circuit/circuit_problem.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace placedpar::monitor {
+
+/// One LinkSample for each link of a population set, in the order of links_of().
+using SetSample = std::vector<LinkSample>;
+
+/// The search for the compliances of a population set while the main valve is in one configuration. The string
+/// codes the links in the order of Figure 3.13, each in Gray code, so that a population means the same in every
+/// configuration that uses it; the order of the circuit's junctions is this class's own business.
+class SetProblem {
+public:
+    /// REQUIRES: `links` is a non-empty part of one coupled group of the configuration.
+    SetProblem(Configuration configuration, LinkSet links, const FlowConstants& flow, std::size_t bits);
+
+    /// Of the whole string.
+    std::size_t bits() const { return bits_ * circuit_.size(); }
+
+    /// Of link number `position` of the set.
+    double compliance_in3_per_psi(const Genome& genome, std::size_t position) const;
+    double step_in3_per_psi() const;
+
+    /// Is the path to every cylinder open, by the steady flow of the circuit? Equation 3.6 does not hold where it
+    /// is not.
+    bool open(const SetSample& sample) const;
+
+    /// The sum of fitness_term over the window, for each string (eq. 3.9).
+    std::vector<double> fitness(std::span<const Genome> strings, std::span<const SetSample> window, double bias) const;
+
+private:
+    std::vector<LinkSample> by_junction(const SetSample& sample) const;
+
+    Circuit circuit_;
+    FlowConstants flow_;
+    std::size_t bits_;
+    std::vector<std::size_t> positions_; // in the set, of the link of each junction
+};
+
+} // namespace placedpar::monitor

@@ -1,0 +1,192 @@
+#include "monitor/memory/state_store.hpp"
+
+#include "monitor/memory/machine_json.hpp"
+#include "text/output_file.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace placedpar::monitor {
+
+namespace fs = std::filesystem;
+namespace json = boost::json;
+
+namespace {
+
+constexpr int file_version = 1;
+
+/// A whole state file, but not for this service.
+class OtherState : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+fs::path beside(const fs::path& path, const char* ending) {
+    fs::path other = path;
+    other += ending;
+    return other;
+}
+
+/// Before there is a journal beside it. Throws when it is there and no file.
+fs::path path_of_file(fs::path path) {
+    if (fs::exists(path) && !fs::is_regular_file(path))
+        throw std::runtime_error(fmt::format("{}: it is {}, no state file; say the name of a file, there or not",
+                                             path.string(), fs::is_directory(path) ? "a folder" : "a device"));
+    return path;
+}
+
+std::string text_of_file(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        throw std::runtime_error(std::strerror(errno));
+    return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+json::value parsed(const std::string& text) {
+    if (text.empty())
+        throw std::runtime_error("it is empty");
+    json::error_code error;
+    json::value value = json::parse(text, error);
+    if (error == json::error::incomplete)
+        throw std::runtime_error(fmt::format("it breaks off after {} bytes", text.size()));
+    if (error || !value.is_object() || !value.get_object().contains("placedpar_monitor_state"))
+        throw std::runtime_error("it is no state file of the monitor");
+    return value;
+}
+
+/// Brings a file, or a folder's names, to the disk itself.
+void sync_path(const fs::path& path) {
+    int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0 || ::fsync(file) != 0) {
+        int reason = errno;
+        if (file >= 0)
+            ::close(file);
+        throw std::runtime_error(
+            fmt::format("{}: cannot be brought to the disk: {}", path.string(), std::strerror(reason)));
+    }
+    ::close(file);
+}
+
+/// Settings that populations of the state file depend on, and those that the journal's messages do.
+std::string settings_text(const Machines& machines) {
+    const DiagnosisSettings& s = machines.settings();
+    return fmt::format("--seed {} --population {} --bits {} --window {} --trials {} --gate {}", machines.seed(),
+                       s.search.population, s.bits, s.search.window.length, s.search.window.trials, s.gate_psi_per_s);
+}
+
+/// Takes a record of the journal: the machine's name, a blank, the message.
+void take_again(Machines& machines, const std::string& record, const std::string& where) {
+    std::size_t blank = std::min(record.find(' '), record.size() - 1);
+    try {
+        machines.replay(record.substr(0, blank), std::string_view(record).substr(blank + 1));
+    } catch (const std::exception& error) {
+        throw std::runtime_error(fmt::format("{} cannot be taken again: {}", where, error.what()));
+    }
+}
+
+} // namespace
+
+StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(beside(path_, ".journal")) {}
+
+std::string StateStore::restore(Machines& machines) {
+    read_state_file(machines);
+    std::string said;
+    read_journal(machines, said);
+    if (!machines.all().empty())
+        said = fmt::format("{}: {} machine{} restored{}", path_.string(), machines.all().size(),
+                           machines.all().size() == 1 ? "" : "s", said);
+    write(machines);
+    return said;
+}
+
+void StateStore::read_state_file(Machines& machines) {
+    if (!fs::exists(path_))
+        return;
+    auto refuse = [&](const std::string& why) {
+        throw std::runtime_error(fmt::format("{}: this state file cannot be used: {}", path_.string(), why));
+    };
+    auto damaged = [&](const std::string& why) {
+        refuse(fmt::format("{}; put a whole one there, or move it and {}.journal away and begin with nothing known",
+                           why, path_.string()));
+    };
+    try {
+        json::value value = parsed(text_of_file(path_));
+        if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
+            throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
+        if (std::string was(value.at("settings").as_string()); was != settings_text(machines))
+            throw OtherState(fmt::format("it was written with {}, this is {}; say the same, or another file", was,
+                                         settings_text(machines)));
+        epoch_ = value.at("epoch").to_number<std::uint64_t>();
+        for (const json::value& machine : value.at("machines").as_array())
+            machines.add(state_from(machine, machines.settings()));
+    } catch (const OtherState& other) {
+        refuse(other.what());
+    } catch (const boost::system::system_error& error) {
+        damaged(fmt::format("a part of it is wrong: {}", error.code().message()));
+    } catch (const std::out_of_range&) {
+        damaged("a part of it is missing");
+    } catch (const std::exception& error) {
+        damaged(error.what());
+    }
+}
+
+void StateStore::read_journal(Machines& machines, std::string& said) {
+    fs::path path = beside(path_, ".journal");
+    JournalContent content = journal_.read();
+    if (content.epoch > epoch_)
+        throw std::runtime_error(
+            fmt::format("{}: it goes on from a later state file (epoch {}) than {} (epoch {}); put "
+                        "that file back, or move the journal away",
+                        path.string(), content.epoch, path_.string(), epoch_));
+    if (content.epoch == epoch_ && !content.records.empty()) {
+        for (std::size_t i = 0; i < content.records.size(); ++i)
+            take_again(machines, content.records[i], fmt::format("{}: record {}", path.string(), i + 1));
+        said += fmt::format(", {} messages taken again", content.records.size());
+    }
+    if (content.damaged_bytes > 0) {
+        fs::copy_file(path, beside(path_, ".damaged"), fs::copy_options::overwrite_existing);
+        said += fmt::format(", {} bytes at the journal's end are torn: left out, kept in {}", content.damaged_bytes,
+                            beside(path_, ".damaged").string());
+    }
+}
+
+void StateStore::record(const std::string& machine, std::string_view message, std::size_t generations) {
+    if (!complete_)
+        return;
+    complete_ = false;
+    journal_.append(fmt::format("{} {}", machine, message));
+    complete_ = true;
+    generations_ += generations;
+}
+
+void StateStore::write(const Machines& machines) {
+    json::array all;
+    for (const auto& [name, machine] : machines.all())
+        all.push_back(state_json(machine.state()));
+    json::object state{{"placedpar_monitor_state", file_version},
+                       {"settings", settings_text(machines)},
+                       {"epoch", epoch_ + 1},
+                       {"machines", std::move(all)}};
+    // On the disk before it takes the old one's name: with a loss of power, one of the two is there, whole.
+    fs::path next = beside(path_, ".next");
+    write_whole(next, json::serialize(state) + "\n");
+    sync_path(next);
+    complete_ = false; // until the journal, too, is of the new epoch
+    fs::rename(next, path_);
+    ++epoch_;
+    sync_path(fs::absolute(path_).parent_path());
+    journal_.begin(epoch_);
+    complete_ = true;
+    generations_ = 0;
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,68 @@
+#include "monitor/protocol/exact_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <stdexcept>
+
+namespace placedpar::monitor {
+
+namespace {
+
+/// The words of a text, in order.
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> found;
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = std::min(text.find(' ', begin), text.size());
+        if (end > begin)
+            found.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return found;
+}
+
+template <typename T, typename... Base>
+T value_of(std::string_view word, Base... base) {
+    T value{};
+    auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base...);
+    if (error != std::errc() || end != word.data() + word.size())
+        throw std::runtime_error(fmt::format("\"{}\" is no number", word));
+    return value;
+}
+
+} // namespace
+
+std::string exact_text(std::span<const double> numbers) {
+    std::string text;
+    for (double each : numbers)
+        text += fmt::format("{}{}", text.empty() ? "" : " ", each);
+    return text;
+}
+
+std::vector<double> numbers_from(std::string_view text) {
+    std::vector<double> numbers;
+    for (std::string_view word : words(text))
+        numbers.push_back(value_of<double>(word));
+    return numbers;
+}
+
+std::string exact_text(std::span<const Genome> strings) {
+    std::string text;
+    for (const Genome& each : strings)
+        text += fmt::format("{}{:x}", text.empty() ? "" : " ", each.field(0, each.size()));
+    return text;
+}
+
+std::vector<Genome> genomes_from(std::string_view text, std::size_t bits) {
+    std::vector<Genome> strings;
+    for (std::string_view word : words(text)) {
+        auto value = value_of<std::uint64_t>(word, 16);
+        if (bits < 64 && value >> bits != 0)
+            throw std::runtime_error(fmt::format("\"{}\" has more than {} bits", word, bits));
+        strings.emplace_back(bits).set_field(0, bits, value);
+    }
+    return strings;
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,225 @@
+#include "monitor/protocol/message.hpp"
+
+#include "hydraulics/data/parameters.hpp"
+#include "monitor/protocol/field_reader.hpp"
+#include "monitor/protocol/repeated_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace placedpar::monitor {
+
+PerLink<LinkParameters> default_link_parameters() {
+    const Parameters& excavator = Parameters::excavator();
+    auto of = [&](MachineLink link, const char* name) { return excavator[fmt::format("{}.{}", name_of(link), name)]; };
+    PerLink<LinkParameters> parameters;
+    for (MachineLink link : all_links)
+        parameters[index_of(link)] = {of(link, "inlet_area") * of(link, "moment_arm"), of(link, "spool_lag")};
+    return parameters;
+}
+
+bool operator==(const MachineParameters& a, const MachineParameters& b) {
+    auto numbers = [](const FlowConstants& flow) {
+        return std::array{flow.orifice_in3_per_s_in2_sqrt_psi, flow.pump_in3_per_s, flow.tank_psi, flow.relief_psi};
+    };
+    return a.period_s == b.period_s && numbers(a.flow) == numbers(b.flow) && a.links == b.links;
+}
+
+namespace {
+
+// Wide enough for any excavator, narrow enough to catch a wrong unit.
+constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spools{0, 10, "in"}, voltages{0, 10, "V"},
+    areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.001, 1, "s"},
+    pistons{0.1, 1e6, "in^3/rad"}, lags{0.1, 1000, "1/s"}, up_to_a_day{0, 86400, "s"};
+
+MachineLink link_of(const std::string& name, const std::string& path) {
+    if (auto link = link_named(name))
+        return *link;
+    throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
+}
+
+/// Gives `read` each link of the object in field "links", with the reader of that and the name used there.
+template <typename Read>
+void for_each_link(FieldReader& message, Read read) {
+    FieldReader links = message.object("links");
+    LinkSet seen;
+    for (const std::string& name : links.names()) {
+        MachineLink link = link_of(name, links.path_of(name));
+        if (seen.contains(link))
+            throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
+                             "each link once, by name or symbol");
+        seen.insert(link);
+        read(link, links, name);
+    }
+}
+
+template <typename T>
+T choice(FieldReader& fields, std::string_view name, T otherwise, const std::vector<std::pair<std::string, T>>& all) {
+    if (!fields.has(name))
+        return otherwise;
+    std::string text = fields.text(name), right = "one of";
+    for (const auto& [word, value] : all) {
+        if (word == text)
+            return value;
+        right += fmt::format(" \"{}\"", word);
+    }
+    throw BadMessage(fields.path_of(name), fmt::format("it is \"{}\"", text), right);
+}
+
+std::string machine_name(FieldReader& fields) {
+    std::string name = fields.text("machine");
+    auto good = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '_' || c == '-'; };
+    if (name.empty() || name.size() > 64 || !std::ranges::all_of(name, good))
+        throw BadMessage("machine", "it is no name of a machine", "1 to 64 letters, digits, '.', '_' and '-'");
+    return name;
+}
+
+MachineParameters machine_parameters(FieldReader& fields) {
+    MachineParameters parameters;
+    parameters.period_s = fields.number_or("period_s", periods, parameters.period_s);
+    if (fields.has("flow")) {
+        FieldReader flow = fields.object("flow");
+        // One without the others would be no fit of anything: k, Q and P_e belong together.
+        parameters.flow = {flow.number("orifice_in3_per_s_in2_sqrt_psi", {1, 1000, ""}),
+                           flow.number("pump_in3_per_s", {1, 10000, "in^3/s"}),
+                           flow.number("tank_psi", {-20, 500, "psi"})};
+        flow.finish();
+    }
+    if (fields.has("links"))
+        for_each_link(fields, [&](MachineLink link, FieldReader& links, const std::string& name) {
+            FieldReader of_link = links.object(name);
+            LinkParameters& p = parameters.links[index_of(link)];
+            p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
+            p.spool_lag_per_s = of_link.number_or("spool_lag_per_s", lags, p.spool_lag_per_s);
+            of_link.finish();
+        });
+    return parameters;
+}
+
+Message hello(FieldReader& fields) {
+    double version = fields.number("version", {1, 1e6, ""});
+    if (version != protocol_version)
+        throw BadMessage("version", fmt::format("it is {}", version), fmt::format("{}", protocol_version));
+    Hello hello;
+    hello.machine = machine_name(fields);
+    hello.role = choice(fields, "role", Role::control, {{"control", Role::control}, {"watch", Role::watch}});
+    hello.answers = choice(fields, "answers", Answers::all,
+                           {{"all", Answers::all}, {"moved", Answers::moved}, {"none", Answers::none}});
+    hello.load_every_s = fields.number_or("load_every_s", up_to_a_day, 0);
+    hello.anew = fields.flag_or("anew", false);
+    hello.parameters = machine_parameters(fields);
+    return hello;
+}
+
+Message configuration(FieldReader& fields) {
+    ConfigurationChange change;
+    std::string name = fields.text("configuration");
+    auto named = configuration_named(name);
+    if (!named)
+        throw BadMessage("configuration", fmt::format("it is \"{}\"", name), "one of \"a\" \"b\" \"c\" \"d\" \"e\"");
+    change.configuration = *named;
+    for (const boost::json::value& each : fields.array("active")) {
+        if (!each.is_string())
+            throw BadMessage("active", "it holds something that is no string", "an array such as [\"BU\",\"BO\"]");
+        change.active.insert(link_of(std::string(each.get_string()), "active"));
+    }
+    return change;
+}
+
+Reading reading(FieldReader& fields) {
+    Reading reading{fields.number("inlet_psi", pressures), fields.number("angle_deg", angles), SpoolReading{0}};
+    bool spool = fields.has("spool_in"), servo = fields.has("servo_V"), inlet = fields.has("inlet_in2"),
+         bypass = fields.has("bypass_in2");
+    if (spool + servo + (inlet || bypass) != 1)
+        throw BadMessage(fields.path_of("spool_in"),
+                         spool + servo + (inlet || bypass) == 0 ? "nothing is said of the valve"
+                                                                : "the valve is described twice",
+                         "one of spool_in, servo_V, or inlet_in2 with bypass_in2");
+    if (spool)
+        reading.valve = SpoolReading{fields.number("spool_in", spools)};
+    else if (servo)
+        reading.valve = ServoReading{fields.number("servo_V", voltages)};
+    else
+        reading.valve = AreaReading{fields.number("inlet_in2", areas), fields.number("bypass_in2", areas)};
+    return reading;
+}
+
+Message sample(FieldReader& fields) {
+    SampleMessage sample{fields.number("time_s", times), {}};
+    for_each_link(fields, [&](MachineLink link, FieldReader& links, const std::string& name) {
+        FieldReader of_link = links.object(name);
+        sample.links[index_of(link)] = reading(of_link);
+        of_link.finish();
+    });
+    return sample;
+}
+
+Message baseline(FieldReader& fields) {
+    BaselineMessage baseline;
+    for_each_link(fields, [&](MachineLink link, FieldReader& links, const std::string& name) {
+        baseline.compliance_in3_per_psi[index_of(link)] = links.number(name, compliances);
+    });
+    return baseline;
+}
+
+template <typename Empty>
+Message nothing_more(FieldReader&) {
+    return Empty{};
+}
+
+struct Type {
+    const char* name;
+    Message (*read)(FieldReader&);
+};
+
+constexpr std::array<Type, 8> types{{{"hello", hello},
+                                     {"configuration", configuration},
+                                     {"sample", sample},
+                                     {"baseline", baseline},
+                                     {"status", nothing_more<StatusRequest>},
+                                     {"load", nothing_more<LoadRequest>},
+                                     {"ping", nothing_more<Ping>},
+                                     {"bye", nothing_more<Bye>}}};
+
+/// Every message is two or three objects deep.
+constexpr std::size_t deepest = 8;
+
+boost::json::value parse_json(std::string_view line) {
+    boost::json::parse_options options;
+    options.max_depth = deepest;
+    boost::json::stream_parser parser({}, options);
+    boost::json::error_code error;
+    std::size_t column = parser.write(line.data(), line.size(), error) + 1;
+    if (!error) {
+        parser.finish(error);
+        column = line.size() + 1;
+    }
+    if (error)
+        throw BadMessage("", fmt::format("it is no JSON: {}", error.message()), "one JSON object in one line", column);
+    return parser.release();
+}
+
+} // namespace
+
+Message parse_message(std::string_view line) {
+    boost::json::value value = parse_json(line);
+    if (!value.is_object())
+        throw BadMessage("", "it is no JSON object", "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}",
+                         1);
+    if (auto field = repeated_field(line))
+        throw BadMessage(*field, "it is given twice", "each field once");
+    FieldReader fields(value.get_object(), "");
+    std::string name = fields.text("type");
+    auto type = std::ranges::find(types, name, &Type::name);
+    if (type == types.end())
+        throw BadMessage("type", fmt::format("there is no message \"{}\"", name.substr(0, 40)),
+                         "one of hello, configuration, sample, baseline, status, load, ping, bye");
+    Message message = type->read(fields);
+    fields.finish();
+    return message;
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,233 @@
+#include "netlist/complete/complete.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+/// Gives every channel what carries it. First those that the netlist places, in its order; then each of the
+/// rest, in its order, takes of the wires between its two nodes the one that the fewest channels use in its
+/// direction, and of several the one with the lowest link at the sender.
+class Carriers {
+public:
+    explicit Carriers(Completion& c) : c_(c), load_(c.network.connections.size() * 2, 0) {
+        for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
+            const auto& connection = c_.network.connections[i];
+            between_[{connection.a.node, connection.b.node}].push_back(i);
+            between_[{connection.b.node, connection.a.node}].push_back(i);
+            for (auto [inner, outer] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
+                if (outer.link < 0)
+                    edges_of_[inner.node].push_back(i);
+        }
+    }
+
+    void run() {
+        std::vector<std::size_t> left;
+        for (std::size_t i = 0; i < c_.network.channels.size(); ++i)
+            if (!place_as_told(i))
+                left.push_back(i);
+        for (auto i : left)
+            choose(i);
+        for (auto& channel : c_.network.channels)
+            if (channel.placement.kind != ChannelPlacement::Kind::soft)
+                channel.placement.shared = load(channel.placement) > 1;
+    }
+
+private:
+    std::size_t& load(const ChannelPlacement& carrier) {
+        return load_[carrier.connection * 2 + (carrier.from_a_to_b ? 1 : 0)];
+    }
+
+    std::string node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
+
+    /// What the netlist says about the connection: by one of the ends, or by `place c1 on c2`. True where it
+    /// says something, also where that was refused.
+    bool place_as_told(std::size_t index) {
+        auto& channel = c_.network.channels[index];
+        std::optional<std::size_t> told;
+        auto told_at = channel.connected;
+        for (const auto* end : {&channel.from, &channel.to}) {
+            if (end->at_edge())
+                continue;
+            auto placed = c_.draft.placements.find({end->process, end->port});
+            if (placed == c_.draft.placements.end())
+                continue;
+            auto connection = connection_placed(*end, placed->second);
+            if (!connection)
+                return true;
+            if (told && *told != *connection)
+                return refuse(placed->second.at,
+                              fmt::format("the two ends of the channel \"{}\" are placed on different "
+                                          "connections",
+                                          channel.name));
+            told = connection;
+            told_at = placed->second.at;
+        }
+        auto draft =
+            c_.draft_channel[index] == nowhere ? nowhere : c_.draft.channels[c_.draft_channel[index]].connection;
+        auto by_connection = c_.draft.connection_placements.find(draft);
+        if (by_connection != c_.draft.connection_placements.end()) {
+            auto wire = c_.connection_named.find(by_connection->second.wire);
+            if (wire == c_.connection_named.end())
+                return refuse(by_connection->second.at,
+                              fmt::format("the connection \"{}\" wires no links",
+                                          c_.draft.connections[by_connection->second.wire].name));
+            told = wire->second;
+            told_at = by_connection->second.at;
+        }
+        if (!told)
+            return false;
+        carry(channel, *told, told_at);
+        return true;
+    }
+
+    bool refuse(const Location& at, std::string message, std::string hint = "", std::vector<SecondPlace> others = {}) {
+        c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
+        return true;
+    }
+
+    std::optional<std::size_t> connection_placed(const ChannelEnd& end, const DraftPlacement& placement) {
+        const auto& process = c_.draft.processes[end.process];
+        auto name = process.name + "." + end.port;
+        if (process.node == nowhere)
+            return std::nullopt; // reported
+        if (placement.where.link < 0) {
+            auto found = between_.find({process.node, placement.where.node});
+            if (found != between_.end())
+                return found->second.front();
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it", name,
+                               node_name(placement.where.node), node_name(process.node)));
+            return std::nullopt;
+        }
+        if (placement.where.node != process.node) {
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"", name,
+                               node_name(placement.where.node), node_name(process.node)),
+                   "", {{"the process is placed here", process.placed}});
+            return std::nullopt;
+        }
+        auto found = c_.connection_at.find({placement.where.node, placement.where.link});
+        if (found != c_.connection_at.end())
+            return found->second;
+        refuse(placement.at,
+               fmt::format("the channel \"{}\" is placed on \"{}.link[{}]\", which is connected to nothing", name,
+                           node_name(placement.where.node), placement.where.link));
+        return std::nullopt;
+    }
+
+    /// Lets a connection carry the channel, if it leads from the one end to the other.
+    void carry(NetworkChannel& channel, std::size_t index, const Location& at) {
+        const auto& connection = c_.network.connections[index];
+        bool to_edge = channel.from.at_edge() || channel.to.at_edge();
+        auto& outer = channel.from.at_edge() ? channel.from : channel.to;
+        if (to_edge && outer.node == nowhere && (connection.a.link < 0 || connection.b.link < 0))
+            outer.node = connection.a.link < 0 ? connection.a.node : connection.b.node;
+        auto from = channel.from.node, to = channel.to.node;
+        if (from == nowhere || to == nowhere)
+            return edge_missing(channel);
+        bool forwards = connection.a.node == from && connection.b.node == to;
+        if (!forwards && !(connection.b.node == from && connection.a.node == to)) {
+            refuse(at,
+                   fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\", but is placed on a wire between \"{}\" "
+                               "and \"{}\"",
+                               channel.name, node_name(from), node_name(to), node_name(connection.a.node),
+                               node_name(connection.b.node)),
+                   "", {{"the wire is connected here", connection.connected}});
+            return;
+        }
+        channel.placement = {to_edge ? ChannelPlacement::Kind::edge : ChannelPlacement::Kind::link, index, forwards,
+                             false};
+        ++load(channel.placement);
+    }
+
+    void choose(std::size_t index) {
+        auto& channel = c_.network.channels[index];
+        if (channel.from.at_edge() || channel.to.at_edge())
+            return choose_edge(channel);
+        if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
+            return; // reported, or soft
+        auto found = between_.find({channel.from.node, channel.to.node});
+        if (found == between_.end())
+            return refuse_no_neighbours(channel);
+        carry(channel, lightest(found->second, channel.from.node), channel.connected);
+    }
+
+    void choose_edge(NetworkChannel& channel) {
+        const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
+        const auto& outer = channel.from.at_edge() ? channel.from : channel.to;
+        if (inner.node == nowhere)
+            return; // reported
+        auto candidates = edges_of_[inner.node];
+        if (outer.node != nowhere)
+            std::erase_if(candidates, [&](std::size_t i) {
+                const auto& connection = c_.network.connections[i];
+                return connection.a.node != outer.node && connection.b.node != outer.node;
+            });
+        if (candidates.empty())
+            return edge_missing(channel);
+        auto sender = channel.from.at_edge() ? nowhere : inner.node;
+        carry(channel, lightest(candidates, sender), channel.connected);
+    }
+
+    void edge_missing(const NetworkChannel& channel) {
+        const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
+        const auto& outer = channel.from.at_edge() ? channel.from : channel.to;
+        if (inner.node == nowhere)
+            return; // reported
+        auto edge = outer.node == nowhere ? "an edge" : fmt::format("the edge \"{}\"", node_name(outer.node));
+        refuse(channel.connected,
+               fmt::format("the edge channel \"{}\" cannot be reached: \"{}\" has no link to {}", outer.port,
+                           node_name(inner.node), edge),
+               fmt::format("connect {}.link[0] to host;", node_name(inner.node)));
+    }
+
+    std::size_t lightest(const std::vector<std::size_t>& candidates, std::size_t sender) {
+        auto weight = [&](std::size_t i) {
+            const auto& connection = c_.network.connections[i];
+            bool forwards = sender == nowhere ? connection.a.link < 0 : connection.a.node == sender;
+            auto link = forwards ? connection.a.link : connection.b.link;
+            if (sender == nowhere) // from an edge: the receiver's link decides
+                link = forwards ? connection.b.link : connection.a.link;
+            return std::pair(load_[i * 2 + (forwards ? 1 : 0)], link);
+        };
+        return *std::min_element(candidates.begin(), candidates.end(),
+                                 [&](std::size_t x, std::size_t y) { return weight(x) < weight(y); });
+    }
+
+    std::string links_of(std::size_t node) const {
+        std::string text;
+        for (const auto& connection : c_.network.connections)
+            for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
+                if (near.node == node)
+                    text += fmt::format("{}link {} to {}", text.empty() ? "" : ", ", near.link, node_name(far.node));
+        return text.empty() ? "no links" : text;
+    }
+
+    void refuse_no_neighbours(const NetworkChannel& channel) {
+        auto from = channel.from.node, to = channel.to.node;
+        const auto &sender = c_.draft.processes[channel.from.process],
+                   &receiver = c_.draft.processes[channel.to.process];
+        refuse(channel.connected,
+               fmt::format("the channel \"{}\" has no route: the processors \"{}\" and \"{}\" are not neighbours",
+                           channel.name, node_name(from), node_name(to)),
+               fmt::format("\"{}\" has {}; \"{}\" has {}; channels are not routed through other processors",
+                           node_name(from), links_of(from), node_name(to), links_of(to)),
+               {{fmt::format("\"{}\" is placed here", sender.name), sender.placed},
+                {fmt::format("\"{}\" is placed here", receiver.name), receiver.placed}});
+    }
+
+    Completion& c_;
+    std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
+    std::map<std::size_t, std::vector<std::size_t>> edges_of_;
+};
+
+} // namespace
+
+void complete_carriers(Completion& completion) { Carriers(completion).run(); }
+
+} // namespace placedpar

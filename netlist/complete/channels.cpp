@@ -1,0 +1,270 @@
+#include "netlist/complete/complete.hpp"
+#include "netlist/elaborate/elaborator.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+class Channels {
+public:
+    explicit Channels(Completion& c) : c_(c), bindings_(c.draft.processes.size()) {}
+
+    void run() {
+        for (std::size_t i = 0; i < c_.draft.channels.size(); ++i)
+            add(i);
+        for (std::size_t i = 0; i < bindings_.size(); ++i)
+            if (!c_.kind_refused[i])
+                finish_process(i);
+        for (const auto& channel : c_.draft.edge_channels)
+            if (!channel.connected)
+                c_.reporter.warning(channel.declared,
+                                    fmt::format("the edge channel \"{}\" is not connected", channel.name));
+    }
+
+private:
+    struct End {
+        Direction direction; ///< as the network sees it: an edge's `input` is where messages come from
+        const PortDescription* port = nullptr;
+    };
+
+    std::string shown(const DraftChannelEnd& end) const {
+        return end.process == nowhere ? end.port : c_.draft.processes[end.process].name + "." + end.port;
+    }
+
+    /// Nothing where it cannot be known; that is reported.
+    std::optional<End> look_up(const DraftChannelEnd& end) {
+        if (end.process == nowhere) {
+            auto direction = c_.draft.edge_channels[end.edge_channel].direction;
+            return End{direction == Direction::input ? Direction::output : Direction::input, nullptr};
+        }
+        const auto& process = c_.draft.processes[end.process];
+        const auto* kind = c_.kinds[end.process];
+        const auto* port = kind == nullptr ? nullptr : kind->port(base_name(end.port));
+        if (process.interface) {
+            for (const auto& declared : process.interface->ports)
+                if (declared.name == base_name(end.port))
+                    return End{declared.direction, port};
+        }
+        if (port != nullptr)
+            return End{port->direction, port};
+        if (!c_.kind_refused[end.process])
+            refuse_unknown(end, process, kind);
+        return std::nullopt;
+    }
+
+    void refuse_unknown(const DraftChannelEnd& end, const DraftProcess& process, const ProcessKind* kind) {
+        misnamed_.insert(end.process);
+        if (kind == nullptr)
+            return c_.reporter.error(end.at,
+                                     fmt::format("the process \"{}\" has no channel \"{}\"", process.name, end.port),
+                                     "declare its interface: process (interface (input in, output out)) name;",
+                                     {{"the process is declared here", process.declared}});
+        std::vector<std::string> names;
+        for (const auto& port : kind->ports)
+            names.push_back(port.name);
+        c_.reporter.error(end.at,
+                          fmt::format("the kind \"{}\" of \"{}\" has no channel \"{}\"", kind->name, process.name,
+                                      base_name(end.port)),
+                          did_you_mean(base_name(end.port), names));
+    }
+
+    void add(std::size_t index) {
+        const auto& draft = c_.draft.channels[index];
+        for (const auto* end : {&draft.a, &draft.b})
+            mentioned_.emplace(end->process, std::string(base_name(end->port)));
+        auto a = look_up(draft.a), b = look_up(draft.b);
+        if (!a || !b) {
+            refused_ = true;
+            return;
+        }
+        if (a->direction == b->direction)
+            return refuse_direction(draft, a->direction);
+        bool forwards = a->direction == Direction::output;
+        const auto &from = forwards ? draft.a : draft.b, &to = forwards ? draft.b : draft.a;
+        if (a->port != nullptr && b->port != nullptr && a->port->type != b->port->type)
+            c_.reporter.error(draft.at,
+                              fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}", shown(draft.a),
+                                          a->port->protocol, shown(draft.b), b->port->protocol));
+        NetworkChannel channel;
+        channel.from = end_of(from);
+        channel.to = end_of(to);
+        channel.name = draft.connection != nowhere ? c_.draft.connections[draft.connection].name
+                                                   : fmt::format("{} -> {}", shown(from), shown(to));
+        channel.connected = draft.at;
+        bind(from, Direction::output);
+        bind(to, Direction::input);
+        c_.network.channels.push_back(std::move(channel));
+        c_.draft_channel.push_back(index);
+    }
+
+    void refuse_direction(const DraftChannel& draft, Direction direction) {
+        refused_ = true;
+        if (draft.a.process != nowhere && draft.b.process != nowhere)
+            return c_.reporter.error(draft.b.at,
+                                     fmt::format("two {}s are connected: \"{}\" and \"{}\"", word(direction),
+                                                 shown(draft.a), shown(draft.b)),
+                                     "a channel leads from an output to an input");
+        const auto& edge = draft.a.process == nowhere ? draft.a : draft.b;
+        const auto& process = draft.a.process == nowhere ? draft.b : draft.a;
+        c_.reporter.error(draft.b.at,
+                          fmt::format("the edge channel \"{}\" is an {} of the network, \"{}\" an {} of its process",
+                                      edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction),
+                                      shown(process), word(direction)),
+                          "an input of the network leads to an input of a process, an output to an output");
+    }
+
+    ChannelEnd end_of(const DraftChannelEnd& end) const {
+        if (end.process == nowhere)
+            return {nowhere, end.port, c_.draft.edge_channels[end.edge_channel].edge};
+        return {end.process, end.port, c_.draft.processes[end.process].node};
+    }
+
+    void bind(const DraftChannelEnd& end, Direction direction) {
+        if (end.process != nowhere)
+            bindings_[end.process].push_back({end.port, direction, c_.network.channels.size()});
+    }
+
+    /// A channel of a process that is placed on a link to an edge without an edge channel: as the real tool
+    /// has it.
+    void add_placed(std::size_t index, const PortDeclaration& port, const std::string& name,
+                    const DraftPlacement& placement) {
+        auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
+        std::size_t edge = placement.where.link < 0 ? placement.where.node : nowhere;
+        if (wire != c_.connection_at.end()) {
+            const auto& connection = c_.network.connections[wire->second];
+            edge = connection.a.link < 0 ? connection.a.node : connection.b.link < 0 ? connection.b.node : nowhere;
+        }
+        const auto& process = c_.draft.processes[index];
+        if (edge == nowhere)
+            return c_.reporter.error(
+                placement.at,
+                fmt::format("the channel \"{}.{}\" is placed, but connected to nothing", process.name, name),
+                fmt::format("connect {}.{} to ...;", process.name, name));
+        NetworkChannel channel;
+        ChannelEnd inner{index, name, process.node}, outer{nowhere, "", edge};
+        bool out = port.direction == Direction::output;
+        channel.from = out ? inner : outer;
+        channel.to = out ? outer : inner;
+        auto inner_name = process.name + "." + name;
+        const auto& edge_name = c_.draft.nodes[edge].name;
+        channel.name = out ? inner_name + " -> " + edge_name : edge_name + " -> " + inner_name;
+        channel.connected = placement.at;
+        bind({index, nowhere, name, placement.at}, port.direction);
+        c_.network.channels.push_back(std::move(channel));
+        c_.draft_channel.push_back(nowhere);
+    }
+
+    void finish_process(std::size_t index) {
+        const auto& process = c_.draft.processes[index];
+        if (process.interface)
+            check_interface(index, *process.interface);
+        else if (c_.kinds[index] != nullptr)
+            check_kind(index, *c_.kinds[index]);
+        auto& bindings = bindings_[index];
+        std::stable_sort(bindings.begin(), bindings.end(), [&](const PortBinding& x, const PortBinding& y) {
+            auto key = [&](const PortBinding& b) { return std::pair(order(index, b.port), subscripts_of(b.port)); };
+            return key(x) < key(y);
+        });
+        c_.network.processes[index].ports = bindings;
+    }
+
+    /// The port's position among the kind's ports, or in the interface of a stand-in.
+    std::size_t order(std::size_t index, std::string_view port) const {
+        auto position = [&](const auto& ports) {
+            auto found = std::find_if(ports.begin(), ports.end(),
+                                      [&](const auto& known) { return known.name == base_name(port); });
+            return static_cast<std::size_t>(found - ports.begin());
+        };
+        const auto* kind = c_.kinds[index];
+        return kind != nullptr ? position(kind->ports) : position(c_.draft.processes[index].interface->ports);
+    }
+
+    void check_interface(std::size_t index, const Interface& interface) {
+        std::set<std::string> bound;
+        for (const auto& binding : bindings_[index])
+            bound.insert(binding.port);
+        for (const auto& port : interface.ports)
+            for (std::size_t i = 0; i < element_count(port.dimensions); ++i) {
+                auto name = element_name(port.name, element_subscripts(i, port.dimensions));
+                if (bound.contains(name))
+                    continue;
+                if (auto placed = c_.draft.placements.find({index, name}); placed != c_.draft.placements.end())
+                    add_placed(index, port, name, placed->second);
+                else if (!is_optional(index, port.name))
+                    refuse_unconnected(index, port.at, name);
+            }
+    }
+
+    bool is_optional(std::size_t index, const std::string& port) const {
+        const auto* known = c_.kinds[index] == nullptr ? nullptr : c_.kinds[index]->port(port);
+        return known != nullptr && known->optional;
+    }
+
+    /// Not where a refused connect was about this channel, or about one that the process has not.
+    void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
+        if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
+            return;
+        const auto& process = c_.draft.processes[index];
+        c_.reporter.error(at, fmt::format("the channel \"{}.{}\" is neither connected nor placed", process.name, port),
+                          fmt::format("connect {}.{} to ...;", process.name, port));
+    }
+
+    /// Without an interface the ports are those that were connected; the kind says which must be among them.
+    void check_kind(std::size_t index, const ProcessKind& kind) {
+        const auto& process = c_.draft.processes[index];
+        for (const auto& port : kind.ports) {
+            std::vector<std::vector<std::int64_t>> used;
+            for (const auto& binding : bindings_[index])
+                if (base_name(binding.port) == port.name)
+                    used.push_back(subscripts_of(binding.port));
+            if (used.empty() && !port.optional)
+                refuse_unconnected(index, process.declared, port.name);
+            std::sort(used.begin(), used.end());
+            for (std::size_t i = 0; i < used.size(); ++i)
+                if (!used[i].empty() && (used[i].size() > 1 || used[i][0] != static_cast<std::int64_t>(i)))
+                    return c_.reporter.error(process.declared,
+                                             fmt::format("the channels {}[...] of \"{}\" are not numbered 0, 1, 2 ...",
+                                                         port.name, process.name),
+                                             fmt::format("{}[{}] is connected to nothing", port.name, i));
+                else if (used[i].empty() && used.size() > 1)
+                    return c_.reporter.error(process.declared, fmt::format("the channel \"{}\" of \"{}\" is connected "
+                                                                           "both with and without a subscript",
+                                                                           port.name, process.name));
+        }
+        check_placed(index);
+    }
+
+    /// Without an interface, what is placed must be connected.
+    void check_placed(std::size_t index) {
+        const auto& placements = c_.draft.placements;
+        for (auto placed = placements.lower_bound({index, ""});
+             placed != placements.end() && placed->first.first == index; ++placed) {
+            const auto& port = placed->first.second;
+            if (std::any_of(bindings_[index].begin(), bindings_[index].end(),
+                            [&](const PortBinding& binding) { return binding.port == port; }))
+                continue;
+            const auto& process = c_.draft.processes[index];
+            c_.reporter.error(
+                placed->second.at,
+                fmt::format("the channel \"{}.{}\" is placed, but connected to nothing", process.name, port),
+                fmt::format("connect {}.{} to ...;", process.name, port));
+        }
+    }
+
+    Completion& c_;
+    std::vector<std::vector<PortBinding>> bindings_;
+    std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port, in a connect
+    std::set<std::size_t> misnamed_;                          ///< processes of which an unknown channel was named
+    bool refused_ = false;                                    ///< some connect was
+};
+
+} // namespace
+
+void complete_channels(Completion& completion) { Channels(completion).run(); }
+
+} // namespace placedpar

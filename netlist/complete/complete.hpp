@@ -1,0 +1,49 @@
+#pragma once
+
+#include "netlist/catalogue.hpp"
+#include "netlist/elaborate/draft.hpp"
+#include "netlist/network.hpp"
+#include "text/reporter.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get
+/// their kinds and parameters, channels their directions and carriers. What is wrong is reported; the result
+/// is then not to be used.
+Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter);
+
+/// The parts of complete(), in the order they run. They share:
+struct Completion {
+    Draft draft;
+    const Catalogue& catalogue;
+    Reporter& reporter;
+    Network network;
+    std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
+    std::map<std::size_t, std::size_t> connection_named;              ///< by draft connection
+    std::vector<const ProcessKind*> kinds;                            ///< of each process; null: a stand-in
+    std::vector<bool> kind_refused;                                   ///< unknown, and reported
+    std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
+};
+
+/// "input" or "output".
+constexpr const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
+
+/// complete_wires.cpp: from pieces of wire and crosspoints to connections between processors.
+void complete_wires(Completion& completion);
+/// complete_processes.cpp: placement, kinds, and interfaces against kinds.
+void complete_processes(Completion& completion);
+/// complete_parameters.cpp: the values of all parameters of one process.
+void complete_parameters(Completion& completion, std::size_t process);
+/// complete_channels.cpp: directions, protocols, and ports left unconnected.
+void complete_channels(Completion& completion);
+/// complete_carriers.cpp: what carries each channel.
+void complete_carriers(Completion& completion);
+/// complete_checks.cpp: what the kinds themselves have to say. REQUIRES: nothing was refused.
+void complete_checks(Completion& completion);
+
+} // namespace placedpar

@@ -1,0 +1,202 @@
+#include "netlist/complete/complete.hpp"
+#include "netlist/elaborate/attributes.hpp"
+#include "netlist/elaborate/elaborator.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+/// Works out the parameters of one process.
+class Parameters {
+public:
+    Parameters(Completion& c, std::size_t process)
+        : c_(c), draft_(c.draft.processes[process]), kind_(c.kinds[process]),
+          result_(c.network.processes[process].parameters), given_(c.network.processes[process].given) {}
+
+    void run() {
+        if (draft_.interface)
+            for (const auto& parameter : draft_.interface->parameters)
+                if (parameter.default_value)
+                    take({parameter.name, *parameter.default_value, parameter.at});
+        for (const auto& setting : draft_.settings)
+            take(setting);
+        if (kind_ != nullptr)
+            fill_in_defaults();
+        else if (draft_.interface)
+            check_all_given();
+    }
+
+private:
+    void take(const Setting& setting) {
+        const auto* known = kind_ == nullptr ? nullptr : kind_->parameter(setting.name);
+        const auto* declared = declaration(setting.name);
+        if (known != nullptr)
+            take_for_kind(setting, *known);
+        else if (declared != nullptr && kind_ == nullptr)
+            take_for_stand_in(setting, *declared);
+        else if (declared == nullptr && is_process_attribute(setting.name))
+            apply_process_attribute(draft_, setting, c_.reporter);
+        else if (declared == nullptr)
+            refuse_unknown(setting);
+    }
+
+    const ParameterDeclaration* declaration(const std::string& name) const {
+        if (!draft_.interface)
+            return nullptr;
+        const auto& parameters = draft_.interface->parameters;
+        auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const ParameterDeclaration& known) { return known.name == name; });
+        return found == parameters.end() ? nullptr : &*found;
+    }
+
+    void refuse_unknown(const Setting& setting) {
+        std::vector<std::string> names;
+        if (kind_ != nullptr)
+            for (const auto& parameter : kind_->parameters)
+                names.push_back(parameter.name);
+        else if (draft_.interface)
+            for (const auto& parameter : draft_.interface->parameters)
+                names.push_back(parameter.name);
+        auto whose = kind_ != nullptr ? fmt::format("the kind \"{}\"", kind_->name)
+                                      : fmt::format("the process \"{}\"", draft_.name);
+        c_.reporter.error(setting.at, fmt::format("{} has no parameter \"{}\"", whose, setting.name),
+                          did_you_mean(setting.name, names));
+    }
+
+    void take_for_kind(const Setting& setting, const ParameterDescription& known) {
+        auto value = convert(setting, known.type);
+        if (!value)
+            return;
+        if (const auto* text = std::get_if<std::string>(&*value))
+            check_choice(setting, known, *text);
+        else
+            check_range(setting, known, *value);
+        result_[known.name] = *value;
+        given_[known.name] = setting.at;
+    }
+
+    void check_choice(const Setting& setting, const ParameterDescription& known, const std::string& text) {
+        const auto& choices = known.choices;
+        if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end())
+            return;
+        auto guess = did_you_mean(text, choices);
+        c_.reporter.error(
+            setting.at, fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text),
+            fmt::format("it is one of \"{}\"{}", fmt::join(choices, "\", \""), guess.empty() ? "" : "; " + guess));
+    }
+
+    void check_range(const Setting& setting, const ParameterDescription& known, const Value& value) {
+        const auto* integer = std::get_if<std::int64_t>(&value);
+        auto number = integer != nullptr ? static_cast<double>(*integer) : std::get<double>(value);
+        if ((!known.least || number >= *known.least) && (!known.most || number <= *known.most))
+            return;
+        auto unit = known.unit.empty() ? "" : " " + known.unit;
+        auto range = known.least && known.most ? fmt::format("it goes from {} to {}{}", *known.least, *known.most, unit)
+                     : known.least             ? fmt::format("it is at least {}{}", *known.least, unit)
+                                               : fmt::format("it is at most {}{}", *known.most, unit);
+        c_.reporter.error(setting.at,
+                          fmt::format("the parameter \"{}\" is out of range: {}{}", known.name, number, unit), range);
+    }
+
+    std::optional<Value> convert(const Setting& setting, ParameterType type) {
+        const auto& value = setting.value;
+        if (type == ParameterType::integer && value.integer() != nullptr)
+            return value.integer()->value;
+        if (type == ParameterType::real && value.real() != nullptr)
+            return *value.real();
+        if (type == ParameterType::real && value.integer() != nullptr)
+            return static_cast<double>(value.integer()->value);
+        if (type == ParameterType::text && value.text() != nullptr)
+            return *value.text();
+        static constexpr const char* wanted[] = {"an integer", "a number", "a string"};
+        c_.reporter.error(
+            setting.at,
+            fmt::format("wrong type for the parameter \"{}\": {} is {}", setting.name, shown(value), type_name(value)),
+            fmt::format("it takes {}", wanted[static_cast<int>(type)]));
+        return std::nullopt;
+    }
+
+    void take_for_stand_in(const Setting& setting, const ParameterDeclaration& declared) {
+        auto type =
+            declared.type == "float" || declared.type == "double" ? ParameterType::real : ParameterType::integer;
+        if (declared.type == "char" && declared.dimensions.size() == 1 && setting.value.text() != nullptr)
+            result_[declared.name] = *setting.value.text();
+        else
+            flatten(setting, type, declared, {});
+    }
+
+    /// An array comes to one parameter an element: "a[0]", "a[1]".
+    void flatten(const Setting& setting, ParameterType type, const ParameterDeclaration& declared,
+                 std::vector<std::int64_t> subscripts) {
+        auto level = subscripts.size();
+        if (level == declared.dimensions.size()) {
+            if (auto value = convert(setting, type))
+                result_[element_name(declared.name, subscripts)] = *value;
+            return;
+        }
+        const auto* array = setting.value.array();
+        if (array == nullptr || static_cast<std::int64_t>((*array)->size()) != declared.dimensions[level]) {
+            auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
+                                          : fmt::format("an array of {} elements", (*array)->size());
+            c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
+                              fmt::format("it takes an array of {} elements", declared.dimensions[level]),
+                              {{"declared here", declared.at}});
+            return;
+        }
+        subscripts.push_back(0);
+        for (const auto& element : **array) {
+            flatten({setting.name, element, setting.at}, type, declared, subscripts);
+            ++subscripts.back();
+        }
+    }
+
+    void fill_in_defaults() {
+        for (const auto& parameter : kind_->parameters) {
+            if (result_.contains(parameter.name))
+                continue;
+            if (parameter.default_value)
+                result_.emplace(parameter.name, *parameter.default_value);
+            else if (!was_given(parameter.name))
+                refuse_missing(parameter.name);
+        }
+    }
+
+    void check_all_given() {
+        for (const auto& parameter : draft_.interface->parameters)
+            if (!parameter.default_value && !was_given(parameter.name))
+                refuse_missing(parameter.name);
+    }
+
+    bool was_given(const std::string& name) const {
+        return std::any_of(draft_.settings.begin(), draft_.settings.end(),
+                           [&](const Setting& setting) { return setting.name == name; });
+    }
+
+    void refuse_missing(const std::string& name) {
+        c_.reporter.error(draft_.declared, fmt::format("the parameter \"{}\" of \"{}\" is missing", name, draft_.name),
+                          fmt::format("{} ({} = ...);", draft_.name, name));
+    }
+
+    Completion& c_;
+    DraftProcess& draft_;
+    const ProcessKind* kind_;
+    std::map<std::string, Value>& result_;
+    std::map<std::string, Location>& given_;
+};
+
+} // namespace
+
+void complete_parameters(Completion& completion, std::size_t process) {
+    try {
+        Parameters(completion, process).run();
+    } catch (const StatementRefused&) {
+        // an attribute set by a statement was refused, and reported
+    }
+}
+
+} // namespace placedpar

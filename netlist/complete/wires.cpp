@@ -1,0 +1,146 @@
+#include "netlist/complete/complete.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+using Socket = std::pair<std::size_t, int>; ///< node and link
+
+Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
+
+/// Follows wires through switches.
+class Wiring {
+public:
+    explicit Wiring(Completion& completion) : c_(completion), done_(completion.draft.wires.size(), false) {
+        index(c_.draft.wires, wire_at_);
+        index(c_.draft.crosspoints, crosspoint_at_);
+    }
+
+    void run() {
+        for (std::size_t i = 0; i < c_.draft.wires.size(); ++i)
+            if (!done_[i])
+                follow(i);
+    }
+
+private:
+    static void index(const std::vector<DraftWire>& wires, std::map<Socket, std::size_t>& at) {
+        for (std::size_t i = 0; i < wires.size(); ++i) {
+            at.emplace(socket(wires[i].a), i);
+            at.emplace(socket(wires[i].b), i);
+        }
+    }
+
+    bool at_switch(const LinkEnd& end) const { return c_.draft.nodes[end.node].kind == NodeKind::c004; }
+
+    static LinkEnd other_end(const DraftWire& wire, const LinkEnd& end) {
+        return socket(wire.a) == socket(end) ? wire.b : wire.a;
+    }
+
+    void follow(std::size_t first) {
+        const auto& wire = c_.draft.wires[first];
+        if (at_switch(wire.a) && at_switch(wire.b))
+            return; // reached from the processors at the ends of the chain, or from nowhere
+        LinkConnection connection;
+        connection.a = at_switch(wire.a) ? wire.b : wire.a;
+        connection.connected = wire.at;
+        std::vector<std::size_t> pieces{first};
+        auto reached = other_end(wire, connection.a);
+        while (at_switch(reached)) {
+            auto crosspoint = crosspoint_at_.find(socket(reached));
+            if (crosspoint == crosspoint_at_.end())
+                return leads_nowhere(wire, reached, "the switch sets no crosspoint for it");
+            auto leaves = other_end(c_.draft.crosspoints[crosspoint->second], reached);
+            connection.crossings.push_back({reached.node, reached.link, leaves.link});
+            auto next = wire_at_.find(socket(leaves));
+            if (next == wire_at_.end())
+                return leads_nowhere(wire, leaves, "no wire leaves the switch there");
+            pieces.push_back(next->second);
+            reached = other_end(c_.draft.wires[next->second], leaves);
+        }
+        connection.b = reached;
+        for (auto piece : pieces)
+            done_[piece] = true;
+        add(std::move(connection), pieces);
+    }
+
+    void leads_nowhere(const DraftWire& wire, const LinkEnd& at, const std::string& why) {
+        c_.reporter.warning(
+            wire.at, fmt::format("the wire ends at \"{}.link[{}]\": {}", c_.draft.nodes[at.node].name, at.link, why));
+    }
+
+    void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {
+        if (connection.a.node == connection.b.node)
+            return c_.reporter.error(
+                connection.connected,
+                fmt::format("two links of the same processor \"{}\" are connected through a switch",
+                            c_.draft.nodes[connection.a.node].name));
+        if (connection.a.link < 0 && connection.b.link < 0)
+            return c_.reporter.error(connection.connected, "two edges cannot be connected, through a switch neither");
+        auto place = c_.network.connections.size();
+        std::optional<std::int64_t> speed;
+        for (auto piece : pieces) {
+            auto named = c_.draft.wires[piece].connection;
+            if (named == nowhere)
+                continue;
+            const auto& attributes = c_.draft.connections[named];
+            c_.connection_named.emplace(named, place);
+            if (connection.name.empty())
+                connection.name = attributes.name;
+            connection.metres += attributes.metres.value_or(0);
+            if (speed && attributes.bits_per_second && *speed != *attributes.bits_per_second)
+                return c_.reporter.error(attributes.declared,
+                                         fmt::format("the pieces of one connection run at {} and {} bit/s", *speed,
+                                                     *attributes.bits_per_second));
+            speed = attributes.bits_per_second ? attributes.bits_per_second : speed;
+        }
+        connection.bits_per_second = speed ? *speed : speed_of_ends(connection);
+        for (const auto& end : {connection.a, connection.b})
+            if (end.link >= 0)
+                c_.connection_at.emplace(socket(end), place);
+        c_.network.connections.push_back(std::move(connection));
+    }
+
+    std::int64_t speed_of_ends(const LinkConnection& connection) {
+        const auto &a = c_.draft.nodes[connection.a.node], &b = c_.draft.nodes[connection.b.node];
+        if (a.kind == NodeKind::edge)
+            return b.link_bits_per_second;
+        if (b.kind != NodeKind::edge && a.link_bits_per_second != b.link_bits_per_second)
+            c_.reporter.error(connection.connected,
+                              fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s", a.name,
+                                          a.link_bits_per_second, b.name, b.link_bits_per_second),
+                              "set both by a connection: connection (linkspeed = 10M) c; connect ... by c;",
+                              {{"declared here", a.declared}, {"declared here", b.declared}});
+        return a.link_bits_per_second;
+    }
+
+    Completion& c_;
+    std::vector<bool> done_;
+    std::map<Socket, std::size_t> wire_at_, crosspoint_at_;
+};
+
+bool is_computer(const Node& node) { return node.kind == NodeKind::processor || node.kind == NodeKind::workstation; }
+
+void check_isolated(Completion& c) {
+    std::vector<bool> wired(c.draft.nodes.size(), false);
+    for (const auto& connection : c.network.connections)
+        wired[connection.a.node] = wired[connection.b.node] = true;
+    if (std::count_if(c.draft.nodes.begin(), c.draft.nodes.end(), is_computer) < 2)
+        return;
+    for (std::size_t i = 0; i < wired.size(); ++i)
+        if (const auto& node = c.draft.nodes[i]; !wired[i] && is_computer(node))
+            c.reporter.error(node.declared, fmt::format("the processor \"{}\" is connected to nothing", node.name),
+                             fmt::format("connect {}.link[0] to ...;", node.name));
+}
+
+} // namespace
+
+void complete_wires(Completion& completion) {
+    Wiring(completion).run();
+    check_isolated(completion);
+}
+
+} // namespace placedpar

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "netlist/elaborate/draft.hpp"
+#include "netlist/elaborate/evaluator.hpp"
+#include "netlist/node_type.hpp"
+
+namespace placedpar {
+
+/// What stands in the parentheses of a declaration. All throw StatementRefused after having reported.
+
+/// Evaluates attributes, groups flattened: `order (code = 1)` comes to "order.code". None may be given twice.
+std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
+                                         const std::vector<Attribute>& attributes);
+
+/// `scopes` knows the types that the attribute `type` may name.
+void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
+                           Reporter& reporter);
+void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
+
+bool is_process_attribute(const std::string& name);
+const std::vector<std::string>& process_attribute_names();
+/// REQUIRES: is_process_attribute(setting.name).
+void apply_process_attribute(DraftProcess& process, const Setting& setting, Reporter& reporter);
+
+} // namespace placedpar

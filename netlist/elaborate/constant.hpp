@@ -1,0 +1,51 @@
+#pragma once
+
+#include "netlist/language/token.hpp"
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+inline constexpr int deepest_array = 8;
+
+struct Constant;
+using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
+
+/// What an expression comes to. Characters and TRUE, FALSE, HIGH, LOW are integers.
+struct Constant {
+    std::variant<Integer, double, std::string, ConstantArray> value;
+    int depth = 0; ///< of an array: how deep its elements nest
+
+    const Integer* integer() const { return std::get_if<Integer>(&value); }
+    const double* real() const { return std::get_if<double>(&value); }
+    const std::string* text() const { return std::get_if<std::string>(&value); }
+    const ConstantArray* array() const { return std::get_if<ConstantArray>(&value); }
+    bool is_number() const { return integer() != nullptr || real() != nullptr; }
+};
+
+Constant integer_constant(std::int64_t value);
+
+/// "an integer", "a real number", "a string", "an array".
+std::string type_name(const Constant& constant);
+/// As it could stand in a netlist, cut short when it is long.
+std::string shown(const Constant& constant);
+
+/// Thrown by the operations below when the language has no result for them; the evaluator reports it with
+/// its place.
+struct NoResult {
+    std::string message;
+    std::string hint;
+};
+
+/// Integers are 64 bits wide and never wrap round; with one real operand the result is real. && and || are
+/// the evaluator's.
+Constant apply_unary(const std::string& symbol, const Constant& operand);
+Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
+/// char and short take only what fits them; a real is cut off towards zero.
+Constant apply_cast(const std::string& type, const Constant& operand);
+Constant apply_subscript(const Constant& array, const Constant& subscript);
+
+} // namespace placedpar

@@ -1,0 +1,151 @@
+#include "netlist/elaborate/elaborator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts) {
+    auto result = name;
+    for (auto subscript : subscripts)
+        result += fmt::format("[{}]", subscript);
+    return result;
+}
+
+std::size_t element_count(const std::vector<std::int64_t>& dimensions) {
+    std::size_t count = 1;
+    for (auto size : dimensions)
+        count *= static_cast<std::size_t>(size);
+    return count;
+}
+
+std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions) {
+    std::vector<std::int64_t> result(dimensions.size());
+    for (auto i = dimensions.size(); i-- > 0;) {
+        auto size = static_cast<std::size_t>(dimensions[i]);
+        result[i] = static_cast<std::int64_t>(element % size);
+        element /= size;
+    }
+    return result;
+}
+
+void Elaborator::check_free(const std::string& name, const Location& at) {
+    if (const auto* known = scopes_.find_in_this_block(name))
+        refuse(at, fmt::format("the name \"{}\" is declared twice", name), "",
+               {{fmt::format("first declared here, as {}", describe(*known)), known->declared}});
+}
+
+/// Blocks that are replicated declare a name several times; in the network each has its own.
+std::string Elaborator::claim_name(const std::string& name) {
+    auto claimed = name;
+    auto& number = copies_[name];
+    number = std::max(number, 1);
+    while (!claimed_.insert(claimed).second)
+        claimed = fmt::format("{}_{}", name, ++number);
+    return claimed;
+}
+
+void Elaborator::count_things(std::size_t count, const Location& at) {
+    draft_.things += count;
+    if (draft_.things <= most_things)
+        return;
+    reporter_.error(at, fmt::format("the network is too large: it may have {} processors, processes and channel ends "
+                                    "in all",
+                                    most_things));
+    throw GiveUp{};
+}
+
+std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
+    if (declarator.dimensions.size() > most_dimensions)
+        refuse(declarator.dimensions[most_dimensions]->at,
+               fmt::format("\"{}\" has too many dimensions: {}", declarator.name, declarator.dimensions.size()),
+               fmt::format("{} are allowed", most_dimensions));
+    std::vector<std::int64_t> sizes;
+    std::size_t product = 1;
+    for (const auto& expression : declarator.dimensions) {
+        auto size = evaluator_.integer(*expression, "a dimension").value;
+        if (size < 1)
+            refuse(expression->at, fmt::format("illegal dimension size {} of \"{}\"", size, declarator.name),
+                   "an array has at least one element; declare what may be absent inside an \"if\"");
+        if (static_cast<std::uint64_t>(size) > most_things || (product *= static_cast<std::size_t>(size)) > most_things)
+            refuse(expression->at,
+                   fmt::format("illegal dimension size {} of \"{}\": the array is too large", size, declarator.name),
+                   fmt::format("a network has {} things at most", most_things));
+        sizes.push_back(size);
+    }
+    return sizes;
+}
+
+void Elaborator::declare(const Declarator& declarator, Category category, std::size_t first,
+                         const std::function<void(std::string)>& add, std::size_t weight) {
+    check_free(declarator.name, declarator.at);
+    auto sizes = dimensions(declarator);
+    auto count = element_count(sizes);
+    count_things(count * weight, declarator.at);
+    auto base = claim_name(declarator.name);
+    for (std::size_t i = 0; i < count; ++i)
+        add(element_name(base, element_subscripts(i, sizes)));
+    scopes_.declare(declarator.name, {DeclaredThings{category, first, sizes}, declarator.at});
+}
+
+NodeType Elaborator::node_type(const std::string& name, const Location& at) {
+    const auto* symbol = scopes_.find(name);
+    if (symbol == nullptr)
+        refuse_undefined(reporter_, scopes_, name, at);
+    const auto* type = std::get_if<NodeType>(&symbol->meaning);
+    if (type == nullptr)
+        refuse(at, fmt::format("\"{}\" is {}, not a node type", name, describe(*symbol)));
+    if (!type->refusal.empty())
+        refuse(at, fmt::format("a {} cannot be declared: {}", name, type->refusal));
+    return *type;
+}
+
+void Elaborator::perform(const DefineStatement& form, const Location&) {
+    auto type = node_type(form.base, form.base_at);
+    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_, reporter_);
+    for (const auto& name : form.names) {
+        check_free(name.name, name.at);
+        scopes_.declare(name.name, {type, name.at});
+    }
+}
+
+void Elaborator::perform(const NodeDeclaration& form, const Location&) {
+    auto type = node_type(form.type, form.type_at);
+    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_, reporter_);
+    if (type.needs_type)
+        refuse(form.type_at, "the type of the processor is missing", "processor (type = \"T800\") name;");
+    for (const auto& name : form.names)
+        declare(
+            name, Category::node, draft_.nodes.size(),
+            [&](std::string unique) {
+                auto node = type.preset;
+                node.name = std::move(unique);
+                node.declared = name.at;
+                draft_.nodes.push_back(std::move(node));
+                draft_.links.push_back(type.links);
+            },
+            1 + type.preset.other.size());
+}
+
+void Elaborator::perform(const ConnectionDeclaration& form, const Location&) {
+    auto settings = evaluate_attributes(evaluator_, reporter_, form.attributes);
+    DraftConnection pattern;
+    apply_connection_attributes(pattern, settings, reporter_);
+    for (const auto& name : form.names)
+        declare(name, Category::connection, draft_.connections.size(), [&](std::string unique) {
+            auto connection = pattern;
+            connection.name = std::move(unique);
+            connection.declared = name.at;
+            draft_.connections.push_back(std::move(connection));
+        });
+}
+
+void Elaborator::perform(const EdgeChannelDeclaration& form, const Location&) {
+    for (const auto& name : form.names)
+        declare(name, Category::edge_channel, draft_.edge_channels.size(), [&](std::string unique) {
+            draft_.edge_channels.push_back({std::move(unique), form.direction, name.at, std::nullopt, nowhere, {}});
+        });
+}
+
+} // namespace placedpar

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "netlist/elaborate/constant.hpp"
+#include "netlist/network.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// Things that one netlist may declare, elements of arrays and channel ends counted one by one.
+inline constexpr std::size_t most_things = 250'000;
+
+/// What the statements of a netlist said, unrolled but not yet checked as a whole. The elaborator fills it;
+/// complete() turns it into a Network.
+
+struct DraftConnection {
+    std::string name;
+    Location declared;
+    std::optional<std::int64_t> bits_per_second;
+    std::optional<double> metres;
+    std::optional<Location> used; ///< by this connect
+};
+
+struct DraftEdgeChannel {
+    std::string name;
+    Direction direction;
+    Location declared;
+    std::optional<Location> connected;
+    std::size_t edge = nowhere;
+    Location placed;
+};
+
+struct PortDeclaration {
+    std::string name;
+    Direction direction;
+    std::vector<std::int64_t> dimensions;
+    Location at;
+};
+
+struct ParameterDeclaration {
+    std::string name, type;
+    std::vector<std::int64_t> dimensions;
+    std::optional<Constant> default_value;
+    Location at;
+};
+
+struct Interface {
+    std::vector<PortDeclaration> ports;
+    std::vector<ParameterDeclaration> parameters;
+};
+
+/// `name (n = 4);`
+struct Setting {
+    std::string name;
+    Constant value;
+    Location at;
+};
+
+struct DraftProcess {
+    std::string name;
+    Location declared;
+    bool high_priority = false;
+    std::map<std::string, Value> other;
+    std::shared_ptr<const Interface> interface; ///< null where the netlist gives none
+    std::vector<Setting> settings;
+    std::string kind;
+    std::optional<Location> used; ///< by this `use`
+    std::size_t node = nowhere;
+    Location placed;
+};
+
+/// One piece of wire, or a crosspoint: then both ends are at the same switch.
+struct DraftWire {
+    LinkEnd a, b;
+    std::size_t connection = nowhere;
+    Location at;
+};
+
+struct DraftChannelEnd {
+    std::size_t process = nowhere; ///< or nowhere, for
+    std::size_t edge_channel = nowhere;
+    std::string port;
+    Location at;
+};
+
+struct DraftChannel {
+    DraftChannelEnd a, b;
+    std::size_t connection = nowhere;
+    Location at;
+};
+
+/// `place p.out on t.link[2];` or `... on edge;` (link -1).
+struct DraftPlacement {
+    LinkEnd where;
+    Location at;
+};
+
+/// `place c1 on c2;`
+struct DraftConnectionPlacement {
+    std::size_t wire = nowhere; ///< the connection that wires the links
+    Location at;
+};
+
+struct Draft {
+    std::vector<Node> nodes;
+    std::vector<int> links; ///< of each node
+    std::vector<DraftConnection> connections;
+    std::vector<DraftEdgeChannel> edge_channels;
+    std::vector<DraftProcess> processes;
+    std::vector<DraftWire> wires, crosspoints;
+    std::vector<DraftChannel> channels;
+    std::map<std::pair<std::size_t, std::string>, DraftPlacement> placements; ///< by process and port
+    std::map<std::size_t, DraftConnectionPlacement> connection_placements;    ///< by the channel's connection
+    std::string default_kind;                                                 ///< `use ... for process;`
+    Location default_used;
+    std::size_t things = 0;
+};
+
+} // namespace placedpar

@@ -1,0 +1,151 @@
+#include "netlist/elaborate/elaborator.hpp"
+
+#include "netlist/language/parser.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+/// What a statement would have declared.
+std::vector<std::string> declared_names(const Statement& statement) {
+    std::vector<std::string> names;
+    auto add = [&](const std::vector<Declarator>& declarators) {
+        for (const auto& declarator : declarators)
+            names.push_back(declarator.name);
+    };
+    std::visit(
+        [&](const auto& form) {
+            using Form = std::decay_t<decltype(form)>;
+            if constexpr (std::is_same_v<Form, ValStatement>)
+                names.push_back(form.name);
+            else if constexpr (requires { form.names; })
+                add(form.names);
+        },
+        statement.form);
+    return names;
+}
+
+struct ParsedOverride {
+    ExpressionPointer value;
+    Location at;
+};
+
+/// The text "NAME=VALUE" as a source of its own, so that messages can show it.
+ParsedOverride parse_override(const std::string& name, const std::string& value, Reporter& reporter) {
+    auto source = check_source("--set", name + "=" + value);
+    Location at{source.file, 1, 1};
+    for (const auto& problem : source.problems) {
+        reporter.error(at, problem.message);
+        throw StatementRefused{};
+    }
+    TokenStream tokens(source.file, "--set", reporter);
+    auto first = tokens.take();
+    auto second = tokens.take();
+    if (first.kind != TokenKind::name || !second.is("=")) {
+        reporter.error(at, "this sets no val", "--set NAME=VALUE");
+        throw StatementRefused{};
+    }
+    return {Parser(tokens, reporter).parse_whole_expression(), at};
+}
+
+} // namespace
+
+Elaborator::Elaborator(Reporter& reporter, const Overrides& overrides)
+    : reporter_(reporter), overrides_(overrides), evaluator_(scopes_, reporter) {
+    for (const auto& name : scopes_.names())
+        claimed_.insert(name);
+    scopes_.declare_predefined("host", {DeclaredThings{Category::node, nowhere, {}}, {}});
+}
+
+void Elaborator::refuse(const Location& at, std::string message, std::string hint, std::vector<SecondPlace> others) {
+    reporter_.error(at, std::move(message), std::move(hint), std::move(others));
+    throw StatementRefused{};
+}
+
+void Elaborator::run(const Statements& statements) { execute_all(statements); }
+
+void Elaborator::execute_all(const Statements& statements) {
+    for (const auto& statement : statements)
+        execute(statement);
+}
+
+void Elaborator::execute(const Statement& statement) {
+    evaluator_.step(statement.at);
+    try {
+        std::visit([&](const auto& form) { perform(form, statement.at); }, statement.form);
+    } catch (const StatementRefused&) {
+        for (const auto& name : declared_names(statement))
+            scopes_.poison(name);
+    }
+}
+
+void Elaborator::perform(const ValStatement& form, const Location& at) {
+    check_free(form.name, at);
+    auto value = evaluator_.evaluate(*form.value);
+    if (scopes_.outermost()) {
+        vals_seen_.push_back(form.name);
+        if (auto found = overrides_.find(form.name); found != overrides_.end())
+            value = overridden(form.name, value, found->second);
+    }
+    scopes_.declare(form.name, {value, at});
+}
+
+Constant Elaborator::overridden(const std::string& name, const Constant& original, const std::string& text) {
+    auto parsed = parse_override(name, text, reporter_);
+    auto value = evaluator_.evaluate(*parsed.value);
+    if (value.value.index() != original.value.index() && !(value.integer() != nullptr && original.real() != nullptr))
+        refuse(parsed.at, fmt::format("wrong type for the val \"{}\": {} is {}", name, shown(value), type_name(value)),
+               fmt::format("the netlist gives it {}, {}", shown(original), type_name(original)));
+    return value;
+}
+
+void Elaborator::check_overrides() {
+    for (const auto& [name, text] : overrides_) {
+        if (std::find(vals_seen_.begin(), vals_seen_.end(), name) != vals_seen_.end())
+            continue;
+        auto source = std::make_shared<SourceFile>("--set", name + "=" + text);
+        auto hint = did_you_mean(name, vals_seen_);
+        reporter_.error({source, 1, 1}, fmt::format("the netlist has no val \"{}\" outside of blocks", name),
+                        vals_seen_.empty() ? "it has none at all" : hint);
+    }
+}
+
+void Elaborator::perform(const RepStatement& form, const Location& at) {
+    auto first = evaluator_.integer(*form.first, "a replicator").value;
+    auto count = evaluator_.integer(*form.count, "a replicator's count").value;
+    std::int64_t last = 0;
+    if (count < 0)
+        refuse(form.count->at, fmt::format("a replicator cannot count {} times", count), "the count is 0 or more");
+    if (__builtin_add_overflow(first, count, &last))
+        refuse(form.count->at, fmt::format("{} + {} is beyond 64 bits", first, count));
+    std::size_t rounds_in_vain = 0;
+    for (auto i = first; i < last; ++i) {
+        if (reporter_.failed() && ++rounds_in_vain > most_repeated)
+            return; // the netlist is refused, and what else there is to say has been said
+        evaluator_.step(at);
+        scopes_.open();
+        scopes_.declare(form.name, {integer_constant(i), form.name_at});
+        execute(*form.body);
+        scopes_.close();
+    }
+}
+
+void Elaborator::perform(const IfStatement& form, const Location&) {
+    if (evaluator_.condition(*form.condition))
+        execute(*form.then);
+    else if (form.otherwise)
+        execute(*form.otherwise);
+}
+
+void Elaborator::perform(const BlockStatement& form, const Location&) {
+    scopes_.open();
+    execute_all(form.statements);
+    scopes_.close();
+}
+
+} // namespace placedpar

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "netlist/elaborate/attributes.hpp"
+#include "netlist/elaborate/draft.hpp"
+#include "netlist/elaborate/evaluator.hpp"
+#include "netlist/elaborate/scope.hpp"
+#include "netlist/language/syntax.hpp"
+#include "netlist/read.hpp"
+
+#include <functional>
+#include <set>
+
+namespace placedpar {
+
+inline constexpr std::size_t most_dimensions = 8;
+inline constexpr std::size_t most_interface_entries = 1000;
+
+/// Executes the statements of a netlist: replicates, decides, and writes down in a draft what is declared,
+/// connected and placed. A statement that is refused is reported and left out; the next one is tried.
+class Elaborator {
+public:
+    Elaborator(Reporter& reporter, const Overrides& overrides);
+
+    void run(const Statements& statements);
+    /// After run(): reports overrides of vals that there are not.
+    void check_overrides();
+    Draft take() { return std::move(draft_); }
+
+private:
+    using Category = DeclaredThings::Category;
+
+    // elaborator.cpp
+    void execute(const Statement& statement);
+    void execute_all(const Statements& statements);
+    void perform(const ValStatement& form, const Location& at);
+    void perform(const RepStatement& form, const Location& at);
+    void perform(const IfStatement& form, const Location& at);
+    void perform(const BlockStatement& form, const Location& at);
+    Constant overridden(const std::string& name, const Constant& original, const std::string& text);
+
+    // elaborate_declaration.cpp
+    void perform(const DefineStatement& form, const Location& at);
+    void perform(const NodeDeclaration& form, const Location& at);
+    void perform(const ConnectionDeclaration& form, const Location& at);
+    void perform(const EdgeChannelDeclaration& form, const Location& at);
+    std::vector<std::int64_t> dimensions(const Declarator& declarator);
+    void check_free(const std::string& name, const Location& at);
+    std::string claim_name(const std::string& name);
+    void count_things(std::size_t count, const Location& at);
+    NodeType node_type(const std::string& name, const Location& at);
+    /// Declares the elements of one declarator; `add` writes one of them, by its name, into the draft.
+    void declare(const Declarator& declarator, Category category, std::size_t first,
+                 const std::function<void(std::string)>& add, std::size_t weight = 1);
+
+    // elaborate_process.cpp
+    void perform(const ProcessDeclaration& form, const Location& at);
+    void perform(const ParameterSetting& form, const Location& at);
+    void perform(const UseStatement& form, const Location& at);
+    std::shared_ptr<const Interface> interface(const std::vector<InterfaceEntry>& entries);
+
+    // elaborate_connect.cpp
+    void perform(const ConnectStatement& form, const Location& at);
+    void connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at);
+    void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form, const Location& at);
+    void use_link(const LinkEnd& end, const Reference& reference, bool crosspoint);
+    std::size_t connection_for(const ConnectStatement& form, const Location& at);
+
+    // elaborate_place.cpp
+    void perform(const PlaceStatement& form, const Location& at);
+    void place_process(const PlaceStatement& form);
+    void place_port(const PlaceStatement& form);
+    void place_edge_channel(const PlaceStatement& form);
+    void place_connection(const PlaceStatement& form);
+
+    // elaborate_reference.cpp: what a reference names
+    struct Elements {
+        std::size_t first = 0, count = 0;
+    };
+    struct Found {
+        Category category;
+        std::vector<std::int64_t> dimensions;
+        std::size_t first;
+    };
+    Found find(const Reference& reference);
+    Elements elements(const Reference& reference, const Found& found);
+    /// One element, completely subscripted.
+    std::size_t element(const Reference& reference, const Found& found);
+    LinkEnd link_end(const Reference& reference, const Found& found);
+    [[noreturn]] void refuse_unknown_port(const DraftProcess& process, const Reference& reference);
+    DraftChannelEnd port_end(const Reference& reference, const Found& found);
+    std::vector<std::int64_t> subscripts(const std::vector<ExpressionPointer>& expressions);
+    std::string link_name(const LinkEnd& end) const;
+
+    [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
+                             std::vector<SecondPlace> others = {});
+
+    Reporter& reporter_;
+    const Overrides& overrides_;
+    Scopes scopes_;
+    Evaluator evaluator_;
+    Draft draft_;
+    std::vector<Setting> process_defaults_;
+    std::shared_ptr<const Interface> default_interface_;
+    std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
+    std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
+    std::set<std::string> claimed_;      ///< names that the network has, without subscripts
+    std::map<std::string, int> copies_;  ///< how often a name was claimed again
+    std::vector<std::string> vals_seen_; ///< outside of blocks
+    std::size_t host_ = nowhere;         ///< the predefined edge, once it is used
+};
+
+/// "name[1][2]".
+std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts);
+/// The product; 1 for a single thing.
+std::size_t element_count(const std::vector<std::int64_t>& dimensions);
+/// The subscripts of an element, the last running fastest.
+std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions);
+
+} // namespace placedpar

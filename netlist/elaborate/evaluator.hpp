@@ -1,0 +1,47 @@
+#pragma once
+
+#include "netlist/elaborate/scope.hpp"
+#include "netlist/language/syntax.hpp"
+#include "text/reporter.hpp"
+
+#include <string_view>
+
+namespace placedpar {
+
+/// Steps of evaluation and elaboration that one netlist may take: seconds, not minutes.
+inline constexpr std::size_t most_steps = 5'000'000;
+
+/// Works out expressions in the scopes of the moment. Everything throws StatementRefused after having
+/// reported what is wrong.
+class Evaluator {
+public:
+    Evaluator(const Scopes& scopes, Reporter& reporter) : scopes_(scopes), reporter_(reporter) {}
+
+    Constant evaluate(const Expression& expression);
+
+    /// For `whose`, such as `the attribute "memory"`: "wrong type for ...".
+    Integer integer(const Expression& expression, std::string_view whose);
+    double real(const Expression& expression, std::string_view whose);
+    std::string text(const Expression& expression, std::string_view whose);
+    bool condition(const Expression& expression);
+
+    /// Counts one step of work; gives up beyond the bound.
+    void step(const Location& at);
+
+private:
+    Constant evaluate_name(const NameUse& use, const Location& at);
+    Constant evaluate_logical(const BinaryOperation& operation, const Location& at);
+    Constant evaluate_array(const ArrayConstant& array, const Location& at);
+    [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
+                             std::vector<SecondPlace> others = {});
+
+    const Scopes& scopes_;
+    Reporter& reporter_;
+    std::size_t steps_ = 0;
+};
+
+/// "is undefined", with the nearest known name as a hint. Throws StatementRefused.
+[[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
+                                   const Location& at);
+
+} // namespace placedpar

@@ -1,0 +1,82 @@
+#include "netlist/elaborate/elaborator.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+void Elaborator::perform(const PlaceStatement& form, const Location&) {
+    auto found = find(form.what);
+    if (found.category == Category::process)
+        form.what.field.empty() ? place_process(form) : place_port(form);
+    else if (found.category == Category::edge_channel)
+        place_edge_channel(form);
+    else if (found.category == Category::connection)
+        place_connection(form);
+    else
+        refuse(form.what.at,
+               fmt::format("\"{}\" is a node: processes, channels and connections are placed", form.what.name));
+}
+
+void Elaborator::place_process(const PlaceStatement& form) {
+    auto& process = draft_.processes[element(form.what, find(form.what))];
+    auto where = find(form.where);
+    if (where.category != Category::node)
+        refuse(form.where.at,
+               fmt::format("\"{}\" is no processor: a process is placed on a processor", form.where.name));
+    auto index = element(form.where, where);
+    const auto& node = draft_.nodes[index];
+    if (!form.where.field.empty())
+        refuse(form.where.field_at, "a process is placed on a processor, not on a link");
+    if (node.kind == NodeKind::edge || node.kind == NodeKind::c004)
+        refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name,
+                                          node.kind == NodeKind::edge ? "an edge" : "a switch"));
+    if (process.node != nowhere)
+        refuse(form.what.at, fmt::format("the process \"{}\" is placed twice", process.name), "",
+               {{"first placed here", process.placed}});
+    process.node = index;
+    process.placed = form.what.at;
+}
+
+void Elaborator::place_port(const PlaceStatement& form) {
+    auto end = port_end(form.what, find(form.what));
+    auto where = find(form.where);
+    if (where.category != Category::node)
+        refuse(form.where.at,
+               fmt::format("\"{}\" is no link: a channel is placed on a link or an edge", form.where.name));
+    auto link = link_end(form.where, where);
+    auto [known, is_new] =
+        draft_.placements.emplace(std::pair(end.process, end.port), DraftPlacement{link, form.what.at});
+    if (!is_new)
+        refuse(form.what.at,
+               fmt::format("the channel \"{}.{}\" is placed twice", draft_.processes[end.process].name, end.port), "",
+               {{"first placed here", known->second.at}});
+}
+
+void Elaborator::place_edge_channel(const PlaceStatement& form) {
+    auto& channel = draft_.edge_channels[port_end(form.what, find(form.what)).edge_channel];
+    auto where = find(form.where);
+    auto index = where.category == Category::node ? element(form.where, where) : nowhere;
+    if (index == nowhere || draft_.nodes[index].kind != NodeKind::edge || !form.where.field.empty())
+        refuse(form.where.at, fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
+               "declare it: edge name;");
+    if (channel.edge != nowhere)
+        refuse(form.what.at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
+               {{"first placed here", channel.placed}});
+    channel.edge = index;
+    channel.placed = form.what.at;
+}
+
+void Elaborator::place_connection(const PlaceStatement& form) {
+    auto where = find(form.where);
+    if (where.category != Category::connection)
+        refuse(form.where.at, fmt::format("\"{}\" is no connection: a connection of channels is placed on a connection "
+                                          "of links",
+                                          form.where.name));
+    auto channel = element(form.what, find(form.what)), wire = element(form.where, where);
+    auto [known, is_new] = draft_.connection_placements.emplace(channel, DraftConnectionPlacement{wire, form.what.at});
+    if (!is_new)
+        refuse(form.what.at, fmt::format("the connection \"{}\" is placed twice", draft_.connections[channel].name), "",
+               {{"first placed here", known->second.at}});
+}
+
+} // namespace placedpar

@@ -1,0 +1,134 @@
+#include "netlist/elaborate/elaborator.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+Elaborator::Found Elaborator::find(const Reference& reference) {
+    const auto* symbol = scopes_.find(reference.name);
+    if (symbol == nullptr)
+        refuse_undefined(reporter_, scopes_, reference.name, reference.at);
+    const auto* things = std::get_if<DeclaredThings>(&symbol->meaning);
+    if (things == nullptr)
+        refuse(reference.at,
+               fmt::format("\"{}\" is {}, nothing that can be connected or placed", reference.name, describe(*symbol)));
+    if (things->first != nowhere)
+        return {things->category, things->dimensions, things->first};
+    if (host_ == nowhere) { // the predefined edge comes into being when it is first used
+        host_ = draft_.nodes.size();
+        auto node = predefined_node_type("edge")->preset;
+        node.name = claim_name("host");
+        node.declared = reference.at;
+        draft_.nodes.push_back(std::move(node));
+        draft_.links.push_back(0);
+    }
+    return {Category::node, {}, host_};
+}
+
+std::vector<std::int64_t> Elaborator::subscripts(const std::vector<ExpressionPointer>& expressions) {
+    std::vector<std::int64_t> result;
+    for (const auto& expression : expressions)
+        result.push_back(evaluator_.integer(*expression, "a subscript").value);
+    return result;
+}
+
+Elaborator::Elements Elaborator::elements(const Reference& reference, const Found& found) {
+    const auto& sizes = found.dimensions;
+    auto given = subscripts(reference.subscripts);
+    if (given.size() > sizes.size())
+        refuse(reference.subscripts[sizes.size()]->at,
+               fmt::format("wrong number of subscripts: \"{}\" has {}, here are {}", reference.name, sizes.size(),
+                           given.size()));
+    Elements range{found.first, element_count(sizes)};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (given[i] < 0 || given[i] >= sizes[i])
+            refuse(reference.subscripts[i]->at,
+                   fmt::format("the subscript {} is outside of \"{}\"", given[i], reference.name),
+                   fmt::format("it goes from 0 to {}", sizes[i] - 1));
+        range.count /= static_cast<std::size_t>(sizes[i]);
+        range.first += static_cast<std::size_t>(given[i]) * range.count;
+    }
+    return range;
+}
+
+std::size_t Elaborator::element(const Reference& reference, const Found& found) {
+    auto range = elements(reference, found);
+    if (reference.subscripts.size() < found.dimensions.size())
+        refuse(reference.at,
+               fmt::format("\"{}\" is not completely subscripted: it has {} subscripts, here are {}", reference.name,
+                           found.dimensions.size(), reference.subscripts.size()),
+               fmt::format("such as {}", element_name(reference.name, element_subscripts(0, found.dimensions))));
+    return range.first;
+}
+
+std::string Elaborator::link_name(const LinkEnd& end) const {
+    const auto& node = draft_.nodes[end.node];
+    return end.link < 0 ? node.name : fmt::format("{}.link[{}]", node.name, end.link);
+}
+
+/// `t.link[2]`, or an edge as a whole.
+LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
+    auto node = element(reference, found);
+    const auto& declared = draft_.nodes[node];
+    if (declared.kind == NodeKind::edge) {
+        if (!reference.field.empty())
+            refuse(reference.field_at, fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
+        return {node, -1};
+    }
+    if (reference.field.empty())
+        refuse(reference.at, fmt::format("a link of \"{}\" is missing", declared.name),
+               fmt::format("such as {}.link[0]", declared.name));
+    if (reference.field != "link")
+        refuse(reference.field_at, fmt::format("a node has no \"{}\"", reference.field),
+               fmt::format("its links are {}.link[0] and so on", declared.name));
+    auto given = subscripts(reference.field_subscripts);
+    if (given.size() != 1)
+        refuse(reference.field_at, fmt::format("wrong number of subscripts: \"link\" has 1, here are {}", given.size()),
+               fmt::format("such as {}.link[0]", declared.name));
+    auto links = draft_.links[node];
+    if (given[0] < 0 || given[0] >= links)
+        refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", declared.name, given[0]),
+               fmt::format("a {} has the links 0 to {}", declared.type, links - 1));
+    return {node, static_cast<int>(given[0])};
+}
+
+/// `p.out[1]`, or an edge channel. Of a process without an interface every port is taken as it comes: its
+/// kind is asked when the whole netlist is known.
+DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& found) {
+    auto index = element(reference, found);
+    if (found.category == Category::edge_channel) {
+        if (!reference.field.empty())
+            refuse(reference.field_at, fmt::format("the edge channel \"{}\" has no parts", reference.name));
+        return {nowhere, index, draft_.edge_channels[index].name, reference.at};
+    }
+    const auto& process = draft_.processes[index];
+    if (reference.field.empty())
+        refuse(reference.at, fmt::format("a channel of the process \"{}\" is missing", process.name),
+               fmt::format("such as {}.out", process.name));
+    auto given = subscripts(reference.field_subscripts);
+    DraftChannelEnd end{index, nowhere, element_name(reference.field, given), reference.field_at};
+    if (!process.interface) {
+        count_things(1, reference.field_at);
+        return end;
+    }
+    for (const auto& port : process.interface->ports) {
+        if (port.name != reference.field)
+            continue;
+        if (given.size() != port.dimensions.size())
+            refuse(reference.field_at,
+                   fmt::format("{}: \"{}\" has {}, here are {}",
+                               given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
+                                                                     : "wrong number of subscripts",
+                               port.name, port.dimensions.size(), given.size()),
+                   "", {{"declared here", port.at}});
+        for (std::size_t i = 0; i < given.size(); ++i)
+            if (given[i] < 0 || given[i] >= port.dimensions[i])
+                refuse(reference.field_subscripts[i]->at,
+                       fmt::format("the subscript {} is outside of \"{}\"", given[i], port.name),
+                       fmt::format("it goes from 0 to {}", port.dimensions[i] - 1), {{"declared here", port.at}});
+        return end;
+    }
+    refuse_unknown_port(process, reference);
+}
+
+} // namespace placedpar

@@ -1,0 +1,60 @@
+#include "netlist/elaborate/scope.hpp"
+
+namespace placedpar {
+
+std::string describe(const Symbol& symbol) {
+    if (std::holds_alternative<Constant>(symbol.meaning))
+        return "a val";
+    if (std::holds_alternative<NodeType>(symbol.meaning))
+        return "a node type";
+    const auto& things = std::get<DeclaredThings>(symbol.meaning);
+    std::string array = things.dimensions.empty() ? "a" : "an array of";
+    std::string plural = things.dimensions.empty() ? "" : "s";
+    switch (things.category) {
+    case DeclaredThings::Category::node: return array + " node" + plural;
+    case DeclaredThings::Category::connection: return array + " connection" + plural;
+    case DeclaredThings::Category::edge_channel:
+        return (things.dimensions.empty() ? "an edge channel" : "an array of edge channels");
+    case DeclaredThings::Category::process: break;
+    }
+    return array + " process" + (plural.empty() ? "" : "es");
+}
+
+Scopes::Scopes() : scopes_(2) {
+    for (const auto* name : {"TRUE", "true", "HIGH", "high"})
+        declare_predefined(name, {integer_constant(1), {}});
+    for (const auto* name : {"FALSE", "false", "LOW", "low"})
+        declare_predefined(name, {integer_constant(0), {}});
+    for (const auto& name : predefined_node_type_names())
+        declare_predefined(name, {*predefined_node_type(name), {}});
+}
+
+const Symbol* Scopes::find(std::string_view name) const {
+    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
+        if (auto found = scope->find(name); found != scope->end())
+            return &found->second;
+    return nullptr;
+}
+
+const Symbol* Scopes::find_in_this_block(std::string_view name) const {
+    auto found = scopes_.back().find(name);
+    return found == scopes_.back().end() ? nullptr : &found->second;
+}
+
+void Scopes::declare(const std::string& name, Symbol symbol) {
+    scopes_.back().insert_or_assign(name, std::move(symbol));
+}
+
+void Scopes::declare_predefined(const std::string& name, Symbol symbol) {
+    scopes_.front().insert_or_assign(name, std::move(symbol));
+}
+
+std::vector<std::string> Scopes::names() const {
+    std::vector<std::string> names;
+    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
+        for (const auto& [name, symbol] : *scope)
+            names.push_back(name);
+    return names;
+}
+
+} // namespace placedpar

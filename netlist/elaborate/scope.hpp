@@ -1,0 +1,60 @@
+#pragma once
+
+#include "netlist/elaborate/constant.hpp"
+#include "netlist/node_type.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+/// Something declared, or an array of it: elements first, first + 1, ... of the draft, the last dimension
+/// running fastest.
+struct DeclaredThings {
+    enum class Category { node, connection, edge_channel, process };
+    Category category;
+    std::size_t first = 0;
+    std::vector<std::int64_t> dimensions; ///< none: a single one
+};
+
+/// What a name stands for.
+struct Symbol {
+    std::variant<Constant, NodeType, DeclaredThings> meaning;
+    Location declared; ///< no place for what is predefined
+};
+
+std::string describe(const Symbol& symbol);
+
+/// The names that can be seen. A name is known from its declaration to the end of the block that it stands
+/// in; an inner block may use a name again. Predefined names lie outermost and may be declared anew.
+class Scopes {
+public:
+    Scopes();
+
+    void open() { scopes_.emplace_back(); }
+    void close() { scopes_.pop_back(); }
+    /// Outside of all blocks?
+    bool outermost() const { return scopes_.size() == 2; }
+
+    const Symbol* find(std::string_view name) const;
+    /// Null where the name is free in this block; else the declaration that is in the way.
+    const Symbol* find_in_this_block(std::string_view name) const;
+    void declare(const std::string& name, Symbol symbol);
+    void declare_predefined(const std::string& name, Symbol symbol);
+
+    std::vector<std::string> names() const;
+
+    /// A declaration of this name was refused: that it is missing is no second error.
+    void poison(const std::string& name) { poisoned_.insert(name); }
+    bool is_poisoned(const std::string& name) const { return poisoned_.contains(name); }
+
+private:
+    std::vector<std::map<std::string, Symbol, std::less<>>> scopes_;
+    std::set<std::string> poisoned_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,109 @@
+#include "netlist/language/lexer.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+namespace {
+
+int digit_value(char c) {
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F')
+        return c - 'A' + 10;
+    return 99;
+}
+
+} // namespace
+
+char Lexer::read_numeric_escape(int base, int most_digits, const Location& start) {
+    int value = 0, digits = 0;
+    for (; digits < most_digits && digit_value(peek()) < base; ++digits) {
+        value = value * base + digit_value(peek());
+        advance();
+    }
+    if (digits == 0)
+        reporter_.error(start, "illegal escape: \\x needs hexadecimal digits behind it");
+    if (value > 255)
+        reporter_.error(start, "illegal escape: a character goes up to \\377");
+    return static_cast<char>(static_cast<unsigned char>(value));
+}
+
+/// Just behind the backslash.
+char Lexer::read_escaped(const Location& start) {
+    static constexpr std::string_view letters = "abfnrtv\\'\"?", meanings = "\a\b\f\n\r\t\v\\'\"?";
+    auto c = peek();
+    if (digit_value(c) < 8)
+        return read_numeric_escape(8, 3, start);
+    if (c == 'x') {
+        advance();
+        return read_numeric_escape(16, 2, start);
+    }
+    auto found = letters.find(c);
+    if (found == std::string_view::npos || at_end()) {
+        reporter_.error(start,
+                        at_end() ? "illegal escape at the end of the file" : fmt::format("illegal escape \\{}", c),
+                        "C's escapes are \\a \\b \\f \\n \\r \\t \\v \\\\ \\' \\\" \\? \\ooo and \\xhh");
+        if (!at_end() && c != '\n')
+            advance();
+        return c;
+    }
+    advance();
+    return meanings[found];
+}
+
+Token Lexer::read_string() {
+    Token token{TokenKind::text, "", {}, 0, here()};
+    advance();
+    while (peek() != '"') {
+        if (at_end() || peek() == '\n') {
+            reporter_.error(token.at, "the string has no end on its line", "close it with \"");
+            token.kind = TokenKind::illegal;
+            return token;
+        }
+        if (peek() == '\\') {
+            auto start = here();
+            advance();
+            token.text += read_escaped(start);
+        } else {
+            token.text += peek();
+            advance();
+        }
+    }
+    advance();
+    if (token.text.size() > longest_string)
+        reporter_.error(token.at, fmt::format("the string is too long: {} characters are allowed", longest_string));
+    return token;
+}
+
+Token Lexer::read_character() {
+    Token token{TokenKind::integer, "", {}, 0, here()};
+    auto start = position_;
+    advance();
+    if (at_end() || peek() == '\n' || peek() == '\'') {
+        reporter_.error(token.at, "a character constant holds one character", "such as 'a' or '\\n'");
+        if (peek() == '\'')
+            advance();
+        token.kind = TokenKind::illegal;
+        return token;
+    }
+    char c = peek();
+    auto escape = here();
+    advance();
+    if (c == '\\')
+        c = read_escaped(escape);
+    token.integer.value = token.integer.decimal = static_cast<unsigned char>(c);
+    if (peek() == '\'') {
+        advance();
+    } else {
+        reporter_.error(token.at, "the character constant has no closing '", "a longer text is a string: \"...\"");
+        token.kind = TokenKind::illegal;
+        skip_line();
+    }
+    token.text = text().substr(start, position_ - start);
+    return token;
+}
+
+} // namespace placedpar

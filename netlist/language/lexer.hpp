@@ -1,0 +1,50 @@
+#pragma once
+
+#include "netlist/language/token.hpp"
+#include "text/reporter.hpp"
+
+namespace placedpar {
+
+/// Short enough to be printed on one line with every character escaped.
+inline constexpr std::size_t longest_string = 2000;
+
+/// Cuts one source into tokens, one at a time. What it cannot read it reports, and hands out as an illegal
+/// token. Comments are C's: slash star to star slash; the language has no others.
+class Lexer {
+public:
+    Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);
+
+    /// A token of kind `end` at the end, however often asked.
+    Token next();
+    /// Leaves out what is left of the line.
+    void skip_line();
+
+private:
+    void skip_blanks();
+    void skip_comment();
+    void skip_line_comment();
+    Token read_name();
+    Token read_number();
+    Token read_integer(std::string_view digits, int base, Token token);
+    Token read_real(std::string_view digits, Token token);
+    void apply_suffix(Token& token);
+    Token read_string();
+    Token read_character();
+    Token read_symbol();
+    Token read_directive();
+    char read_escaped(const Location& start);
+    char read_numeric_escape(int base, int most_digits, const Location& start);
+
+    bool at_end() const { return position_ >= text().size(); }
+    char peek(std::size_t ahead = 0) const;
+    void advance();
+    Location here() const { return {file_, line_, column_}; }
+    const std::string& text() const { return file_->text(); }
+
+    std::shared_ptr<const SourceFile> file_;
+    Reporter& reporter_;
+    std::size_t position_ = 0, line_ = 1, column_ = 1;
+    bool line_is_blank_so_far_ = true;
+};
+
+} // namespace placedpar

@@ -1,0 +1,118 @@
+#include "netlist/language/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace placedpar {
+
+namespace {
+
+bool is_parameter_type(std::string_view word) {
+    static constexpr std::array types{"int", "char", "short", "long", "float", "double", "unsigned"};
+    return std::find(types.begin(), types.end(), word) != types.end();
+}
+
+} // namespace
+
+/// Tells `T800 (memory = 1M) root;` from `root (n = 4);` by what stands behind the parentheses.
+bool Parser::behind_attributes_comes_name() {
+    if (tokens_.peek(1).kind == TokenKind::name)
+        return true;
+    if (!tokens_.peek(1).is("("))
+        return false;
+    int open = 0;
+    for (std::size_t i = 1;; ++i) {
+        const auto& token = tokens_.peek(i);
+        if (token.kind == TokenKind::end || token.is(";"))
+            return false;
+        if (token.is("("))
+            ++open;
+        else if (token.is(")") && --open == 0)
+            return tokens_.peek(i + 1).kind == TokenKind::name;
+    }
+}
+
+/// Nothing, or a list in parentheses.
+std::vector<Attribute> Parser::parse_attributes() {
+    std::vector<Attribute> attributes;
+    if (!accept("("))
+        return attributes;
+    if (accept(")"))
+        return attributes;
+    do
+        attributes.push_back(parse_attribute());
+    while (accept(","));
+    expect(")", "behind the attributes");
+    return attributes;
+}
+
+Attribute Parser::parse_attribute() {
+    Nesting nesting(*this);
+    auto name = expect_name("an attribute");
+    Attribute attribute{name.text, name.at, nullptr, {}};
+    while (accept(".")) // location.code = ...
+        attribute.name.append(".").append(expect_name("an attribute").text);
+    if (tokens_.peek().is("("))
+        attribute.group = parse_attributes();
+    else if (accept("="))
+        attribute.value = parse_expression();
+    else
+        refuse(
+            tokens_.peek().at,
+            fmt::format("the attribute \"{}\" has no value: {} stands here", attribute.name, describe(tokens_.peek())),
+            fmt::format("{} = ...", attribute.name));
+    return attribute;
+}
+
+ProcessAttributes Parser::parse_process_attributes() {
+    ProcessAttributes result;
+    if (!accept("(") || accept(")"))
+        return result;
+    do {
+        if (!tokens_.peek().is_word("interface")) {
+            result.attributes.push_back(parse_attribute());
+            continue;
+        }
+        auto word = tokens_.take();
+        if (result.interface) {
+            reporter_.error(word.at, "the attribute \"interface\" is given twice", "",
+                            {{"first given here", result.interface_at}});
+            throw StatementRefused{};
+        }
+        result.interface_at = word.at;
+        result.interface = parse_interface();
+    } while (accept(","));
+    expect(")", "behind the attributes");
+    return result;
+}
+
+/// `(input in, out2, output out[3], int n = 3)`: an entry without a type has that of the entry before it.
+std::vector<InterfaceEntry> Parser::parse_interface() {
+    std::vector<InterfaceEntry> entries;
+    expect("(", "behind \"interface\"");
+    if (accept(")"))
+        return entries;
+    std::optional<std::variant<Direction, std::string>> type;
+    do {
+        const auto& word = tokens_.peek();
+        if (word.is_word("input") || word.is_word("output"))
+            type = tokens_.take().text == "input" ? Direction::input : Direction::output;
+        else if (word.kind == TokenKind::name && is_parameter_type(word.text))
+            type = tokens_.take().text;
+        else if (!type || tokens_.peek(1).kind == TokenKind::name)
+            refuse(word.at, fmt::format("illegal token in an interface: {}", describe(word)),
+                   "an interface lists channels, \"input in\", and parameters, \"int n = 3\"");
+        InterfaceEntry entry{*type, parse_declarator("a channel or parameter"), nullptr};
+        if (tokens_.peek().is("=") && std::holds_alternative<Direction>(*type))
+            refuse(tokens_.peek().at, "a channel has no default value");
+        if (accept("="))
+            entry.default_value = parse_expression();
+        entries.push_back(std::move(entry));
+    } while (accept(","));
+    expect(")", "behind the interface");
+    return entries;
+}
+
+} // namespace placedpar

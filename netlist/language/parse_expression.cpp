@@ -1,0 +1,149 @@
+#include "netlist/language/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace placedpar {
+
+namespace {
+
+/// How strongly an operator binds, C's order; 0 for what is no operator of two operands.
+int strength(const Token& token) {
+    struct Operator {
+        std::string_view symbol;
+        int strength;
+    };
+    static constexpr std::array<Operator, 13> operators{{{"||", 1},
+                                                         {"&&", 2},
+                                                         {"==", 3},
+                                                         {"!=", 3},
+                                                         {"<", 4},
+                                                         {">", 4},
+                                                         {"<=", 4},
+                                                         {">=", 4},
+                                                         {"+", 5},
+                                                         {"-", 5},
+                                                         {"*", 6},
+                                                         {"/", 6},
+                                                         {"%", 6}}};
+    if (token.kind != TokenKind::symbol)
+        return 0;
+    auto found = std::find_if(operators.begin(), operators.end(),
+                              [&](const Operator& known) { return known.symbol == token.text; });
+    return found == operators.end() ? 0 : found->strength;
+}
+
+bool is_cast_type(const Token& token) {
+    static constexpr std::array types{"char", "short", "int", "long", "float", "double"};
+    return token.kind == TokenKind::name && std::find(types.begin(), types.end(), token.text) != types.end();
+}
+
+template <typename Form>
+ExpressionPointer make(const Location& at, Form form, int height = 1) {
+    return std::make_unique<Expression>(Expression{at, std::move(form), height});
+}
+
+} // namespace
+
+/// An operation of two operands, or a subscript.
+ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right) {
+    auto height = std::max(left->height, right->height) + 1;
+    if (height > highest_expression)
+        refuse(symbol.at,
+               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
+    if (symbol.text == "[")
+        return make(symbol.at, SubscriptOperation{std::move(left), std::move(right)}, height);
+    return make(symbol.at, BinaryOperation{symbol.text, std::move(left), std::move(right)}, height);
+}
+
+ExpressionPointer Parser::parse_whole_expression() {
+    auto expression = parse_expression();
+    if (tokens_.peek().kind != TokenKind::end)
+        refuse(tokens_.peek().at, fmt::format("illegal token behind an expression: {}", describe(tokens_.peek())));
+    return expression;
+}
+
+ExpressionPointer Parser::parse_expression(int weakest) {
+    Nesting nesting(*this);
+    auto left = parse_unary();
+    while (true) {
+        auto binds = strength(tokens_.peek());
+        if (binds == 0 || binds <= weakest)
+            return left;
+        auto symbol = tokens_.take();
+        auto right = parse_expression(binds);
+        left = combine(symbol, std::move(left), std::move(right));
+    }
+}
+
+ExpressionPointer Parser::parse_unary() {
+    Nesting nesting(*this);
+    const auto& token = tokens_.peek();
+    if (token.is("-") || token.is("+") || token.is("!")) {
+        auto symbol = tokens_.take();
+        auto operand = parse_unary();
+        auto height = operand->height + 1;
+        return make(symbol.at, UnaryOperation{symbol.text, std::move(operand)}, height);
+    }
+    if (token.is("(") && is_cast_type(tokens_.peek(1)) && tokens_.peek(2).is(")")) {
+        auto at = tokens_.take().at;
+        auto type = tokens_.take().text;
+        tokens_.take();
+        auto operand = parse_unary();
+        auto height = operand->height + 1;
+        return make(at, CastOperation{type, std::move(operand)}, height);
+    }
+    return parse_postfix();
+}
+
+ExpressionPointer Parser::parse_postfix() {
+    auto expression = parse_primary();
+    while (tokens_.peek().is("[")) {
+        auto bracket = tokens_.take();
+        auto subscript = parse_expression();
+        expect("]", "behind the subscript");
+        expression = combine(bracket, std::move(expression), std::move(subscript));
+    }
+    return expression;
+}
+
+ExpressionPointer Parser::parse_primary() {
+    const auto& token = tokens_.peek();
+    if (token.is("{"))
+        return parse_array_constant();
+    if (token.is("(")) {
+        tokens_.take();
+        auto inner = parse_expression();
+        expect(")", "behind the expression");
+        return inner;
+    }
+    const auto at = token.at; // taking a token ends the reference to it
+    if (token.kind == TokenKind::integer)
+        return make(at, IntegerLiteral{tokens_.take().integer});
+    if (token.kind == TokenKind::real)
+        return make(at, RealLiteral{tokens_.take().real});
+    if (token.kind == TokenKind::text)
+        return make(at, TextLiteral{tokens_.take().text});
+    if (token.kind != TokenKind::name || is_reserved(token.text))
+        refuse(token.at, fmt::format("illegal token in an expression: {}", describe(token)));
+    return make(at, NameUse{tokens_.take().text});
+}
+
+ExpressionPointer Parser::parse_array_constant() {
+    Nesting nesting(*this);
+    auto at = tokens_.take().at;
+    ArrayConstant array;
+    int height = 1;
+    if (tokens_.peek().is("}"))
+        refuse(at, "an array constant has at least one element");
+    do {
+        array.elements.push_back(parse_expression());
+        height = std::max(height, array.elements.back()->height + 1);
+    } while (accept(","));
+    expect("}", "behind the array");
+    return make(at, std::move(array), height);
+}
+
+} // namespace placedpar

@@ -1,0 +1,100 @@
+#include "netlist/language/parser.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+std::vector<ExpressionPointer> Parser::parse_subscripts() {
+    std::vector<ExpressionPointer> subscripts;
+    while (accept("[")) {
+        if (tokens_.peek().is("]"))
+            refuse(tokens_.peek().at, "a number is missing between \"[\" and \"]\"");
+        subscripts.push_back(parse_expression());
+        expect("]", "behind the subscript");
+    }
+    return subscripts;
+}
+
+Reference Parser::parse_reference(std::string_view what) {
+    Nesting nesting(*this);
+    auto name = expect_name(what);
+    Reference reference{name.at, name.text, parse_subscripts(), "", {}, {}};
+    if (accept(".")) {
+        const auto& word = tokens_.peek(); // behind a dot a word of the language is no other than the rest
+        auto field = word.kind == TokenKind::name ? tokens_.take() : expect_name("a link or channel");
+        reference.field = field.text;
+        reference.field_at = field.at;
+        reference.field_subscripts = parse_subscripts();
+    }
+    return reference;
+}
+
+Statement Parser::parse_connect() {
+    auto at = tokens_.take().at;
+    auto a = parse_reference("a link, channel or edge");
+    if (!accept(",")) {
+        if (!tokens_.peek().is_word("to"))
+            refuse(tokens_.peek().at,
+                   fmt::format("\",\" or \"to\" is missing in connect: {} stands here", describe(tokens_.peek())),
+                   "connect a.link[0] to b.link[1];");
+        tokens_.take();
+    }
+    ConnectStatement statement{std::move(a), parse_reference("a link, channel or edge"), std::nullopt};
+    if (tokens_.peek().is_word("by")) {
+        tokens_.take();
+        statement.by = parse_reference("a connection");
+    }
+    expect_semicolon("connect");
+    return {at, std::move(statement)};
+}
+
+Statement Parser::parse_use() {
+    auto at = tokens_.take().at;
+    UseStatement statement{parse_expression(), std::nullopt};
+    expect_word("for", "in use");
+    if (tokens_.peek().is_word("process"))
+        tokens_.take();
+    else
+        statement.process = parse_reference("a process");
+    expect_semicolon("use");
+    return {at, std::move(statement)};
+}
+
+Statement Parser::parse_place() {
+    auto at = tokens_.take().at;
+    auto what = parse_reference("what is placed");
+    if (!tokens_.peek().is_word("on"))
+        refuse(tokens_.peek().at, fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
+               "place name on processor;");
+    tokens_.take();
+    PlaceStatement statement{std::move(what), parse_reference("the place")};
+    expect_semicolon("place");
+    return {at, std::move(statement)};
+}
+
+Statement Parser::parse_rep() {
+    auto at = tokens_.take().at;
+    auto parenthesis = accept("(");
+    auto name = expect_name("the replicator");
+    expect("=", "behind the replicator's name");
+    RepStatement statement{name.text, name.at, parse_expression(), nullptr, nullptr};
+    expect_word("for", "in rep");
+    statement.count = parse_expression();
+    if (parenthesis)
+        expect(")", "behind the replicator");
+    statement.body = parse_body("rep");
+    return {at, std::move(statement)};
+}
+
+Statement Parser::parse_if() {
+    auto at = tokens_.take().at;
+    IfStatement statement{parse_expression(), nullptr, nullptr};
+    statement.then = parse_body("if");
+    if (tokens_.peek().is_word("else")) {
+        tokens_.take();
+        statement.otherwise = parse_body("else");
+    }
+    return {at, std::move(statement)};
+}
+
+} // namespace placedpar

@@ -1,0 +1,165 @@
+#include "netlist/language/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace placedpar {
+
+bool is_reserved(std::string_view word) {
+    static constexpr std::array words{"val",    "define", "connection", "connect", "process",  "input",
+                                      "output", "use",    "place",      "rep",     "if",       "else",
+                                      "for",    "to",     "by",         "on",      "interface"};
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
+    if (++parser.depth_ > deepest_nesting) {
+        parser.reporter_.error(parser.tokens_.peek().at,
+                               fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
+        throw GiveUp{};
+    }
+}
+
+void Parser::refuse(const Location& at, std::string message, std::string hint) {
+    if (tokens_.peek().kind != TokenKind::illegal) // of which the lexer has said what is wrong
+        reporter_.error(at, std::move(message), std::move(hint));
+    throw StatementRefused{};
+}
+
+bool Parser::accept(std::string_view symbol) {
+    if (!tokens_.peek().is(symbol))
+        return false;
+    tokens_.take();
+    return true;
+}
+
+void Parser::expect(std::string_view symbol, std::string_view where) {
+    if (!accept(symbol))
+        refuse(tokens_.peek().at,
+               fmt::format("\"{}\" is missing {}: {} stands here", symbol, where, describe(tokens_.peek())));
+}
+
+void Parser::expect_word(std::string_view word, std::string_view where) {
+    if (!tokens_.peek().is_word(word))
+        refuse(tokens_.peek().at,
+               fmt::format("\"{}\" is missing {}: {} stands here", word, where, describe(tokens_.peek())));
+    tokens_.take();
+}
+
+void Parser::expect_semicolon(std::string_view statement) {
+    if (!accept(";"))
+        refuse(tokens_.peek().at,
+               fmt::format("illegal token in a {} statement: {}", statement, describe(tokens_.peek())),
+               "a statement ends with \";\"");
+}
+
+Token Parser::expect_name(std::string_view what) {
+    const auto& token = tokens_.peek();
+    if (token.kind != TokenKind::name)
+        refuse(token.at, fmt::format("the name of {} is missing: {} stands here", what, describe(token)));
+    if (is_reserved(token.text))
+        refuse(token.at,
+               fmt::format("{} is a word of the language: it cannot be the name of {}", describe(token), what));
+    return tokens_.take();
+}
+
+Statements Parser::parse_netlist() {
+    Statements statements;
+    while (tokens_.peek().kind != TokenKind::end) {
+        if (tokens_.peek().is("}")) {
+            reporter_.error(tokens_.take().at, "\"}\" closes no block");
+            continue;
+        }
+        parse_into(statements);
+    }
+    return statements;
+}
+
+void Parser::parse_into(Statements& statements) {
+    try {
+        statements.push_back(parse_statement());
+    } catch (const StatementRefused&) {
+        recover();
+    }
+}
+
+/// To behind the next `;`, over whole blocks, but not out of the block that we are in.
+void Parser::recover() {
+    for (int open = 0; tokens_.peek().kind != TokenKind::end;) {
+        if (tokens_.peek().is("}") && open == 0)
+            return;
+        auto token = tokens_.take();
+        if (token.is("{"))
+            ++open;
+        else if (token.is("}") && --open == 0)
+            return;
+        else if (token.is(";") && open == 0)
+            return;
+    }
+}
+
+Statement Parser::parse_statement() {
+    Nesting nesting(*this);
+    const auto& first = tokens_.peek();
+    if (first.is("{"))
+        return parse_block();
+    if (first.is(";"))
+        return {tokens_.take().at, BlockStatement{}};
+    if (first.kind != TokenKind::name)
+        refuse(first.at, fmt::format("no statement begins with {}", describe(first)));
+    if (is_reserved(first.text))
+        return parse_keyword_statement(first);
+    if (behind_attributes_comes_name())
+        return parse_node_declaration();
+    return parse_setting();
+}
+
+Statement Parser::parse_keyword_statement(const Token& word) {
+    if (word.text == "val")
+        return parse_val();
+    if (word.text == "define")
+        return parse_define();
+    if (word.text == "connection")
+        return parse_connection();
+    if (word.text == "input" || word.text == "output")
+        return parse_edge_channel();
+    if (word.text == "process")
+        return parse_process();
+    if (word.text == "connect")
+        return parse_connect();
+    if (word.text == "use")
+        return parse_use();
+    if (word.text == "place")
+        return parse_place();
+    if (word.text == "rep")
+        return parse_rep();
+    if (word.text == "if")
+        return parse_if();
+    refuse(word.at, fmt::format("no statement begins with \"{}\"", word.text),
+           word.text == "else" ? "it belongs to an \"if\" just before it" : "");
+}
+
+Statement Parser::parse_block() {
+    auto opening = tokens_.take();
+    BlockStatement block;
+    while (!tokens_.peek().is("}")) {
+        if (tokens_.peek().kind == TokenKind::end) {
+            reporter_.error(tokens_.peek().at, "\"}\" is missing at the end of the file", "",
+                            {{"the block begins here", opening.at}});
+            throw GiveUp{};
+        }
+        parse_into(block.statements);
+    }
+    tokens_.take();
+    return {opening.at, std::move(block)};
+}
+
+std::unique_ptr<Statement> Parser::parse_body(std::string_view whose) {
+    if (tokens_.peek().kind == TokenKind::end || tokens_.peek().is("}"))
+        refuse(tokens_.peek().at, fmt::format("the statement of \"{}\" is missing", whose));
+    return std::make_unique<Statement>(parse_statement());
+}
+
+} // namespace placedpar

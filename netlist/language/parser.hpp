@@ -1,0 +1,91 @@
+#pragma once
+
+#include "netlist/language/syntax.hpp"
+#include "netlist/language/token_stream.hpp"
+
+namespace placedpar {
+
+/// Blocks in blocks, brackets in brackets: more is refused, so that no text can exhaust the stack.
+inline constexpr int deepest_nesting = 200;
+/// The height of an expression's tree; `1 + 1 + ...` is as high as it is long.
+inline constexpr int highest_expression = 1000;
+
+/// Recursive descent over the grammar of the reference page. After an error it goes on behind the next `;`,
+/// so that one reading reports several.
+class Parser {
+public:
+    Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
+
+    Statements parse_netlist();
+    /// One expression and nothing behind it. Throws StatementRefused after having reported.
+    ExpressionPointer parse_whole_expression();
+
+private:
+    // parser.cpp: statements
+    void parse_into(Statements& statements);
+    Statement parse_statement();
+    Statement parse_keyword_statement(const Token& word);
+    std::unique_ptr<Statement> parse_body(std::string_view whose);
+    Statement parse_block();
+    void recover();
+
+    // parse_declaration.cpp
+    Statement parse_val();
+    Statement parse_define();
+    Statement parse_node_declaration();
+    Statement parse_connection();
+    Statement parse_edge_channel();
+    Statement parse_process();
+    Statement parse_setting();
+    std::vector<Declarator> parse_declarators(std::string_view what);
+    Declarator parse_declarator(std::string_view what);
+
+    // parse_attribute.cpp
+    std::vector<Attribute> parse_attributes();
+    Attribute parse_attribute();
+    ProcessAttributes parse_process_attributes();
+    std::vector<InterfaceEntry> parse_interface();
+    bool behind_attributes_comes_name();
+
+    // parse_mapping.cpp
+    Statement parse_connect();
+    Statement parse_use();
+    Statement parse_place();
+    Statement parse_rep();
+    Statement parse_if();
+    Reference parse_reference(std::string_view what);
+    std::vector<ExpressionPointer> parse_subscripts();
+
+    // parse_expression.cpp
+    ExpressionPointer parse_expression(int weakest = 0);
+    ExpressionPointer parse_unary();
+    ExpressionPointer parse_postfix();
+    ExpressionPointer parse_primary();
+    ExpressionPointer parse_array_constant();
+    ExpressionPointer combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right);
+
+    bool accept(std::string_view symbol);
+    void expect(std::string_view symbol, std::string_view where);
+    void expect_word(std::string_view word, std::string_view where);
+    void expect_semicolon(std::string_view statement);
+    Token expect_name(std::string_view what);
+    [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "");
+
+    /// Counts the depth while it lives.
+    struct Nesting {
+        explicit Nesting(Parser& owner);
+        ~Nesting() { --parser.depth_; }
+        Nesting(const Nesting&) = delete;
+        Nesting& operator=(const Nesting&) = delete;
+        Parser& parser;
+    };
+
+    TokenStream& tokens_;
+    Reporter& reporter_;
+    int depth_ = 0;
+};
+
+/// Words that begin or structure statements and so cannot name anything.
+bool is_reserved(std::string_view word);
+
+} // namespace placedpar

@@ -1,0 +1,165 @@
+#pragma once
+
+#include "netlist/catalogue.hpp"
+#include "netlist/language/token.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+/// The syntax of a netlist as a tree, before anything is known about its names.
+
+struct Expression;
+using ExpressionPointer = std::unique_ptr<Expression>;
+
+struct IntegerLiteral {
+    Integer value;
+};
+struct RealLiteral {
+    double value;
+};
+struct TextLiteral {
+    std::string value;
+};
+struct NameUse {
+    std::string name;
+};
+struct UnaryOperation {
+    std::string symbol; ///< - + !
+    ExpressionPointer operand;
+};
+struct BinaryOperation {
+    std::string symbol;
+    ExpressionPointer left, right;
+};
+struct CastOperation {
+    std::string type; ///< char short int long float double
+    ExpressionPointer operand;
+};
+struct SubscriptOperation {
+    ExpressionPointer array, subscript;
+};
+struct ArrayConstant {
+    std::vector<ExpressionPointer> elements;
+};
+
+struct Expression {
+    Location at; ///< of the operator, for operations of two operands
+    std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation, CastOperation,
+                 SubscriptOperation, ArrayConstant>
+        form;
+    int height = 1; ///< of the tree, kept small so that walking it cannot exhaust the stack
+};
+
+/// `name[1][2].field[3]`: something declared, or a part of it.
+struct Reference {
+    Location at;
+    std::string name;
+    std::vector<ExpressionPointer> subscripts;
+    std::string field; ///< "" without a dot
+    Location field_at;
+    std::vector<ExpressionPointer> field_subscripts;
+};
+
+/// `name = value` in parentheses; `name (a = 1, b = 2)` has a group in place of the value.
+struct Attribute {
+    std::string name;
+    Location at;
+    ExpressionPointer value; ///< null for a group
+    std::vector<Attribute> group;
+};
+
+/// `name[2][3]` where something is declared.
+struct Declarator {
+    std::string name;
+    Location at;
+    std::vector<ExpressionPointer> dimensions;
+};
+
+/// One entry of `interface (...)`: a channel end or a parameter.
+struct InterfaceEntry {
+    std::variant<Direction, std::string> type; ///< a channel's direction, or a parameter's type such as "int"
+    Declarator declarator;
+    ExpressionPointer default_value; ///< null where there is none, and for channels
+};
+
+struct ProcessAttributes {
+    std::vector<Attribute> attributes;
+    std::optional<std::vector<InterfaceEntry>> interface;
+    Location interface_at;
+};
+
+struct Statement;
+using Statements = std::vector<Statement>;
+
+struct ValStatement {
+    std::string name;
+    ExpressionPointer value;
+};
+struct DefineStatement {
+    std::string base;
+    Location base_at;
+    std::vector<Attribute> attributes;
+    std::vector<Declarator> names;
+};
+struct NodeDeclaration {
+    std::string type;
+    Location type_at;
+    std::vector<Attribute> attributes;
+    std::vector<Declarator> names;
+};
+struct ConnectionDeclaration {
+    std::vector<Attribute> attributes;
+    std::vector<Declarator> names;
+};
+struct EdgeChannelDeclaration {
+    Direction direction;
+    std::vector<Declarator> names;
+};
+/// Without names it sets the defaults for the processes that follow.
+struct ProcessDeclaration {
+    ProcessAttributes attributes;
+    std::vector<Declarator> names;
+};
+struct ParameterSetting {
+    Reference process;
+    std::vector<Attribute> values;
+};
+struct ConnectStatement {
+    Reference a, b;
+    std::optional<Reference> by;
+};
+struct UseStatement {
+    ExpressionPointer program;
+    std::optional<Reference> process; ///< none: the default for all
+};
+struct PlaceStatement {
+    Reference what, where;
+};
+struct RepStatement {
+    std::string name;
+    Location name_at;
+    ExpressionPointer first, count;
+    std::unique_ptr<Statement> body;
+};
+struct IfStatement {
+    ExpressionPointer condition;
+    std::unique_ptr<Statement> then, otherwise; ///< otherwise may be null
+};
+struct BlockStatement {
+    Statements statements;
+};
+
+struct Statement {
+    Location at; ///< of the name declared by a `val`, else of the first word
+    std::variant<ValStatement, DefineStatement, NodeDeclaration, ConnectionDeclaration, EdgeChannelDeclaration,
+                 ProcessDeclaration, ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, RepStatement,
+                 IfStatement, BlockStatement>
+        form;
+};
+
+} // namespace placedpar

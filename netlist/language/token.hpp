@@ -1,0 +1,44 @@
+#pragma once
+
+#include "text/source.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+
+enum class TokenKind {
+    name,
+    integer,
+    real,
+    text,      ///< a string constant
+    symbol,    ///< punctuation and operators, in `text`
+    illegal,   ///< what the lexer could not read, and has reported
+    directive, ///< `#include`; `text` holds the word behind `#`
+    end
+};
+
+/// An integer constant as it is written, `20M`. The language's suffixes count in 1024s; for a clock or the
+/// speed of a link the same suffixes mean thousands, so an integer carries both readings with it:
+/// 20M is 20971520 as a size and 20000000 as a frequency. Only the attributes `clock` and `linkspeed` take
+/// the second, and it follows a constant through `val`s and arithmetic.
+struct Integer {
+    std::int64_t value = 0;
+    std::int64_t decimal = 0;
+};
+
+struct Token {
+    TokenKind kind = TokenKind::end;
+    std::string text; ///< name, symbol, or the string with its escapes resolved
+    Integer integer;
+    double real = 0;
+    Location at;
+
+    bool is(std::string_view symbol) const { return kind == TokenKind::symbol && text == symbol; }
+    bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }
+};
+
+/// How a message names it: `"link"`, `the string "x"`, `the end of the file`.
+std::string describe(const Token& token);
+
+} // namespace placedpar

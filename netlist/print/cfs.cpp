@@ -1,0 +1,270 @@
+#include "netlist/print/print.hpp"
+#include "netlist/print/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace placedpar {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+std::vector<std::string> print_others(const std::map<std::string, Value>& others) {
+    std::vector<std::string> entries;
+    for (const auto& [name, value] : others)
+        entries.push_back(fmt::format("{} = {}", name, print_constant(value)));
+    return entries;
+}
+
+/// Writes one network. Everything is said outright, so that nothing depends on defaults of the reader but
+/// those that the language states.
+class CfsPrinter {
+public:
+    explicit CfsPrinter(const Network& network) : n_(network) {}
+
+    std::string print() {
+        text_ += "/* hardware */\n";
+        print_nodes();
+        print_connections();
+        print_wires();
+        text_ += "\n/* software */\n";
+        print_processes();
+        print_edge_channels();
+        for (const auto& channel : n_.channels)
+            print_channel(channel);
+        text_ += "\n/* mapping */\n";
+        for (const auto& process : n_.processes)
+            line("place {} on {};", process.name, n_.nodes[process.node].name);
+        for (const auto& channel : n_.channels)
+            print_carrier(channel);
+        return std::move(text_);
+    }
+
+private:
+    template <typename... Arguments>
+    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        fmt::format_to(Out(text_), format, std::forward<Arguments>(arguments)...);
+        text_ += '\n';
+    }
+
+    void print_nodes() {
+        static const Node defaults;
+        for (const auto& range :
+             element_ranges(n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
+            const auto& node = n_.nodes[range.first];
+            std::vector<std::string> attributes;
+            if (node.memory_bytes != defaults.memory_bytes)
+                attributes.push_back(fmt::format("memory = {}", node.memory_bytes));
+            if (node.clock_hz != defaults.clock_hz)
+                attributes.push_back(fmt::format("clock = {}", node.clock_hz));
+            if (node.link_bits_per_second != defaults.link_bits_per_second)
+                attributes.push_back(fmt::format("linkspeed = {}", node.link_bits_per_second));
+            if (node.channel_call_cycles != defaults.channel_call_cycles)
+                attributes.push_back(fmt::format("channelcall = {}", node.channel_call_cycles));
+            for (auto& other : print_others(node.other))
+                attributes.push_back(std::move(other));
+            line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
+        }
+    }
+
+    void print_connections() {
+        std::vector<std::string> names;
+        for (const auto& connection : n_.connections)
+            if (!connection.name.empty())
+                names.push_back(connection.name);
+        for (const auto& channel : n_.channels)
+            if (is_named(channel))
+                names.push_back(channel.name);
+        for (const auto& declarator : declarators_of(names))
+            line("connection {};", declarator);
+    }
+
+    static bool is_named(const NetworkChannel& channel) { return channel.name.find("->") == std::string::npos; }
+
+    std::string end(const LinkEnd& at) const {
+        const auto& name = n_.nodes[at.node].name;
+        return at.link < 0 ? name : fmt::format("{}.link[{}]", name, at.link);
+    }
+
+    bool says_speed(const LinkConnection& connection) const {
+        for (const auto& at : {connection.a, connection.b})
+            if (at.link >= 0 && n_.nodes[at.node].link_bits_per_second != connection.bits_per_second)
+                return true;
+        return false;
+    }
+
+    void print_wires() {
+        for (const auto& connection : n_.connections) {
+            std::vector<std::string> attributes;
+            if (says_speed(connection))
+                attributes.push_back(fmt::format("linkspeed = {}", connection.bits_per_second));
+            if (connection.metres != 0)
+                attributes.push_back(fmt::format("length = {}", print_constant(connection.metres)));
+            if (!attributes.empty())
+                line("{} {};", connection.name, print_list(attributes));
+            auto from = connection.a;
+            std::string by = connection.name.empty() ? "" : " by " + connection.name;
+            for (const auto& crossing : connection.crossings) {
+                LinkEnd in{crossing.node, crossing.from_link}, out{crossing.node, crossing.to_link};
+                line("connect {} to {}{};", end(from), end(in), by);
+                line("connect {} to {};", end(in), end(out));
+                from = out;
+                by.clear();
+            }
+            line("connect {} to {}{};", end(from), end(connection.b), by);
+        }
+    }
+
+    void print_processes() {
+        auto ranges =
+            element_ranges(n_.processes.size(), [&](std::size_t i) { return std::string_view(n_.processes[i].name); });
+        for (const auto& range : ranges) {
+            print_declaration(range);
+            print_programs(range);
+        }
+    }
+
+    void print_declaration(const ElementRange& range) {
+        const auto begin = n_.processes.begin() + static_cast<std::ptrdiff_t>(range.first);
+        const auto end = begin + static_cast<std::ptrdiff_t>(range.count);
+        bool high = std::all_of(begin, end, [](const ProcessInstance& p) { return p.high_priority; });
+        auto common = begin->other;
+        std::erase_if(common, [&](const auto& entry) {
+            return !std::all_of(begin, end, [&](const ProcessInstance& p) {
+                auto found = p.other.find(entry.first);
+                return found != p.other.end() && found->second == entry.second;
+            });
+        });
+        auto attributes = print_others(common);
+        if (high)
+            attributes.insert(attributes.begin(), "priority = HIGH");
+        if (auto interface = print_interface(range); !interface.empty())
+            attributes.push_back(interface);
+        line("process {}{}{};", print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
+        for (auto process = begin; process != end; ++process)
+            print_settings(*process, common, high);
+    }
+
+    /// Only a stand-in needs one: of the others the kind knows the interface.
+    std::string print_interface(const ElementRange& range) const {
+        std::vector<std::string> inputs_and_outputs, parameters;
+        std::map<std::string, std::string, std::less<>> type_of;
+        for (std::size_t i = range.first; i < range.first + range.count; ++i) {
+            const auto& process = n_.processes[i];
+            if (!process.stand_in)
+                continue;
+            for (const auto& binding : process.ports) {
+                type_of.emplace(base_name(binding.port), binding.direction == Direction::input ? "input" : "output");
+                inputs_and_outputs.push_back(binding.port);
+            }
+            for (const auto& [name, value] : process.parameters) {
+                const auto* text = std::get_if<std::string>(&value);
+                type_of.emplace(base_name(name), text != nullptr                         ? "char"
+                                                 : std::holds_alternative<double>(value) ? "double"
+                                                                                         : "int");
+                parameters.push_back(text != nullptr ? fmt::format("{}[{}]", name, text->size()) : name);
+            }
+        }
+        std::vector<std::string> entries;
+        for (const auto* list : {&inputs_and_outputs, &parameters})
+            for (const auto& declarator : declarators_of(*list))
+                entries.push_back(type_of.find(base_name(declarator))->second + " " + declarator);
+        return entries.empty() ? "" : "interface " + print_list(entries);
+    }
+
+    void print_settings(const ProcessInstance& process, const std::map<std::string, Value>& common, bool all_high) {
+        std::vector<std::string> entries;
+        if (process.high_priority && !all_high)
+            entries.push_back("priority = HIGH");
+        for (const auto& [name, value] : process.other)
+            if (!common.contains(name))
+                entries.push_back(fmt::format("{} = {}", name, print_constant(value)));
+        const auto& parameters = process.parameters;
+        for (auto entry = parameters.begin(); entry != parameters.end(); ++entry) {
+            if (entry->first.find('[') == std::string::npos)
+                entries.push_back(fmt::format("{} = {}", entry->first, print_constant(entry->second)));
+            else if (entry == parameters.begin() || base_name(std::prev(entry)->first) != base_name(entry->first))
+                entries.push_back(
+                    fmt::format("{} = {}", base_name(entry->first), print_array(parameters, base_name(entry->first))));
+        }
+        if (!entries.empty())
+            line("{} {};", process.name, print_list(entries));
+    }
+
+    /// The elements "a[0]", "a[1]" ... as one constant, nested as the dimensions are.
+    static std::string print_array(const std::map<std::string, Value>& parameters, std::string_view base) {
+        std::map<std::vector<std::int64_t>, std::string> elements;
+        for (auto entry = parameters.lower_bound(std::string(base) + "["); entry != parameters.end(); ++entry) {
+            if (base_name(entry->first) != base)
+                break;
+            elements[subscripts_of(entry->first)] = print_constant(entry->second);
+        }
+        std::string result;
+        std::size_t printed = 0; // a line break now and then keeps lines short enough to be read again
+        std::vector<std::int64_t> last;
+        for (const auto& [subscripts, text] : elements) {
+            std::size_t same = 0;
+            while (same < last.size() && last[same] == subscripts[same])
+                ++same;
+            if (!last.empty())
+                result.append(last.size() - same - 1, '}').append(++printed % 16 == 0 ? ",\n    " : ", ");
+            result.append(last.empty() ? subscripts.size() : subscripts.size() - same - 1, '{').append(text);
+            last = subscripts;
+        }
+        return result + std::string(last.size(), '}');
+    }
+
+    void print_programs(const ElementRange& range) {
+        const auto& first = n_.processes[range.first].kind;
+        bool same = true;
+        for (std::size_t i = range.first; i < range.first + range.count; ++i)
+            same = same && n_.processes[i].kind == first;
+        for (std::size_t i = range.first; i < range.first + (same ? 1 : range.count); ++i)
+            if (const auto& process = n_.processes[i]; !process.kind.empty())
+                line("use {} for {};", print_constant(process.kind), same ? range.base : process.name);
+    }
+
+    void print_edge_channels() {
+        for (bool inputs : {true, false}) {
+            std::vector<std::string> names;
+            for (const auto& channel : n_.channels)
+                if (const auto& at = inputs ? channel.from : channel.to; at.at_edge() && !at.port.empty())
+                    names.push_back(at.port);
+            for (const auto& declarator : declarators_of(names))
+                line("{} {};", inputs ? "input" : "output", declarator);
+        }
+    }
+
+    std::string end(const ChannelEnd& at) const {
+        return at.at_edge() ? at.port : n_.processes[at.process].name + "." + at.port;
+    }
+
+    void print_channel(const NetworkChannel& channel) {
+        if (end(channel.from).empty() || end(channel.to).empty())
+            return; // an edge without a channel of its own: placing the other end says it
+        line("connect {} to {}{};", end(channel.from), end(channel.to), is_named(channel) ? " by " + channel.name : "");
+    }
+
+    void print_carrier(const NetworkChannel& channel) {
+        if (channel.placement.kind == ChannelPlacement::Kind::soft)
+            return;
+        for (const auto* at : {&channel.from, &channel.to})
+            if (at->at_edge() && !at->port.empty())
+                line("place {} on {};", at->port, n_.nodes[at->node].name);
+        const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
+        const auto& connection = n_.connections[channel.placement.connection];
+        line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
+    }
+
+    const Network& n_;
+    std::string text_;
+};
+
+} // namespace
+
+std::string print_cfs(const Network& network) { return CfsPrinter(network).print(); }
+
+} // namespace placedpar

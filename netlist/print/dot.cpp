@@ -1,0 +1,158 @@
+#include "netlist/print/print.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// For the text of an HTML-like label.
+std::string html(std::string_view text) {
+    std::string result;
+    for (char c : text)
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f ? '?' : c;
+    return result;
+}
+
+std::string bytes(std::int64_t size) {
+    constexpr std::int64_t kilobyte = 1024, megabyte = 1024 * 1024;
+    if (size >= megabyte && size % megabyte == 0)
+        return fmt::format("{} MB", size / megabyte);
+    if (size >= kilobyte && size % kilobyte == 0)
+        return fmt::format("{} KB", size / kilobyte);
+    return fmt::format("{} bytes", size);
+}
+
+class DotPrinter {
+public:
+    explicit DotPrinter(const Network& network) : n_(network), processes_of_(network.nodes.size()) {
+        for (std::size_t i = 0; i < n_.processes.size(); ++i)
+            processes_of_[n_.processes[i].node].push_back(i);
+        find_levels();
+    }
+
+    std::string print() {
+        text_ = "graph network {\n"
+                "  graph [rankdir=TB, nodesep=0.6, ranksep=0.7, bgcolor=\"white\", pad=0.3]\n"
+                "  node [fontname=\"Helvetica\", fontsize=12, shape=plain]\n"
+                "  edge [fontname=\"Helvetica\", fontsize=11, color=\"#3b5b7a\", fontcolor=\"#16324a\", "
+                "penwidth=1.6, "
+                "labeldistance=1.6]\n";
+        for (std::size_t i = 0; i < n_.nodes.size(); ++i)
+            print_node(i);
+        auto channels = channels_carried();
+        for (std::size_t i = 0; i < n_.connections.size(); ++i)
+            print_connection(i, channels);
+        return std::move(text_) + "}\n";
+    }
+
+private:
+    /// Wires between a node and the first one: the rows of the drawing. A workstation comes first.
+    void find_levels() {
+        level_.assign(n_.nodes.size(), nowhere);
+        std::vector<std::vector<std::size_t>> neighbours(n_.nodes.size());
+        for (const auto& connection : n_.connections) {
+            neighbours[connection.a.node].push_back(connection.b.node);
+            neighbours[connection.b.node].push_back(connection.a.node);
+        }
+        for (bool workstations : {true, false})
+            for (std::size_t start = 0; start < n_.nodes.size(); ++start) {
+                if (level_[start] != nowhere || (workstations && n_.nodes[start].kind != NodeKind::workstation))
+                    continue;
+                std::vector<std::size_t> reached{start};
+                level_[start] = 0;
+                for (std::size_t i = 0; i < reached.size(); ++i)
+                    for (auto next : neighbours[reached[i]])
+                        if (level_[next] == nowhere) {
+                            level_[next] = level_[reached[i]] + 1;
+                            reached.push_back(next);
+                        }
+            }
+    }
+
+    void print_node(std::size_t index) {
+        const auto& node = n_.nodes[index];
+        if (node.kind == NodeKind::c004)
+            return; // wires are drawn from end to end, with the number of switches on their way
+        if (node.kind == NodeKind::edge) {
+            text_ += fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
+                                 "label=<{}>]\n",
+                                 index, html(node.name));
+            return;
+        }
+        bool workstation = node.kind == NodeKind::workstation;
+        text_ += fmt::format(
+            "  n{} [label=<<table border=\"0\" cellborder=\"1\" cellspacing=\"0\" cellpadding=\"5\" "
+            "color=\"{}\"><tr><td bgcolor=\"{}\"><b>{}</b><br/><font point-size=\"10\">{}{}</font></td></tr>",
+            index, workstation ? "#7a6a3b" : "#3b5b7a", workstation ? "#f3e9c9" : "#d5e3f0", html(node.name),
+            html(node.type), processor_facts(node));
+        for (auto process : processes_of_[index])
+            print_process(n_.processes[process]);
+        text_ += "</table>>]\n";
+    }
+
+    static std::string processor_facts(const Node& node) {
+        auto memory = node.memory_bytes > 0 ? ", " + bytes(node.memory_bytes) : "";
+        if (node.kind == NodeKind::workstation)
+            return memory;
+        return fmt::format("{}, {:g} MHz", memory, static_cast<double>(node.clock_hz) / 1e6);
+    }
+
+    void print_process(const ProcessInstance& process) {
+        auto kind = process.kind.empty() ? "no program" : html(process.kind);
+        text_ +=
+            fmt::format("<tr><td bgcolor=\"#ffffff\" align=\"left\">{}{} <font point-size=\"10\" color=\"#777777\">{}"
+                        "</font></td></tr>",
+                        html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
+    }
+
+    static std::string link_label(const LinkEnd& end) { return end.link < 0 ? "" : fmt::format("{}", end.link); }
+
+    std::vector<std::size_t> channels_carried() const {
+        std::vector<std::size_t> channels(n_.connections.size(), 0);
+        for (const auto& channel : n_.channels)
+            if (channel.placement.kind != ChannelPlacement::Kind::soft)
+                ++channels[channel.placement.connection];
+        return channels;
+    }
+
+    void print_connection(std::size_t index, const std::vector<std::size_t>& channels) {
+        const auto& connection = n_.connections[index];
+        std::string label;
+        if (connection.bits_per_second != 20'000'000)
+            label += fmt::format("{:g} Mbit/s", static_cast<double>(connection.bits_per_second) / 1e6);
+        if (connection.switches() > 0)
+            label += fmt::format("{}{} C004", label.empty() ? "" : ", ", connection.switches());
+        auto upper = connection.a, lower = connection.b;
+        if (level_[upper.node] > level_[lower.node])
+            std::swap(upper, lower);
+        text_ +=
+            fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node, lower.node,
+                        link_label(upper), link_label(lower), label.empty() ? "" : fmt::format(", label=\"{}\"", label),
+                        channels[index] == 0 ? ", style=dotted" : "",
+                        level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
+    }
+
+    const Network& n_;
+    std::vector<std::vector<std::size_t>> processes_of_;
+    std::vector<std::size_t> level_;
+    std::string text_;
+};
+
+} // namespace
+
+std::string print_dot(const Network& network) { return DotPrinter(network).print(); }
+
+} // namespace placedpar

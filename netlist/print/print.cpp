@@ -1,0 +1,14 @@
+#include "netlist/print/print.hpp"
+
+namespace placedpar {
+
+std::uint64_t network_hash(const Network& network) {
+    std::uint64_t hash = 0xcbf29ce484222325U; // offset and prime of FNV-1a, 64 bits
+    for (char c : print_cfs(network)) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 0x100000001b3U;
+    }
+    return hash;
+}
+
+} // namespace placedpar

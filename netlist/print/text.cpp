@@ -1,0 +1,128 @@
+#include "netlist/print/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace placedpar {
+
+namespace {
+
+std::string print_real(double value) {
+    auto text = fmt::format("{}", value);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+std::string print_string(const std::string& text) {
+    std::string result = "\"";
+    for (char c : text) {
+        if (c == '"' || c == '\\')
+            result += std::string("\\") + c;
+        else if (c == '\n')
+            result += "\\n";
+        else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            result += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+        else
+            result += c;
+    }
+    return result + "\"";
+}
+
+void enlarge(std::vector<std::int64_t>& dimensions, const std::vector<std::int64_t>& subscripts) {
+    dimensions.resize(std::max(dimensions.size(), subscripts.size()), 0);
+    for (std::size_t i = 0; i < subscripts.size(); ++i)
+        dimensions[i] = std::max(dimensions[i], subscripts[i] + 1);
+}
+
+std::string declarator(std::string_view base, const std::vector<std::int64_t>& dimensions) {
+    std::string result(base);
+    for (auto size : dimensions)
+        result += fmt::format("[{}]", size);
+    return result;
+}
+
+/// Bytes of the UTF-8 character that begins the text; 0 if none does. Longer forms than needed and
+/// surrogates count as none.
+std::size_t utf8_length(std::string_view text) {
+    auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    auto lead = byte(0);
+    std::size_t length = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80)
+            return 0;
+    bool refused = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xed && byte(1) >= 0xa0) ||
+                   (lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) >= 0x90);
+    return refused ? 0 : length;
+}
+
+} // namespace
+
+std::string as_utf8(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        if (auto length = utf8_length(text)) {
+            result += text.substr(0, length);
+            text.remove_prefix(length);
+            continue;
+        }
+        auto latin = static_cast<unsigned char>(text[0]);
+        result += static_cast<char>(0xc0 | (latin >> 6));
+        result += static_cast<char>(0x80 | (latin & 0x3f));
+        text.remove_prefix(1);
+    }
+    return result;
+}
+
+std::string print_constant(const Value& value) {
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+        // its absolute value is no constant of 64 bits
+        if (*integer == std::numeric_limits<std::int64_t>::min())
+            return fmt::format("({} - 1)", *integer + 1);
+        return fmt::format("{}", *integer);
+    }
+    if (const auto* real = std::get_if<double>(&value))
+        return print_real(*real);
+    return print_string(std::get<std::string>(value));
+}
+
+std::vector<ElementRange> element_ranges(std::size_t count, const std::function<std::string_view(std::size_t)>& name) {
+    std::vector<ElementRange> ranges;
+    std::vector<std::int64_t> dimensions;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto base = base_name(name(i));
+        if (ranges.empty() || ranges.back().base != base) {
+            ranges.push_back({"", std::string(base), i, 0});
+            dimensions.clear();
+        }
+        enlarge(dimensions, subscripts_of(name(i)));
+        ++ranges.back().count;
+        if (i + 1 == count || base_name(name(i + 1)) != base)
+            ranges.back().declarator = declarator(base, dimensions);
+    }
+    return ranges;
+}
+
+std::vector<std::string> declarators_of(const std::vector<std::string>& names) {
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<std::int64_t>, std::less<>> dimensions;
+    for (const auto& name : names) {
+        std::string base(base_name(name));
+        if (!dimensions.contains(base))
+            order.push_back(base);
+        enlarge(dimensions[base], subscripts_of(name));
+    }
+    for (auto& base : order)
+        base = declarator(base, dimensions[base]);
+    return order;
+}
+
+std::string print_list(const std::vector<std::string>& entries) {
+    if (entries.empty())
+        return "";
+    auto one_line = fmt::format("({})", fmt::join(entries, ", "));
+    return one_line.size() < 90 ? one_line : fmt::format("({})", fmt::join(entries, ",\n    "));
+}
+
+} // namespace placedpar

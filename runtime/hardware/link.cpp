@@ -1,0 +1,162 @@
+#include "runtime/hardware/link.hpp"
+
+#include "runtime/channel.hpp"
+#include "runtime/hardware/instructions.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/kernel.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// The part of a message that ends it on the wire; an empty part does not travel.
+std::size_t last_travelling_part(const WireForm& form) {
+    std::size_t part = form.parts() - 1;
+    while (part > 0 && form[part] == 0)
+        --part;
+    return part;
+}
+
+} // namespace
+
+Link::Link(Kernel& kernel, const LinkTiming& timing)
+    : timing_(timing), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
+      a_to_b_(kernel, timing_, wire_from_a_, wire_from_b_, b_to_a_),
+      b_to_a_(kernel, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
+
+LinkDirection::LinkDirection(Kernel& kernel, const LinkTiming& timing, Wire& out, Wire& back, LinkDirection& opposite)
+    : kernel_(kernel), timing_(timing), out_(out), back_(back), opposite_(opposite) {}
+
+void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
+    kernel_.future().schedule(event, at, priority, events_of_a_wire * out_.rank() + number);
+}
+
+void LinkDirection::cancel(Event& event) { kernel_.future().cancel(event); }
+
+void LinkDirection::serve(AnyChannel& channel) {
+    if (channel_ && channel_ != &channel)
+        throw std::logic_error(fmt::format("channels {} and {} use the same direction of a link: "
+                                           "several channels need a multiplexer",
+                                           channel_->name(), channel.name()));
+    channel_ = &channel;
+}
+
+void LinkDirection::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
+    serve(channel);
+    if (form.total() == 0)
+        throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
+    std::size_t last = last_travelling_part(form);
+    for (std::size_t part = 0; part <= last; ++part)
+        if (form[part] > 0) {
+            charge_channel_call();
+            send(form[part], part == last, where);
+        }
+}
+
+void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
+    serve(channel);
+    bool last;
+    do {
+        charge_channel_call();
+        last = receive(where);
+    } while (!last);
+}
+
+void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocation& where) {
+    sender_ = &kernel_.running();
+    bytes_in_part_ = bytes_left_ = bytes;
+    last_part_ = last_part;
+    if (kernel_.now() >= may_start_)
+        start_byte();
+    else
+        start_byte_.schedule(may_start_);
+    sender_->wait_for(Activity::outputting, channel_, where);
+}
+
+bool LinkDirection::receive(const SourceLocation& where) {
+    receiver_ = &kernel_.running();
+    bool first_byte_here = std::exchange(first_byte_waits_, false);
+    if (std::exchange(acknowledge_owed_, false)) {
+        opposite_.simulate_bytes_again();
+        back_.ask_for_acknowledge(*this);
+    }
+    if (first_byte_here && bytes_left_ == 0) {
+        take_part();
+        receiver_ = nullptr;
+    } else {
+        receiver_->wait_for(Activity::inputting, channel_, where);
+    }
+    return took_last_part_;
+}
+
+/// Two moments end a part: its last byte arrives, and the acknowledge of that byte starts. At the first of
+/// them the receiver gets the message: it, or the sender, goes on with that moment or soon after.
+void LinkDirection::take_part() {
+    taken_ = !taken_;
+    if (!taken_)
+        return;
+    took_last_part_ = last_part_;
+    if (last_part_)
+        channel_->hand_over();
+}
+
+void LinkDirection::start_byte() {
+    skipped_bytes_ = 0;
+    opposite_.simulate_bytes_again();
+    out_.ask_for_byte(*this);
+}
+
+void LinkDirection::byte_started() {
+    Time seen = later(kernel_.now(), timing_.wire_delay);
+    byte_noticed_.schedule(later(seen, timing_.acknowledge_latency()));
+    if (bytes_left_ == bytes_in_part_) {
+        cancel(first_byte_arrived_); // of a part that was taken: it changes nothing
+        first_byte_arrived_.schedule(later(seen, timing_.data()));
+    }
+    if (--bytes_left_ == 0)
+        last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(later(seen, timing_.data()));
+    ++bytes_carried_;
+}
+
+void LinkDirection::byte_noticed() {
+    if (receiver_ || taken_)
+        back_.ask_for_acknowledge(*this);
+    else
+        acknowledge_owed_ = true;
+}
+
+void LinkDirection::first_byte_arrived() {
+    if (!receiver_) {
+        first_byte_waits_ = true;
+        channel_->announce();
+    }
+}
+
+void LinkDirection::last_byte_arrived() {
+    if (receiver_) {
+        take_part();
+        kernel_.make_ready(*std::exchange(receiver_, nullptr));
+    }
+}
+
+void LinkDirection::acknowledge_started() {
+    Time seen = later(kernel_.now(), timing_.wire_delay);
+    may_start_ = later(seen, timing_.restart_latency());
+    if (bytes_left_ == 0) {
+        take_part();
+        sending_ended_.schedule(later(seen, timing_.acknowledge()));
+    } else if (quiet_enough_to_skip()) {
+        skip_middle_bytes();
+    } else {
+        start_byte_.schedule(may_start_);
+    }
+}
+
+void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }
+
+} // namespace placedpar

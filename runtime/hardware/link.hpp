@@ -1,0 +1,118 @@
+#pragma once
+
+#include "runtime/carrier.hpp"
+#include "runtime/event.hpp"
+#include "runtime/hardware/link_timing.hpp"
+#include "runtime/hardware/wire.hpp"
+#include "runtime/source_location.hpp"
+
+namespace placedpar {
+
+class Kernel;
+class Process;
+
+/// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
+/// `in` start at its ends. A sender goes on when the acknowledge of its last byte has come, a receiver when
+/// its last byte has. The first byte of a message that nobody has asked for waits, unacknowledged, at the
+/// receiving end. The times are exact to the bit.
+///
+/// Throws std::logic_error when a second channel uses it, and for a message without bytes.
+class LinkDirection final : public Carrier, private WireUser {
+public:
+    /// Its bytes travel on `out`, their acknowledges on `back`; `opposite` uses them the other way round.
+    LinkDirection(Kernel&, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
+
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override;
+    bool message_waits(const AnyChannel&) const override { return first_byte_waits_; }
+
+    /// Makes every byte a matter of events of its own: the model by which the closed form is tested.
+    void simulate_every_byte() { every_byte_ = true; }
+
+    std::uint64_t bytes_carried() const { return bytes_carried_; }
+
+private:
+    void serve(AnyChannel&);
+    void send(std::uint32_t bytes, bool last_part, const SourceLocation&);
+    bool receive(const SourceLocation&);
+
+    // What happens to a byte, in this order.
+    void start_byte();
+    void byte_started() override;
+    void byte_noticed();
+    void first_byte_arrived();
+    void last_byte_arrived();
+    void acknowledge_started() override;
+    void sending_ended();
+    void take_part();
+
+    // The closed form (link_closed_form.cpp).
+    /// It asks for neither wire before a process does something.
+    bool quiet() const { return !sender_ || acknowledge_owed_; }
+    bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
+    void skip_middle_bytes();
+    void simulate_bytes_again();
+
+    template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
+    struct StepEvent final : Event {
+        StepEvent(LinkDirection& d) : direction(d) {}
+        void happen() noexcept override { (direction.*Step)(); }
+        void schedule(Time at) { direction.schedule(*this, at, priority, number); }
+        LinkDirection& direction;
+    };
+    void schedule(Event&, Time, EventQueue::Priority, std::uint64_t number);
+    void cancel(Event&);
+
+    Kernel& kernel_;
+    const LinkTiming& timing_;
+    Wire& out_;
+    Wire& back_;
+    LinkDirection& opposite_;
+    AnyChannel* channel_ = nullptr;
+
+    Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
+    std::uint32_t bytes_in_part_ = 0;
+    std::uint32_t bytes_left_ = 0; ///< not yet started
+    bool last_part_ = false;
+    Time may_start_{}; ///< no byte before this
+
+    Process* receiver_ = nullptr;
+    bool first_byte_waits_ = false; ///< arrived, and nobody has asked for it
+    bool acknowledge_owed_ = false; ///< to the first byte, once somebody asks for it
+    /// The receiver has the part, and either its last byte or that byte's acknowledge is still to come.
+    bool taken_ = false;
+    bool took_last_part_ = false;
+
+    bool every_byte_ = false;
+    std::uint32_t skipped_bytes_ = 0; ///< of the part under way: those that the closed form stands for
+    Time first_skipped_start_{};
+
+    StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
+    StepEvent<&LinkDirection::byte_noticed, EventQueue::acknowledge, 1> byte_noticed_{*this};
+    StepEvent<&LinkDirection::first_byte_arrived, EventQueue::arrival, 1> first_byte_arrived_{*this};
+    /// Two, for on a long wire the next part can start before the last byte of this one has arrived.
+    StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
+    StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
+
+    std::uint64_t bytes_carried_ = 0;
+};
+
+/// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
+class Link {
+public:
+    Link(Kernel&, const LinkTiming&);
+    Link(const Link&) = delete;
+    Link& operator=(const Link&) = delete;
+
+    LinkDirection& from_a_to_b() { return a_to_b_; }
+    LinkDirection& from_b_to_a() { return b_to_a_; }
+    const LinkDirection& from_a_to_b() const { return a_to_b_; }
+    const LinkDirection& from_b_to_a() const { return b_to_a_; }
+
+private:
+    LinkTiming timing_;
+    Wire wire_from_a_, wire_from_b_;
+    LinkDirection a_to_b_, b_to_a_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,50 @@
+// The closed form of a message on a link whose other direction is quiet. Its bytes follow each other at a
+// fixed period, so that those between the first and the last need no events: only the start of the last is
+// scheduled. When the other direction wants one of the wires after all, the state that the bytes would have
+// left is worked out, and from there on every byte is simulated again.
+
+#include "runtime/hardware/link.hpp"
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar {
+
+/// The acknowledge of a byte has started, and the other direction will not want the wires for now.
+void LinkDirection::skip_middle_bytes() {
+    skipped_bytes_ = std::exchange(bytes_left_, 1) - 1;
+    bytes_carried_ += skipped_bytes_;
+    first_skipped_start_ = std::max(may_start_, out_.free_at());
+    start_byte_.schedule(later(first_skipped_start_, times(skipped_bytes_, timing_.byte_period())));
+}
+
+/// Everything that bytes and acknowledges do up to and including this moment has happened (EventQueue sees to
+/// that: whoever asks for a wire comes after acknowledges, and starts of bytes on different wires do not
+/// concern each other); what comes later becomes events.
+void LinkDirection::simulate_bytes_again() {
+    if (skipped_bytes_ == 0)
+        return;
+    Time now = kernel_.now();
+    cancel(start_byte_);
+    std::int64_t started = 0;
+    if (now >= first_skipped_start_)
+        started = std::min<std::int64_t>((now - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_);
+    std::uint32_t to_come = std::exchange(skipped_bytes_, 0) - static_cast<std::uint32_t>(started);
+    bytes_left_ += to_come;
+    bytes_carried_ -= to_come;
+    if (started > 0) {
+        Time start = first_skipped_start_ + (started - 1) * timing_.byte_period();
+        out_.occupied_until(later(start, timing_.data()));
+        Time noticed = later(start, timing_.wire_delay + timing_.acknowledge_latency());
+        if (noticed > now) {
+            byte_noticed_.schedule(noticed);
+            return;
+        }
+        back_.occupied_until(later(noticed, timing_.acknowledge()));
+        may_start_ = later(noticed, timing_.wire_delay + timing_.restart_latency());
+    }
+    start_byte_.schedule(std::max(may_start_, now));
+}
+
+} // namespace placedpar

@@ -1,0 +1,152 @@
+#include "runtime/hardware/processor.hpp"
+
+#include "runtime/hardware/instructions.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/trace.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar {
+
+Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call)
+    : kernel_(kernel), name_(std::move(name)), clock_hz_(clock_hz), channel_call_(channel_call) {
+    if (clock_hz <= 0)
+        throw std::logic_error("processor " + name_ + ": its clock must run");
+}
+
+Time Processor::time_busy() const { return turn_.scheduled() ? busy_ + (kernel_.now() - turn_began_) : busy_; }
+
+void Processor::make_ready(Process& p) {
+    (p.priority() == Priority::high ? high_ : low_).push_back(p);
+    if (!current_) {
+        dispatch();
+    } else if (turn_.scheduled() && current_->priority() == Priority::low) {
+        if (p.priority() == Priority::high) {
+            preempt();
+        } else { // if the current one had no rival so far: now its timeslice counts
+            stop_turn();
+            begin_turn();
+        }
+    }
+}
+
+void Processor::release([[maybe_unused]] Process& p) {
+    assert(current_ == &p);
+    current_ = nullptr;
+    dispatch();
+}
+
+void Processor::end(Process& p, Process* parent) {
+    assert(current_ == &p);
+    if (parent && parent->priority() == p.priority()) {
+        current_ = parent;
+        kernel_.enqueue(*parent);
+        return;
+    }
+    release(p);
+    if (parent)
+        make_ready(*parent);
+}
+
+void Processor::dispatch() {
+    if (Process* p = high_.pop_front()) {
+        current_ = p;
+    } else if (preempted_) {
+        current_ = std::exchange(preempted_, nullptr);
+    } else if (Process* waiting = low_.pop_front()) {
+        current_ = waiting;
+        dispatched_at_ = kernel_.now();
+    } else {
+        return;
+    }
+    if (current_->work_left_ > Time{0})
+        begin_turn();
+    else
+        kernel_.enqueue(*current_);
+}
+
+void Processor::compute(Cycles cycles) {
+    Process& self = kernel_.running();
+    kernel_.throw_if_unwinding();
+    assert(current_ == &self);
+    if (static_cast<std::int64_t>(cycles) < 0)
+        throw std::logic_error("process " + self.path() + " computes for less than no time");
+    self.work_left_ = later(self.work_left_, duration_of(static_cast<std::int64_t>(cycles), clock_hz_));
+    if (self.priority() == Priority::low && !high_.empty()) {
+        preempt();
+    } else {
+        bool alone = self.priority() == Priority::high || low_.empty();
+        if (alone && kernel_.pass_time(later(kernel_.now(), self.work_left_))) {
+            turn_began_ = kernel_.now() - self.work_left_;
+            account(self, std::exchange(self.work_left_, Time{0}));
+            return;
+        }
+        begin_turn();
+    }
+    kernel_.give_way();
+}
+
+/// The end of the first timeslice period that ends with the current process having run for a whole one.
+Time Processor::slice_end() const {
+    Time earliest = std::max(later(dispatched_at_, timeslice), kernel_.now());
+    Time rounded_up = later(earliest, timeslice - Time{1});
+    return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;
+}
+
+void Processor::begin_turn() {
+    turn_began_ = kernel_.now();
+    Time end = later(turn_began_, current_->work_left_);
+    if (current_->priority() == Priority::low && !low_.empty())
+        end = std::min(end, slice_end());
+    kernel_.future().schedule(turn_, end, EventQueue::processor);
+}
+
+void Processor::stop_turn() {
+    Time worked = kernel_.now() - turn_began_;
+    current_->work_left_ -= worked;
+    account(*current_, worked);
+    kernel_.future().cancel(turn_);
+}
+
+void Processor::account(const Process& process, Time worked) {
+    busy_ += worked;
+    if (TraceSink* trace = kernel_.trace())
+        trace->computed(process, turn_began_, kernel_.now());
+}
+
+void Processor::end_turn() {
+    stop_turn();
+    if (current_->work_left_ > Time{0}) {
+        low_.push_back(*std::exchange(current_, nullptr));
+        dispatch();
+    } else {
+        kernel_.enqueue(*current_);
+    }
+}
+
+/// A high-priority process waits in the queue and a low one has the processor.
+void Processor::preempt() {
+    if (turn_.scheduled())
+        stop_turn();
+    preempted_ = std::exchange(current_, nullptr);
+    Process* high = high_.pop_front();
+    Time latency = duration_of(static_cast<std::int64_t>(instructions::preemption), clock_hz_);
+    high->work_left_ = later(high->work_left_, latency);
+    current_ = high;
+    begin_turn();
+}
+
+void compute(Cycles cycles) {
+    if (Processor* processor = Kernel::current()->running().processor())
+        processor->compute(cycles);
+}
+
+void charge_channel_call() {
+    if (Processor* processor = Kernel::current()->running().processor())
+        processor->compute(processor->channel_call() + instructions::input_or_output);
+}
+
+} // namespace placedpar

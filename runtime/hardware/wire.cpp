@@ -1,0 +1,27 @@
+#include "runtime/hardware/wire.hpp"
+
+#include "runtime/kernel.hpp"
+
+#include <utility>
+
+namespace placedpar {
+
+Wire::Wire(Kernel& kernel, const LinkTiming& timing)
+    : kernel_(kernel), timing_(timing), rank_(kernel.rank_of_new_wire()) {}
+
+void Wire::serve() {
+    Time now = kernel_.now();
+    if (now >= free_at_) {
+        if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
+            free_at_ = later(now, timing_.acknowledge());
+            user->acknowledge_started();
+        } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
+            free_at_ = later(now, timing_.data());
+            sender->byte_started();
+        }
+    }
+    if ((acknowledge_for_ || byte_for_) && !freed_.scheduled())
+        kernel_.future().schedule(freed_, free_at_, EventQueue::start, events_of_a_wire * rank_);
+}
+
+} // namespace placedpar

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "hydraulics/circuit/flow_constants.hpp"
+
+namespace placedpar::test {
+
+/// k 100, Q 175, P_e 25, as the thesis prints them.
+inline const FlowConstants& flow = rounded_flow_constants;
+
+} // namespace placedpar::test

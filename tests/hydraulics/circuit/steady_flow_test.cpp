@@ -1,0 +1,143 @@
+#include "hydraulics/circuit/flow_constants_fit.hpp"
+#include "hydraulics/circuit/steady_flow.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+const FlowConstants rounded = rounded_flow_constants;
+
+/// In percent of the flow at the tabulated spool.
+double change_percent(const SteadyFlowPoint& point, double spool_error_in) {
+    double right = steady_boom_flow(point.spool_in, point.inlet_psi, rounded).inlet_in3_per_s;
+    double wrong = steady_boom_flow(point.spool_in + spool_error_in, point.inlet_psi, rounded).inlet_in3_per_s;
+    return 100 * (wrong / right - 1);
+}
+
+// 1e-4 in, worked out independently, to the digit given: model less table.
+constexpr double fitted_residuals[] = {-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
+constexpr double rounded_residuals[] = {-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
+
+const SteadyFlowPoint& entry(double flow, double psi) {
+    return *std::ranges::find_if(
+        table_2_6(), [&](const SteadyFlowPoint& p) { return p.inlet_in3_per_s == flow && p.inlet_psi == psi; });
+}
+
+} // namespace
+
+TEST_CASE("Table 2.6: flow within 0.15 in^3/s at the tabulated spools, spool within 2e-4 in") {
+    REQUIRE(table_2_6().size() == 9);
+    for (const SteadyFlowPoint& point : table_2_6()) {
+        CAPTURE(point.spool_in);
+        double flow = steady_boom_flow(point.spool_in, point.inlet_psi, rounded).inlet_in3_per_s;
+        CHECK(std::abs(flow - point.inlet_in3_per_s) < 0.15);
+        double spool = boom_spool_for_flow(point.inlet_in3_per_s, point.inlet_psi, rounded);
+        CHECK(std::abs(spool - point.spool_in) < 2e-4);
+    }
+}
+
+TEST_CASE("spool from flow is the inverse of flow from spool") {
+    for (double psi : {20.0, 500.0, 1630.0, 3000.0})
+        for (double flow : {0.01, 1.0, 40.0, 120.0, 174.99}) {
+            CAPTURE(psi);
+            CAPTURE(flow);
+            double spool = boom_spool_for_flow(flow, psi, rounded);
+            CHECK(steady_boom_flow(spool, psi, rounded).inlet_in3_per_s == doctest::Approx(flow).epsilon(1e-9));
+        }
+    CHECK(boom_spool_for_flow(175, 1630, rounded) == doctest::Approx(0.376));
+}
+
+TEST_CASE("a flow that no spool gives is refused") {
+    CHECK_THROWS_AS(boom_spool_for_flow(0, 1630, rounded), std::domain_error);
+    CHECK_THROWS_AS(boom_spool_for_flow(175.1, 1630, rounded), std::domain_error);
+    CHECK_THROWS_AS(boom_spool_for_flow(50, 4500, rounded), std::domain_error); // the relief valve is open
+    CHECK_THROWS_AS(boom_spool_for_flow(std::nan(""), 1630, rounded), std::domain_error);
+}
+
+TEST_CASE("the thesis's claims: 0.02 in of spool is up to 50 % of flow, 0.01 in about 20 %") {
+    CHECK(std::abs(change_percent(entry(40, 1630), 0.02) - 50) < 2);
+    CHECK(std::abs(change_percent(entry(50, 1630), 0.01) - 20) < 1.5);
+    for (const SteadyFlowPoint& point : table_2_6()) {
+        CAPTURE(point.spool_in);
+        CHECK(change_percent(point, 0.02) > 33);
+        CHECK(change_percent(point, 0.02) < 56);
+        CHECK(change_percent(point, 0.01) > 16);
+        CHECK(change_percent(point, 0.01) < 28);
+        CHECK(0.02 / point.spool_in < 0.083); // the "8 %"
+    }
+}
+
+TEST_CASE("sensitivity of the flow: the implicit derivative of Q_i + k a_e sqrt(P - P_e) = Q") {
+    for (const SteadyFlowPoint& point : table_2_6()) {
+        CAPTURE(point.spool_in);
+        FlowSensitivity sensitivity = boom_flow_sensitivity(point.spool_in, point.inlet_psi, rounded);
+        FlowSplit split = steady_boom_flow(point.spool_in, point.inlet_psi, rounded);
+        double inlet = 100 * 1.247 * (point.spool_in - 0.188), bypass = 100 * 0.25 * (0.376 - point.spool_in);
+        double root = std::sqrt(split.pump_psi - 25), flow = split.inlet_in3_per_s;
+        double to_flow = 1 + bypass * flow / (root * inlet * inlet);
+        double to_psi = bypass / (2 * root);
+        double to_spool = -25 * root - bypass / root * flow * flow / std::pow(inlet, 3) * 124.7;
+        CHECK(sensitivity.to_pressure_in3_per_s_psi == doctest::Approx(-to_psi / to_flow).epsilon(1e-6));
+        CHECK(sensitivity.to_spool_in3_per_s_in == doctest::Approx(-to_spool / to_flow).epsilon(1e-6));
+        CHECK(sensitivity.to_spool_in3_per_s_in > 990);
+        CHECK(sensitivity.to_spool_in3_per_s_in < 1120);
+        CHECK(sensitivity.to_pressure_in3_per_s_psi < -0.027);
+        CHECK(sensitivity.to_pressure_in3_per_s_psi > -0.039);
+    }
+}
+
+TEST_CASE("what the two sets of constants leave of Table 2.6") {
+    auto fitted = spool_residuals_in(table_2_6(), fitted_flow_constants);
+    auto round = spool_residuals_in(table_2_6(), rounded_flow_constants);
+    for (std::size_t i = 0; i < 9; ++i) {
+        CHECK(std::abs(fitted[i] * 1e4 - fitted_residuals[i]) < 0.0051);
+        CHECK(std::abs(round[i] * 1e4 - rounded_residuals[i]) < 0.0051);
+    }
+}
+
+TEST_CASE("the constants fitted to Table 2.6, and what is left, from wherever the fit starts") {
+    for (const FlowConstants& start : {rounded, FlowConstants{90, 160, 100}, FlowConstants{110, 190, 0}}) {
+        FlowConstantsFit fit = fit_flow_constants(table_2_6(), start);
+        CHECK(std::abs(fit.constants.orifice_in3_per_s_in2_sqrt_psi - 99.83) < 0.02);
+        CHECK(std::abs(fit.constants.pump_in3_per_s - 175.08) < 0.02);
+        CHECK(std::abs(fit.constants.tank_psi - 16.2) < 0.5);
+        CHECK(fit.constants.relief_psi == start.relief_psi);
+        CHECK(std::abs(fit.rms_in - 0.61e-4) < 0.01e-4);
+        for (std::size_t i = 0; i < 9; ++i)
+            CHECK(std::abs(fit.residuals_in[i] - fitted_residuals[i] * 1e-4) < 0.02e-4);
+        CHECK(std::abs(fit.deviation.orifice_in3_per_s_in2_sqrt_psi - 0.4) < 0.1);
+        CHECK(std::abs(fit.deviation.pump_in3_per_s - 0.4) < 0.1);
+        CHECK(std::abs(fit.deviation.tank_psi - 9) < 3);
+    }
+}
+
+TEST_CASE("without its worst entry the table is met to its rounding") {
+    std::vector<SteadyFlowPoint> table(table_2_6().begin(), table_2_6().end());
+    table.erase(table.begin() + 4);
+    FlowConstantsFit fit = fit_flow_constants(table, rounded);
+    CHECK(std::abs(fit.constants.orifice_in3_per_s_in2_sqrt_psi - 99.86) < 0.02);
+    CHECK(std::abs(fit.constants.pump_in3_per_s - 175.06) < 0.02);
+    CHECK(std::abs(fit.rms_in - 0.38e-4) < 0.01e-4);
+}
+
+TEST_CASE("a fit finds the constants that a table was made with") {
+    std::vector<SteadyFlowPoint> table;
+    for (double psi : {600.0, 1500.0, 2500.0})
+        for (double flow : {20.0, 60.0, 120.0})
+            table.push_back({flow, psi, boom_spool_for_flow(flow, psi, {93, 150, 60})});
+    FlowConstantsFit fit = fit_flow_constants(table, rounded);
+    CHECK(fit.constants.orifice_in3_per_s_in2_sqrt_psi == doctest::Approx(93).epsilon(1e-6));
+    CHECK(fit.constants.pump_in3_per_s == doctest::Approx(150).epsilon(1e-6));
+    CHECK(fit.constants.tank_psi == doctest::Approx(60).epsilon(1e-5));
+    CHECK(fit.rms_in < 1e-8);
+    table.resize(3);
+    CHECK_THROWS_AS(fit_flow_constants(table, rounded), std::invalid_argument);
+}

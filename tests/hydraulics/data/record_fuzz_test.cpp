@@ -1,0 +1,102 @@
+#include "hydraulics/data/record_table.hpp"
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+std::string good_record() {
+    std::string text = "# boom\ntime [s],boom.inlet_pressure [psi],boom.angle [deg],\"boom.spool [in]\"\n";
+    for (int i = 0; i < 12; ++i)
+        text += fmt::format("{:.3f},{:.2f},{:.3f},{:.4f}\n", 0.02 * i, 1555 + 20.0 * i, 20 + 0.1 * i, 0.13 + 0.01 * i);
+    return text;
+}
+
+/// Changes a text at random places: bytes replaced, taken out, put in or doubled, and pieces that records break on.
+std::string mutated(std::string text, RandomStream& random) {
+    static constexpr std::array<std::string_view, 20> pieces{
+        "\"",     "\"\"",  ",", ",,", "\n", "\r",           "\r\n", "nan", "inf",  "1e999",
+        "-1e308", "1e308", "#", "[",  "]",  "\xef\xbb\xbf", "+",    "-",   "1e12", "boom.angle [rad]"};
+    for (std::uint32_t changes = 1 + random.below(6); changes > 0; --changes) {
+        std::size_t at = random.below(static_cast<std::uint32_t>(text.size() + 1));
+        std::size_t length = random.below(20);
+        switch (random.below(5)) {
+        case 0: text.insert(at, pieces[random.below(static_cast<std::uint32_t>(pieces.size()))]); break;
+        case 1: text.erase(at, length); break;
+        case 2: text.insert(at, text.substr(at, length)); break;
+        case 3: text.insert(at, 1, static_cast<char>(random.below(256))); break;
+        default:
+            if (at < text.size())
+                text[at] = static_cast<char>(random.below(256));
+        }
+    }
+    return text;
+}
+
+void check_faults(const ReadRecord& read, const std::string& text) {
+    auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+    for (const TextFault& fault : read.faults) {
+        CHECK(fault.line <= lines);
+        CHECK(fault.column <= text.size() + 1);
+        CHECK((fault.line == 0) == (fault.column == 0));
+        CHECK_FALSE(fault.message.empty());
+    }
+}
+
+void check_record(const Record& record) {
+    CHECK(record.size() >= fewest_samples);
+    CHECK(record.period_s > 0);
+    CHECK_FALSE(record.links().empty());
+    for (std::size_t i = 1; i < record.size(); ++i) {
+        double periods = (record.time_s[i] - record.time_s[i - 1]) / record.period_s;
+        CHECK(periods > 0);
+        CHECK(std::abs(periods - std::round(periods)) <= sampling_tolerance * 1.001);
+    }
+    for (MachineLink link : all_links)
+        for (Sensor sensor : all_sensors) {
+            const auto& values = record.of(link, sensor);
+            CHECK((values.empty() || values.size() == record.size()));
+            for (double value : values)
+                CHECK(std::isfinite(value));
+        }
+}
+
+} // namespace
+
+TEST_CASE("whatever becomes of a text, it is a record that can be used or a refusal that says where") {
+    RandomStream random(11, "mutations of a record");
+    const std::string good = good_record();
+    int read_well = 0, refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string text = mutated(good, random);
+        CAPTURE(text);
+        ReadRecord read = read_record(text);
+        REQUIRE(read.record.has_value() != refuses(read.faults));
+        check_faults(read, text);
+        (read.record ? read_well : refused)++;
+        if (read.record)
+            check_record(*read.record);
+    }
+    CHECK(read_well > 500); // both ends are met
+    CHECK(refused > 1000);
+}
+
+TEST_CASE("random bytes") {
+    RandomStream random(12, "rubbish");
+    for (int i = 0; i < 2000; ++i) {
+        std::string text;
+        for (std::uint32_t length = random.below(300); length > 0; --length)
+            text += static_cast<char>(random.below(256));
+        ReadRecord read = read_record(text);
+        CHECK_FALSE(read.record.has_value());
+        check_faults(read, text);
+    }
+}

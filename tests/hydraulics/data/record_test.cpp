@@ -1,0 +1,230 @@
+#include "hydraulics/data/record_table.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr const char* boom_columns = "time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]\n";
+
+std::string row(double time_s) {
+    return fmt::format("{:.3f},{:.2f},{:.3f},{:.4f}\n", time_s, 1555 + 1000 * time_s, 20 + time_s, 0.13 + time_s / 10);
+}
+
+std::string rows(int first, int last) {
+    std::string text;
+    for (int i = first; i < last; ++i)
+        text += row(0.02 * i);
+    return text;
+}
+
+/// "error 3:5: message | hint" for each fault.
+std::string record_faults(const std::string& text) {
+    ReadRecord read = read_record(text);
+    CHECK(read.record.has_value() != refuses(read.faults));
+    std::string all;
+    for (const TextFault& fault : read.faults)
+        all += fmt::format("{} {}:{}: {}{}{}\n", fault.refused ? "error" : "warning", fault.line, fault.column,
+                           fault.message, fault.hint.empty() ? "" : " | ", fault.hint);
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a record as it is written") {
+    ReadRecord read = read_record("# boom, seed 1\n# by hand\n" + (boom_columns + rows(0, 10)));
+    REQUIRE(read.record);
+    CHECK(read.faults.empty());
+    const Record& record = *read.record;
+    CHECK(record.description == "boom, seed 1\nby hand\n");
+    CHECK(record.size() == 10);
+    CHECK(record.period_s == doctest::Approx(0.02));
+    CHECK(record.links() == LinkSet{MachineLink::boom});
+    CHECK(record.of(MachineLink::boom, Sensor::inlet_pressure)[5] == doctest::Approx(1655));
+    CHECK(record.has(MachineLink::boom, Sensor::spool));
+    CHECK_FALSE(record.has(MachineLink::boom, Sensor::servo));
+    CHECK_FALSE(record.has(MachineLink::bucket, Sensor::angle));
+    REQUIRE(record.stretches().size() == 1);
+    CHECK(record.stretches()[0].last == 10);
+}
+
+TEST_CASE("columns in any order, by a link's symbol, from other units") {
+    std::string si = "BO.spool [mm],BO.angle [rad],time [ms],BO.inlet_pressure [kPa]\n";
+    for (int i = 0; i < 10; ++i) {
+        double time_s = 0.02 * i;
+        si +=
+            fmt::format("{:.9f},{:.12f},{:.6f},{:.9f}\n", (0.13 + time_s / 10) * 25.4,
+                        (20 + time_s) * std::acos(-1.0) / 180, 1000 * time_s, (1555 + 1000 * time_s) * 6.894757293168);
+    }
+    ReadRecord inch = read_record(boom_columns + rows(0, 10)), metric = read_record(si);
+    REQUIRE(metric.record);
+    CHECK(metric.faults.empty());
+    for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
+        for (std::size_t i = 0; i < 10; ++i)
+            CHECK(metric.record->of(MachineLink::boom, sensor)[i] ==
+                  doctest::Approx(inch.record->of(MachineLink::boom, sensor)[i]).epsilon(1e-9));
+    CHECK(metric.record->period_s == doctest::Approx(inch.record->period_s).epsilon(1e-12));
+}
+
+TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs") {
+    std::string text = "\xef\xbb\xbf\"time [s]\",\"boom.angle [deg]\"\r\n";
+    for (int i = 0; i < 6; ++i)
+        text += fmt::format("\"{:.2f}\",+{}\r\n", 0.02 * i, i);
+    ReadRecord read = read_record(text);
+    CHECK(read.faults.empty());
+    REQUIRE(read.record);
+    CHECK(read.record->of(MachineLink::boom, Sensor::angle)[5] == 5);
+}
+
+TEST_CASE("what is wrong with a header") {
+    CHECK(record_faults("") == "error 0:0: there is no header | such as time [s],boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("boom.angle [deg]\n1\n") ==
+          "error 1:1: there is no column \"time\" | the first column is mostly time [s]\n");
+    CHECK(record_faults("time [s]\n"
+                        "0\n") ==
+          "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("time [s],boom.angle\n0,1\n") ==
+          "error 1:10: column \"boom.angle\" has no unit | boom.angle [UNIT] with deg or rad\n");
+    CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
+          "error 1:10: \"psi\" is not a unit of angle | boom.angle [UNIT] with deg or rad\n");
+    CHECK(record_faults("time [s],boom.angle [deg],BO.angle [rad]\n0,1,2\n") ==
+          "error 1:27: column \"BO.angle\" is there twice | the first is column 2 of the table\n");
+    std::string text = "time [s],boom.angle [deg],boom.temperature [C],motor.angle [deg]\n";
+    for (int i = 0; i < 5; ++i)
+        text += fmt::format("{},{},x,y\n", 0.02 * i, i);
+    constexpr const char* used = "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle\n";
+    CHECK(
+        record_faults(text) ==
+        fmt::format("warning 1:27: column \"boom.temperature\" is not used | {}warning 1:48: column \"motor.angle\" is "
+                    "not used | {}",
+                    used, used));
+}
+
+TEST_CASE("what is wrong with a reading") {
+    constexpr const char* missing = "leave a row out where a reading is missing";
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,nan,20,0.2\n") ==
+          fmt::format("error 7:7: \"nan\" is not a finite number | a number such as 1830.5 or -2e-3; {}\n", missing));
+    CHECK(
+        record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
+        fmt::format("error 7:7: no value | a number such as 1830.5 or -2e-3; {0}\nerror 7:11: \"inf\" is not a finite "
+                    "number | a number such as 1830.5 or -2e-3; {0}\n",
+                    missing));
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
+          fmt::format("error 7:7: 1e300 is larger than anything measured | {}\n", missing));
+    CHECK(record_faults("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
+              .starts_with("error 2:3: 1e308 is larger than anything measured"));
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1600,20\n") ==
+          "error 7:12: 3 values, expected 4 | the header on line 1 has 4 columns\n");
+}
+
+TEST_CASE("what is wrong with the times") {
+    CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
+    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
+                                    "instant; lines end in LF or in CR LF\n";
+    CHECK(record_faults(boom_columns) == rowless);
+    CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // its line ends were lost
+    CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
+    CHECK(record_faults(boom_columns + rows(0, 6) + rows(8, 12)) ==
+          "warning 8:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + rows(5, 9)) == "warning 8:1: repeats line 7 | used once\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + "0.100,1700,20,0.2\n" + rows(6, 9)) ==
+          "error 8:1: the same time as on line 7, with other readings | leave out the one that is wrong\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + row(0.06) + rows(6, 9)) ==
+          "error 8:1: 0.04 s before the time on line 7 | rows must be in order of time\n"
+          "warning 9:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
+    CHECK(
+        record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
+        "error 8:1: 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the median step), "
+        "within 2 %\n"
+        "error 9:1: 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the median step), "
+        "within 2 %\n");
+    std::string backwards = boom_columns;
+    for (int i = 9; i >= 0; --i)
+        backwards += row(0.02 * i);
+    CHECK(record_faults(backwards) == "error 3:1: most times do not rise | rows must be in order of time\n");
+    std::string milliseconds = "boom.angle [deg],time [s]\n";
+    for (int i = 0; i < 6; ++i)
+        milliseconds += fmt::format("{},{}\n", i, 20 * i);
+    CHECK(record_faults(milliseconds) ==
+          "warning 1:18: samples are 20 s apart, which is unusual | it would be ordinary in ms\n");
+    CHECK(record_faults("boom.angle [deg],time [s]\n1,0\n2,0.02\n3,0.04\n4,0.06\n5,0.08\n6,0.01\n")
+              .starts_with("error 7:3: 0.07 s before"));
+}
+
+TEST_CASE("channels that are likely wrong") {
+    std::string text = "time [s],boom.inlet_pressure [psi],boom.spool [mm],boom.servo [V],bucket.angle [deg]\n";
+    for (int i = 0; i < 6; ++i)
+        text += fmt::format("{},{},{},{},7\n", 0.02 * i, 110 + i, 0.13 + 0.01 * i, 340 + i);
+    CHECK(
+        record_faults(text) ==
+        "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
+        "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
+        "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
+        "warning 1:67: bucket.angle is 7 deg in every sample | a sensor that is not connected, or a link that was not "
+        "moved\n");
+}
+
+TEST_CASE("gaps part a record into stretches") {
+    ReadRecord read = read_record(boom_columns + rows(0, 6) + rows(8, 12) + rows(20, 21));
+    REQUIRE(read.record);
+    auto stretches = read.record->stretches();
+    REQUIRE(stretches.size() == 3);
+    CHECK(stretches[1].first == 6);
+    CHECK(stretches[1].last == 10);
+    CHECK(stretches[2].last == 11);
+}
+
+TEST_CASE("what no sensor could have read is found: the earliest, and the first channel of its instant") {
+    ReadRecord read = read_record(boom_columns + rows(0, 6));
+    REQUIRE(read.record);
+    Record& record = *read.record;
+    CHECK(!first_unmeasurable(record));
+    record.of(MachineLink::boom, Sensor::inlet_pressure)[4] = -1e13;
+    record.of(MachineLink::boom, Sensor::spool)[3] = NAN;
+    record.of(MachineLink::boom, Sensor::angle)[3] = INFINITY;
+    auto reading = first_unmeasurable(record);
+    REQUIRE(reading);
+    CHECK(reading->sensor == Sensor::angle);
+    CHECK(reading->time_s == 0.06);
+    record.of(MachineLink::boom, Sensor::angle)[3] = record.of(MachineLink::boom, Sensor::spool)[3] = 0;
+    REQUIRE(first_unmeasurable(record));
+    CHECK(first_unmeasurable(record)->value == -1e13);
+}
+
+TEST_CASE("what is printed reads back, and prints the same again") {
+    Record record;
+    record.description = "first line\n\n  third\n";
+    for (int i = 0; i < 12; ++i) {
+        record.time_s.push_back(0.02 * i);
+        for (Sensor sensor : all_sensors)
+            record.of(MachineLink::stick, sensor).push_back(1000.0 / 3 * std::sin(i) + static_cast<int>(sensor));
+        record.of(MachineLink::boom, Sensor::angle).push_back(-1e-9 * i);
+    }
+    std::string text = print_record(record);
+    CHECK(text.find("-0.0000000") == std::string::npos);
+    CHECK(text.starts_with("# first line\n# \n#   third\ntime [s],boom.angle [deg],stick.inlet_pressure [psi]"));
+    ReadRecord read = read_record(text);
+    REQUIRE(read.record);
+    CHECK(read.record->description == record.description);
+    CHECK(print_record(*read.record) == text);
+    for (Sensor sensor : all_sensors)
+        for (std::size_t i = 0; i < 12; ++i)
+            CHECK(std::abs(read.record->of(MachineLink::stick, sensor)[i] - record.of(MachineLink::stick, sensor)[i]) <=
+                  (quantity_of(sensor) == Quantity::pressure ? 0.51e-4 : 0.51e-7));
+}
+
+TEST_CASE("a period that needs more decimals gets them") {
+    Record record;
+    for (int i = 0; i < 8; ++i) {
+        record.time_s.push_back(i / 1024.0);
+        record.of(MachineLink::boom, Sensor::angle).push_back(i);
+    }
+    ReadRecord read = read_record(print_record(record));
+    REQUIRE(read.record);
+    CHECK(read.record->period_s == doctest::Approx(1 / 1024.0).epsilon(1e-6));
+}

@@ -1,0 +1,106 @@
+#include "hydraulics/plant/boom_sensors.hpp"
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+using namespace placedpar;
+
+namespace {
+
+Record read_with(const BoomSensors& sensors, const MeasuredMachine& machine, const std::vector<MeasuredState>& motion,
+                 std::uint64_t seed = 1) {
+    RandomStream random(seed, "sensors");
+    return read_boom_sensors(motion, machine, sensors, [&] { return random.uniform(); });
+}
+
+} // namespace
+
+TEST_CASE("a converter rounds to its steps, by at most half of one") {
+    Converter resolver{360, 16};
+    CHECK(resolver.step() == 0.0054931640625);
+    CHECK(Converter{360, 12}.step() == 0.087890625);
+    CHECK(Converter{5000, 12}.step() == 1.220703125);
+    for (double value = -20; value < 60; value += 0.0137) {
+        CHECK(std::abs(resolver(value) - value) <= resolver.step() / 2);
+        CHECK(std::remainder(resolver(value), resolver.step()) == 0);
+    }
+    Converter pressure{5000, 12}, whole{5000, 0};
+    CHECK(pressure.limited(-3, 0) == 0);
+    CHECK(pressure.limited(7000, 0) == 5000 - 1.220703125);
+    CHECK(whole(1234.5678) == 1234.5678);
+}
+
+TEST_CASE("bits are whole numbers from 0 to 32") {
+    Parameters parameters = Parameters::excavator();
+    CHECK(bits_of(parameters, "sensors.resolver_bits") == 16);
+    for (double wrong : {-1.0, 33.0, 12.5, std::nan(""), 1e300}) {
+        parameters.set("sensors.resolver_bits", wrong);
+        CHECK_THROWS_AS(bits_of(parameters, "sensors.resolver_bits"), std::invalid_argument);
+    }
+}
+
+TEST_CASE("without noise the sensors tell the state within half a step of their converters") {
+    MeasuredMachine machine;
+    machine.duration_s = 1;
+    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    for (int resolver_bits : {12, 16}) {
+        BoomSensors sensors;
+        sensors.noise = no_noise;
+        sensors.resolver.bits = resolver_bits;
+        sensors.spool_offset_in = 0.01;
+        Record record = read_with(sensors, machine, motion);
+        REQUIRE(record.size() == 51);
+        double angle_step = resolver_bits == 12 ? 0.0879 : 0.0055;
+        for (std::size_t i = 0; i < record.size(); ++i) {
+            const MeasuredState& state = motion[200 * i];
+            double angle = 20 + state.piston_in / 22.4 * 180 / std::numbers::pi;
+            CHECK(record.time_s[i] == doctest::Approx(state.time_s));
+            CHECK(std::abs(record.of(MachineLink::boom, Sensor::inlet_pressure)[i] - state.inlet_psi) <= 0.6104);
+            CHECK(std::abs(record.of(MachineLink::boom, Sensor::outlet_pressure)[i] - state.outlet_psi) <= 0.6104);
+            CHECK(std::abs(record.of(MachineLink::boom, Sensor::angle)[i] - angle) <= angle_step / 2);
+            CHECK(std::abs(record.of(MachineLink::boom, Sensor::spool)[i] - (state.spool_in + 0.01)) <= 0.5 / 4096);
+            CHECK(record.of(MachineLink::boom, Sensor::servo)[i] == held_volts(machine, record.time_s[i]));
+        }
+    }
+}
+
+TEST_CASE("noise has the deviation asked for, and the seed decides it") {
+    MeasuredMachine machine;
+    machine.command.desired_volts = 0; // the boom is held
+    machine.duration_s = 30;
+    machine.integration_step_s = 2e-4;
+    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    BoomSensors sensors;
+    sensors.noise = {10, 0.02, 0.001};
+    Record record = read_with(sensors, machine, motion);
+    auto deviation = [&](Sensor sensor) {
+        double sum = 0, squares = 0;
+        for (double value : record.of(MachineLink::boom, sensor)) {
+            sum += value;
+            squares += value * value;
+        }
+        auto count = static_cast<double>(record.size());
+        return std::sqrt(squares / count - sum / count * sum / count);
+    };
+    CHECK(deviation(Sensor::inlet_pressure) == doctest::Approx(10).epsilon(0.08)); // 1501 samples: 1.8 % each
+    CHECK(deviation(Sensor::angle) == doctest::Approx(0.02).epsilon(0.08));
+    CHECK(deviation(Sensor::spool) == doctest::Approx(0.001).epsilon(0.08));
+    Record again = read_with(sensors, machine, motion), other = read_with(sensors, machine, motion, 2);
+    for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool}) {
+        CHECK(again.of(MachineLink::boom, sensor) == record.of(MachineLink::boom, sensor));
+        CHECK(other.of(MachineLink::boom, sensor) != record.of(MachineLink::boom, sensor));
+    }
+}
+
+TEST_CASE("a period that is no multiple of the step is refused") {
+    MeasuredMachine machine;
+    machine.duration_s = 0.1;
+    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    BoomSensors sensors;
+    sensors.period_s = 0.00015;
+    CHECK_THROWS_AS(read_with(sensors, machine, motion), std::invalid_argument);
+}

@@ -1,0 +1,92 @@
+// Identification of the boom's compliance over 50 seeds: figures of an independent prototype.
+#include "gaprocs/traditional.hpp"
+#include "gaprocs/window.hpp"
+#include "hydraulics/circuit/circuit_problem.hpp"
+#include "hydraulics/plant/boom_record.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr std::uint64_t seeds = 50;
+constexpr double true_compliance = 0.0086;
+
+struct Study {
+    std::vector<double> error_percent;      // of the last estimate, one a seed
+    std::vector<double> codes_from_optimum; // distance to the best of all 1024 codes
+};
+
+/// The code of greatest fitness over the last window.
+std::uint64_t exhaustive_optimum(const SearchProblem& problem, std::span<const Sample> window) {
+    std::uint64_t best = 0;
+    double greatest = -1e300;
+    for (std::uint64_t code = 0; code < 1024; ++code) {
+        Genome genome(10);
+        genome.set_field(0, 10, code);
+        if (double fitness = problem.fitness(genome, window, 400); fitness > greatest) {
+            greatest = fitness;
+            best = code;
+        }
+    }
+    return best;
+}
+
+Study study(const MeasurementNoise& noise) {
+    BoomScenario scenario;
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), scenario.flow));
+    Study result;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        RandomStream sensors(seed, "sensors");
+        auto record = boom_record(scenario, noise, [&] { return sensors.uniform(); });
+        REQUIRE(record.size() == 20);
+        SearchResult search = run_traditional(*problem, record, {}, RandomStream(seed, "search"));
+        const Estimate& last = search.estimates.back();
+        result.error_percent.push_back(100 * std::abs(last.parameters.at(0) / true_compliance - 1));
+        auto optimum = exhaustive_optimum(*problem, std::span(record).last(10));
+        auto found = last.best.genome.field(0, 10);
+        result.codes_from_optimum.push_back(std::abs(static_cast<double>(found) - static_cast<double>(optimum)));
+    }
+    return result;
+}
+
+/// The value that the given share of the sample does not exceed.
+double quantile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values.at(std::max<std::size_t>(rank, 1) - 1);
+}
+
+void check_study(const Study& study, double median_percent, double ninetieth_percent) {
+    CAPTURE(quantile(study.error_percent, 0.5));
+    CAPTURE(quantile(study.error_percent, 0.9));
+    CAPTURE(quantile(study.codes_from_optimum, 0.9));
+    CHECK(quantile(study.error_percent, 0.5) <= median_percent);
+    CHECK(quantile(study.error_percent, 0.9) <= ninetieth_percent);
+    CHECK(quantile(study.codes_from_optimum, 0.9) <= 3);
+}
+
+} // namespace
+
+TEST_CASE("identification without noise: every seed within 10 %") {
+    Study none = study(no_noise);
+    check_study(none, 1.5, 4);
+    CHECK(quantile(none.error_percent, 1) <= 10);
+}
+
+TEST_CASE("identification at low noise: every seed within 10 %") {
+    Study low = study(low_noise);
+    check_study(low, 3.5, 8);
+    CHECK(quantile(low.error_percent, 1) <= 10);
+}
+
+TEST_CASE("identification at mid noise") { check_study(study(mid_noise), 6, 13); }
+
+TEST_CASE("high noise is too much: the 90th percentile is beyond 10 %") {
+    CHECK(quantile(study(high_noise).error_percent, 0.9) > 10);
+}

@@ -1,0 +1,65 @@
+#include "hydraulics/plant/boom_record.hpp"
+#include "identification/offset_calibration.hpp"
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace placedpar;
+
+namespace {
+
+/// Scenario A, until long after the transient, with the spool's readings too high by `offset_in`.
+Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint64_t seed = 1) {
+    BoomScenario scenario;
+    scenario.duration_s = 4;
+    RandomStream random(seed, "sensors");
+    Record record = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, noise,
+                                 [&] { return random.uniform(); });
+    for (double& spool : record.of(MachineLink::boom, Sensor::spool))
+        spool += offset_in;
+    return record;
+}
+
+std::optional<SpoolOffset> calibrate(const Record& record, FlowConstants flow = fitted_flow_constants) {
+    return calibrate_spool_offset(record, boom_readings(BoomMachine()), flow);
+}
+
+} // namespace
+
+TEST_CASE("the offset of the spool comes out of steady motion, at every noise level") {
+    for (double offset : {-0.02, -0.01, 0.0, 0.01, 0.02}) {
+        CHECK(std::abs(calibrate(steady_record(offset, no_noise))->offset_in - offset) < 2e-4);
+        CHECK(std::abs(calibrate(steady_record(offset, low_noise))->offset_in - offset) < 3e-4);
+    }
+    double squares = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+        squares += std::pow(calibrate(steady_record(0.01, mid_noise, seed))->offset_in - 0.01, 2);
+    CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in by the prototype, plus what is left of the transient
+}
+
+TEST_CASE("a wrong k or Q looks like an offset, which the calibration cannot tell") {
+    Record record = steady_record(0, no_noise);
+    FlowConstants flow = fitted_flow_constants;
+    flow.orifice_in3_per_s_in2_sqrt_psi *= 1.01;
+    double of_k = calibrate(record, flow)->offset_in - calibrate(record)->offset_in;
+    flow = fitted_flow_constants;
+    flow.pump_in3_per_s *= 1.01;
+    double of_q = calibrate(record, flow)->offset_in - calibrate(record)->offset_in;
+    CHECK(std::abs(std::abs(of_k) - 0.0011) < 2e-4);
+    CHECK(std::abs(std::abs(of_q) - 0.0016) < 2e-4);
+    CHECK(of_k * of_q < 0);
+}
+
+TEST_CASE("no steady motion, no offset") {
+    BoomScenario scenario;
+    scenario.duration_s = 0.8;
+    Record record = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, no_noise,
+                                 [] { return 0.0; });
+    CHECK(!calibrate(record));
+}
+
+TEST_CASE("an offset beyond any spool's is not made up") {
+    CHECK(!calibrate(steady_record(0, no_noise), {99.83, 800, 16.2}));
+}

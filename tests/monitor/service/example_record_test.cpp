@@ -1,0 +1,48 @@
+#include "hydraulics/data/record_table.hpp"
+#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/plant/measurement.hpp"
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+Record example(const char* name) {
+    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR "/examples/20-monitor/") + name);
+    ReadRecord read = read_record(std::string(std::istreambuf_iterator<char>(in), {}));
+    REQUIRE(read.record);
+    return *read.record;
+}
+
+/// Scenario A with this many times the compliance, at low noise.
+Record measured(double times, std::uint64_t seed) {
+    BoomScenario scenario;
+    scenario.machine.inlet_compliance_in3_per_psi *= times;
+    RandomStream random(seed, "noise");
+    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, 0.020, low_noise,
+                        [&] { return random.uniform(); });
+}
+
+void check_equal(const Record& file, const Record& simulated) {
+    REQUIRE(file.size() == simulated.size());
+    // Half a step of the last digit in the file.
+    for (auto [sensor, rounding] :
+         {std::pair{Sensor::inlet_pressure, 0.0501}, {Sensor::angle, 0.0000501}, {Sensor::spool, 0.00000501}})
+        for (std::size_t i = 0; i < file.size(); ++i)
+            CHECK(std::abs(file.of(MachineLink::boom, sensor)[i] - simulated.of(MachineLink::boom, sensor)[i]) <=
+                  rounding);
+}
+
+} // namespace
+
+TEST_CASE("the records of the example are what their descriptions say") {
+    check_equal(example("boom.csv"), measured(1, 1));
+    check_equal(example("boom-doubled.csv"), measured(2, 2));
+}

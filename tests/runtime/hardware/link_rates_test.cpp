@@ -1,0 +1,108 @@
+// Links against published figures.
+
+#include "runtime/hardware/instructions.hpp"
+#include "runtime/hardware/simulation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace placedpar;
+
+namespace {
+
+struct Block {
+    std::uint32_t bytes;
+    WireForm wire_form() const { return WireForm(bytes); }
+};
+
+/// Kbyte/s over a link, in one direction or as the sum of both.
+double rate(const LinkTiming& timing, bool both_ways) {
+    constexpr std::uint32_t bytes = 100'000;
+    Simulation simulation;
+    Link& link = simulation.link(timing);
+    Channel<Block> there("there"), back("back");
+    there.put_on(link.from_a_to_b());
+    back.put_on(link.from_b_to_a());
+    for (Channel<Block>* channel : {&there, &back})
+        if (channel == &there || both_ways) {
+            simulation.process("sender", [channel] { channel->out().output(Block{bytes}); });
+            simulation.process("receiver", [channel] { channel->in().input(); });
+        }
+    double seconds = in_milliseconds(simulation.run().time) * 1e-3;
+    return (both_ways ? 2 : 1) * bytes / seconds * 1e-3;
+}
+
+void check_within(double percent, double value, double published) {
+    CAPTURE(value);
+    CAPTURE(published);
+    CHECK(std::abs(value - published) <= percent / 100 * published);
+}
+
+/// Half the round trip of a message of so many words, in microseconds, between two high-priority processes
+/// as the measurement on real T805s had it.
+double half_round_trip(std::uint32_t words) {
+    constexpr int rounds = 10;
+    Simulation simulation;
+    Processor& near = simulation.processor("near", 20'000'000, instructions::toolset_channel_call);
+    Processor& far = simulation.processor("far", 20'000'000, instructions::toolset_channel_call);
+    Link& link = simulation.link();
+    Channel<Block> ping("ping"), pong("pong");
+    ping.put_on(link.from_a_to_b());
+    pong.put_on(link.from_b_to_a());
+    Time took{};
+    simulation.process(
+        "near",
+        [&] {
+            Time start = now();
+            for (int i = 0; i < rounds; ++i)
+                ping.out().output(Block{4 * words}), pong.in().input();
+            took = now() - start;
+        },
+        &near, Priority::high);
+    simulation.process(
+        "far",
+        [&] {
+            for (int i = 0; i < rounds; ++i)
+                ping.in().input(), pong.out().output(Block{4 * words});
+        },
+        &far, Priority::high);
+    CHECK(simulation.run().ending == Ending::completed);
+    return in_milliseconds(took) * 1000 / (2 * rounds);
+}
+
+} // namespace
+
+TEST_CASE("table 8.1 of the databook: data rates at 5, 10 and 20 Mbit/s, one way and both ways") {
+    struct Row {
+        std::int64_t bits_per_second;
+        double one_way, both_ways;
+    };
+    for (Row row : {Row{5'000'000, 450, 670}, Row{10'000'000, 910, 1250}, Row{20'000'000, 1740, 2350}}) {
+        LinkTiming timing;
+        timing.bits_per_second = row.bits_per_second;
+        check_within(3, rate(timing, false), row.one_way);
+        check_within(3, rate(timing, true), row.both_ways);
+    }
+}
+
+TEST_CASE("without overlapped acknowledges a link carries about 0.8 Mbyte/s") {
+    LinkTiming timing;
+    timing.overlapped_acknowledge = false;
+    check_within(3, rate(timing, false), 800);
+}
+
+TEST_CASE("through three C004 in series a link carries the 0.923 to 0.930 Mbyte/s measured in Poznan") {
+    LinkTiming timing;
+    timing.wire_delay = duration_of(3 * 175, 100 * timing.bits_per_second); // the manual's 1.75 bits each
+    check_within(3, rate(timing, false), (923 + 930) / 2.0);
+}
+
+TEST_CASE("a ping-pong of n words takes the 11.0 + 2.25 n us measured on T805s") {
+    double one = half_round_trip(1), thousand = half_round_trip(1000);
+    double slope = (thousand - one) / 999, intercept = one - slope;
+    check_within(3, slope, 2.25);
+    CHECK(std::abs(intercept - 11.0) <= 0.2);
+}

@@ -1,0 +1,134 @@
+// The times of links against an independent model of every bit, and the closed form against every byte.
+
+#include "bit_model.hpp"
+
+#include "runtime/hardware/simulation.hpp"
+#include "runtime/random.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+using namespace placedpar;
+using namespace placedpar::test;
+
+namespace {
+
+struct Parts {
+    std::vector<std::uint32_t> bytes;
+    WireForm wire_form() const {
+        switch (bytes.size()) {
+        case 1: return WireForm(bytes[0]);
+        case 2: return WireForm(bytes[0], bytes[1]);
+        case 3: return WireForm(bytes[0], bytes[1], bytes[2]);
+        default: return WireForm(bytes[0], bytes[1], bytes[2], bytes[3]);
+        }
+    }
+};
+
+std::int64_t now_in_nanoseconds() {
+    CHECK(now().count() % 1000 == 0);
+    return now().count() / 1000;
+}
+
+struct Outcome {
+    std::array<Course, 2> course;
+    std::uint64_t fingerprint;
+    bool completed;
+};
+
+/// The same traffic over the runtime's link.
+Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, bool every_byte) {
+    Simulation simulation;
+    Link& link = simulation.link(timing);
+    LinkDirection* directions[2] = {&link.from_a_to_b(), &link.from_b_to_a()};
+    Channel<Parts> channels[2] = {Channel<Parts>("there"), Channel<Parts>("back")};
+    std::array<Course, 2> course;
+    for (std::size_t d : {0u, 1u}) {
+        if (every_byte)
+            directions[d]->simulate_every_byte();
+        channels[d].put_on(*directions[d]);
+        simulation.process(fmt::format("sender {}", d), [&, d] {
+            for (const auto& message : traffic[d].messages) {
+                wait_for(std::chrono::nanoseconds{message.sender_pause});
+                channels[d].out().output(Parts{message.parts});
+                course[d].output_ended.push_back(now_in_nanoseconds());
+            }
+        });
+        simulation.process(fmt::format("receiver {}", d), [&, d] {
+            for (const auto& message : traffic[d].messages) {
+                wait_for(std::chrono::nanoseconds{message.receiver_pause});
+                CHECK(channels[d].in().input().bytes == message.parts);
+                course[d].input_ended.push_back(now_in_nanoseconds());
+            }
+        });
+    }
+    RunResult result = simulation.run();
+    return {course, result.fingerprint, result.ending == Ending::completed};
+}
+
+/// Pauses of a sender and of a receiver never end at the same nanosecond by accident: they differ by one
+/// or two beyond the grid on which bits and bytes begin.
+std::int64_t random_pause(RandomStream& random, std::int64_t residue) {
+    if (random.chance(0.4))
+        return 0;
+    return 25 * random.below(random.chance(0.5) ? 40 : 800) + residue;
+}
+
+Traffic random_traffic(RandomStream& random, std::int64_t residue, std::uint32_t longest) {
+    Traffic traffic;
+    std::uint32_t messages = random.below(7);
+    for (std::uint32_t i = 0; i < messages; ++i) {
+        Traffic::Message message{random_pause(random, residue), random_pause(random, residue + 1), {}};
+        std::uint32_t parts = 1 + random.below(random.chance(0.5) ? 1 : 4);
+        for (std::uint32_t part = 0; part < parts; ++part)
+            message.parts.push_back(1 + random.below(random.chance(0.5) ? 3 : longest));
+        traffic.messages.push_back(message);
+    }
+    return traffic;
+}
+
+LinkTiming random_timing(RandomStream& random) {
+    LinkTiming timing;
+    timing.bits_per_second = std::array<std::int64_t, 3>{5'000'000, 10'000'000, 20'000'000}[random.below(3)];
+    if (random.chance(0.5))
+        timing.wire_delay = std::chrono::nanoseconds{random.below(400)};
+    timing.overlapped_acknowledge = random.chance(0.75);
+    return timing;
+}
+
+} // namespace
+
+TEST_CASE("random traffic over a link takes the time that a circuit of bits takes, to the picosecond") {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        CAPTURE(seed);
+        RandomStream random(seed, "link against bits");
+        LinkTiming timing = random_timing(random);
+        std::array<Traffic, 2> traffic = {random_traffic(random, 3, 20), random_traffic(random, 7, 20)};
+        auto expected = BitModel(timing, traffic).run(10'000'000);
+        for (bool every_byte : {true, false}) {
+            CAPTURE(every_byte);
+            Outcome outcome = run_on_runtime(timing, traffic, every_byte);
+            REQUIRE(outcome.completed);
+            for (std::size_t d : {0u, 1u}) {
+                REQUIRE(outcome.course[d].output_ended == expected[d].output_ended);
+                REQUIRE(outcome.course[d].input_ended == expected[d].input_ended);
+            }
+        }
+    }
+}
+
+TEST_CASE("the closed form gives the times of the single bytes, to the picosecond and in the same order") {
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        CAPTURE(seed);
+        RandomStream random(seed, "closed form against bytes");
+        LinkTiming timing = random_timing(random);
+        std::array<Traffic, 2> traffic = {random_traffic(random, 0, 200), random_traffic(random, 0, 200)};
+        Outcome bytes = run_on_runtime(timing, traffic, true);
+        Outcome closed = run_on_runtime(timing, traffic, false);
+        REQUIRE(bytes.completed);
+        REQUIRE(closed.course == bytes.course);
+        REQUIRE(closed.fingerprint == bytes.fingerprint);
+    }
+}

@@ -1,0 +1,148 @@
+// How a processor shares itself out, in cases worked by hand. At random against a model: processor_model_test.cpp.
+
+#include "runtime/hardware/simulation.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace placedpar;
+using std::chrono::microseconds;
+using std::chrono::nanoseconds;
+using test::cycle;
+
+namespace {
+
+constexpr Cycles one_slice{20'480};
+
+} // namespace
+
+TEST_CASE("cycles take their time at 20, 25 and 17.5 MHz") {
+    for (auto [hertz, picoseconds] :
+         {std::pair{20'000'000, 50'000'000}, {25'000'000, 40'000'000}, {17'500'000, 57'142'857}}) {
+        Simulation simulation;
+        Processor& processor = simulation.processor("p", hertz);
+        simulation.process(
+            "computes", [] { compute(Cycles{1000}); }, &processor);
+        RunResult result = simulation.run();
+        CHECK(result.time == Time{picoseconds});
+        CHECK(processor.time_busy() == Time{picoseconds});
+    }
+}
+
+TEST_CASE("a process that is not placed computes in no time") {
+    Simulation simulation;
+    simulation.process("computes", [] { compute(Cycles{1'000'000}); });
+    CHECK(simulation.run().time == Time{0});
+}
+
+TEST_CASE("processors compute at the same time, processes of one processor one after the other") {
+    Simulation simulation;
+    Processor& p = simulation.processor("p");
+    Processor& q = simulation.processor("q");
+    std::vector<Time> done(3);
+    simulation.process(
+        "p0", [&] { compute(Cycles{100}), done[0] = now(); }, &p);
+    simulation.process(
+        "p1", [&] { compute(Cycles{100}), done[1] = now(); }, &p);
+    simulation.process(
+        "q0", [&] { compute(Cycles{150}), done[2] = now(); }, &q);
+    simulation.run();
+    CHECK(done == std::vector<Time>{100 * cycle, 200 * cycle, 150 * cycle});
+}
+
+TEST_CASE(
+    "a high-priority process interrupts a low one at a cost of 19 cycles, and the low one goes on before its rivals") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Time high{}, interrupted{}, rival{};
+    simulation.process(
+        "interrupted", [&] { compute(Cycles{1000}), interrupted = now(); }, &t800);
+    simulation.process(
+        "rival", [&] { compute(Cycles{1000}), rival = now(); }, &t800);
+    simulation.process(
+        "high", [&] { wait_until(500 * cycle), compute(Cycles{100}), high = now(); }, &t800, Priority::high);
+    simulation.run();
+    // The process "high" is created last, so that "interrupted" computes when it gets its first turn: one more
+    // interrupt, before its delay.
+    CHECK(high == (500 + 19 + 100) * cycle);
+    CHECK(interrupted == (1000 + 19 + 19 + 100) * cycle);
+    CHECK(rival == (2000 + 19 + 19 + 100) * cycle);
+}
+
+TEST_CASE("a high-priority process is not interrupted by another, nor timesliced") {
+    Simulation simulation;
+    Processor& t800 = simulation.processor("t800");
+    Time first{}, second{};
+    simulation.process(
+        "first", [&] { compute(5 * one_slice), first = now(); }, &t800, Priority::high);
+    simulation.process(
+        "second", [&] { wait_until(10 * cycle), compute(Cycles{10}), second = now(); }, &t800, Priority::high);
+    simulation.process(
+        "low", [] { compute(Cycles{10}); }, &t800);
+    simulation.run();
+    CHECK(first == 5 * Processor::timeslice);
+    CHECK(second == first + (4 + 10) * cycle); // its moment has passed by then: 4 cycles for asking
+}
+
+TEST_CASE("a low-priority process with rivals loses the processor after one to two timeslice periods") {
+    for (std::int64_t start = 1; start < 20'480; start += 1024) {
+        CAPTURE(start);
+        Simulation simulation;
+        Processor& t800 = simulation.processor("t800");
+        Time rival_began{};
+        simulation.process(
+            "long", [&] { wait_until(start * cycle), compute(10 * one_slice); }, &t800);
+        simulation.process(
+            "rival",
+            [&] {
+                wait_until(start * cycle + nanoseconds{1});
+                rival_began = now(); // only the process that has the processor executes
+            },
+            &t800);
+        simulation.run();
+        Time ran = rival_began - start * cycle;
+        CHECK(ran >= Processor::timeslice);
+        CHECK(ran < 2 * Processor::timeslice);
+        CHECK(rival_began % Processor::timeslice == Time{0});
+    }
+}
+
+TEST_CASE("with n low-priority processes none waits longer than 2n - 2 timeslice periods") {
+    for (int n = 2; n <= 6; ++n) {
+        CAPTURE(n);
+        Simulation simulation;
+        Processor& t800 = simulation.processor("t800");
+        Time longest{};
+        for (int i = 1; i < n; ++i)
+            simulation.process(
+                "greedy", [] { compute(40 * one_slice); }, &t800);
+        simulation.process(
+            "polite",
+            [&] {
+                for (int i = 0; i < 10; ++i) {
+                    wait_for(microseconds{10 + 137 * i});
+                    compute(Cycles{100}); // so that rivals begin after the end of a period
+                    Time since = now();
+                    wait_for(microseconds{1});
+                    longest = std::max(longest, now() - since - microseconds{1});
+                }
+            },
+            &t800);
+        simulation.run();
+        CHECK(longest <= (2 * n - 2) * Processor::timeslice);
+        CHECK(longest > (n - 1) * Processor::timeslice);
+    }
+}
+
+TEST_CASE("misuse is refused") {
+    Simulation simulation;
+    CHECK_THROWS_AS(simulation.processor("stopped", 0), std::logic_error);
+    Processor& t800 = simulation.processor("t800");
+    simulation.process(
+        "backwards", [] { compute(Cycles{-1}); }, &t800);
+    CHECK_THROWS_WITH_AS(simulation.run(), "process backwards computes for less than no time", std::logic_error);
+}

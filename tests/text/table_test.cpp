@@ -1,0 +1,97 @@
+#include "text/table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+std::string only_fault(std::string_view text) {
+    std::vector<TextFault> faults;
+    split_table(text, faults);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].refused);
+    return std::to_string(faults[0].line) + ":" + std::to_string(faults[0].column) + ": " + faults[0].message;
+}
+
+double number(std::string text, std::string* message = nullptr) {
+    std::vector<TextFault> faults;
+    double value = number_in({std::move(text), 7}, 3, faults);
+    if (message) {
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].line == 3);
+        CHECK(faults[0].column == 7);
+        *message = faults[0].message;
+    } else {
+        CHECK(faults.empty());
+    }
+    return value;
+}
+
+} // namespace
+
+TEST_CASE("cells, comments, description, and where each cell stands") {
+    std::vector<TextFault> faults;
+    TextTable table =
+        split_table("# one\n#two \n\n a , b\t,c\n# not a description\n1, 2 ,\"x, \"\"y\"\"\"\n\n4,,6", faults);
+    CHECK(faults.empty());
+    CHECK(table.description == "one\ntwo\n");
+    REQUIRE(table.header.cells.size() == 3);
+    CHECK(table.header.line == 4);
+    CHECK(table.header.cells[1].text == "b");
+    CHECK(table.header.cells[1].column == 6);
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[0].line == 6);
+    CHECK(table.rows[0].cells[2].text == "x, \"y\"");
+    CHECK(table.rows[0].cells[2].column == 8);
+    CHECK(table.rows[1].line == 8);
+    CHECK(table.rows[1].cells[1].text.empty());
+}
+
+TEST_CASE("CR LF, a byte order mark, and no last line end") {
+    std::vector<TextFault> faults;
+    TextTable table = split_table("\xef\xbb\xbf# d\r\na,b\r\n1,2\r\n3,4", faults);
+    CHECK(faults.empty());
+    CHECK(table.description == "d\n");
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[0].cells[1].text == "2");
+}
+
+TEST_CASE("nothing at all") {
+    std::vector<TextFault> faults;
+    for (const char* text : {"", "\n\n", "# only this\n", "\xef\xbb\xbf", "\r\n"}) {
+        TextTable table = split_table(text, faults);
+        CHECK(table.header.cells.empty());
+        CHECK(table.rows.empty());
+    }
+    CHECK(faults.empty());
+}
+
+TEST_CASE("what is wrong with a row") {
+    CHECK(only_fault("a,b\n1,2\n1,2,3\n") == "3:5: 3 values, expected 2");
+    CHECK(only_fault("a,b\n1\n") == "2:1: 1 values, expected 2");
+    CHECK(only_fault("a,b\n1,\"2\n3,4\n") == "2:3: the quote is not closed");
+    CHECK(only_fault("a,b\r1,2\r") == "1:4: a carriage return within a line");
+    CHECK(only_fault("time [s];boom.spool [in]\n0,1;0,2\n") == "1:9: the columns are separated by semicolons");
+    CHECK(only_fault("time\tspool\n0\t1\n") == "1:5: the columns are separated by tabs");
+}
+
+TEST_CASE("numbers") {
+    CHECK(number("1830.5") == 1830.5);
+    CHECK(number("-2e-3") == -2e-3);
+    CHECK(number("+4") == 4);
+    for (const char* wrong :
+         {"nan", "NaN", "inf", "-inf", "1.5 psi", "1,5", "--2", "+-2", "++2", "1e", "abc", "1 2", "0x10"}) {
+        std::string message;
+        number(wrong, &message);
+        CHECK(message == "\"" + std::string(wrong) + "\" is not a finite number");
+    }
+    std::string message;
+    number("", &message);
+    CHECK(message == "no value");
+    number("1e999", &message);
+    CHECK(message == "\"1e999\" is beyond the range of numbers");
+    CHECK(number("-1e-999") == 0); // too near to 0 to be told from it
+}

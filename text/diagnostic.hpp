@@ -1,0 +1,33 @@
+#pragma once
+
+#include "text/source.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+enum class Severity { error, warning };
+
+/// A second place that a diagnostic is about, such as the first of two declarations.
+struct SecondPlace {
+    std::string message;
+    Location location;
+};
+
+/// One thing that is wrong: what, where, what would be right, and the other place it has to do with.
+struct Diagnostic {
+    Severity severity = Severity::error;
+    std::string message;
+    Location location;
+    std::string hint;                ///< what would be right; "" if there is nothing to say
+    std::vector<SecondPlace> others; ///< mostly none or one
+};
+
+/// As compilers print it: `path:line:column: error: message`, the source line, a caret under the column,
+/// then `hint: ...` and the second places as notes. Ends with a newline. Tabs are shown as they are and the
+/// caret's line repeats them; a long line is shown around the caret.
+std::string render(const Diagnostic& diagnostic);
+std::string render(const std::vector<Diagnostic>& diagnostics);
+
+} // namespace placedpar

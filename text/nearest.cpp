@@ -1,0 +1,62 @@
+#include "text/nearest.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t longest_word = 64; // the distance takes time with the square of it
+
+std::string lower(std::string_view word) {
+    std::string result(word);
+    for (auto& c : result)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+} // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> two_back, last(b.size() + 1), now(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        now[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        two_back = last;
+        last = now;
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            auto replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            now[j] = std::min({replaced, last[j] + 1, now[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                now[j] = std::min(now[j], two_back[j - 2] + 1);
+        }
+    }
+    return now[b.size()];
+}
+
+std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates) {
+    if (wanted.size() > longest_word)
+        return "";
+    auto wanted_lower = lower(wanted);
+    std::string best;
+    auto best_distance = std::max<std::size_t>(1, (wanted.size() + 2) / 3) + 1;
+    for (const auto& candidate : candidates) {
+        if (candidate.size() > longest_word || candidate == wanted)
+            continue;
+        auto distance = edit_distance(wanted_lower, lower(candidate));
+        if (distance < best_distance && distance < std::max(wanted.size(), candidate.size())) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view wanted, const std::vector<std::string>& candidates) {
+    auto best = nearest_name(wanted, candidates);
+    return best.empty() ? "" : "did you mean \"" + best + "\"?";
+}
+
+} // namespace placedpar

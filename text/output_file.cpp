@@ -1,0 +1,157 @@
+#include "text/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const char* reason) {
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path.string(), reason));
+}
+
+[[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }
+
+/// The end of a chain of symbolic links, whether it is there or not.
+fs::path follow_links(const fs::path& path) {
+    constexpr int most_links = 40; // as many as Linux follows
+    fs::path end = path;
+    std::error_code error;
+    for (int links = 0; fs::is_symlink(end, error); ++links) {
+        if (links == most_links)
+            refuse(path, ELOOP);
+        end = end.parent_path() / fs::read_symlink(end, error);
+    }
+    return end;
+}
+
+/// Permissions bind root, too, who could write every file.
+bool may_write(const fs::path& path, const struct stat& file) {
+    constexpr mode_t by_anybody = S_IWUSR | S_IWGRP | S_IWOTH;
+    return (file.st_mode & by_anybody) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+/// Where the content goes in the end. Throws when that is a folder or must not be written.
+fs::path destination_of(const fs::path& path) {
+    struct stat file {};
+    bool there = ::stat(path.c_str(), &file) == 0;
+    if (there && S_ISDIR(file.st_mode))
+        refuse(path, EISDIR);
+    if (there && !may_write(path, file))
+        refuse(path, EACCES);
+    return there && !S_ISREG(file.st_mode) ? path : follow_links(path);
+}
+
+/// A device, a pipe: something that a file must not take the place of.
+bool is_written_as_it_goes(const fs::path& destination) {
+    std::error_code error;
+    return fs::is_other(destination, error);
+}
+
+fs::path temporary_beside(const fs::path& path) {
+    fs::path temporary = path;
+    temporary += fmt::format(".{}.part", ::getpid());
+    return temporary;
+}
+
+bool are_one_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error))
+        return true;
+    auto full = [&](const fs::path& path) { return fs::weakly_canonical(fs::absolute(follow_links(path)), error); };
+    return full(a) == full(b);
+}
+
+bool takes_standard_output(const fs::path& path) {
+    struct stat file {
+    }, standard_output{};
+    return ::stat(path.c_str(), &file) == 0 && S_ISREG(file.st_mode) && ::fstat(STDOUT_FILENO, &standard_output) == 0 &&
+           file.st_dev == standard_output.st_dev && file.st_ino == standard_output.st_ino;
+}
+
+} // namespace
+
+OutputFile::OutputFile(const fs::path& path)
+    : name_(path), destination_(destination_of(path)),
+      written_(is_written_as_it_goes(destination_) ? destination_ : temporary_beside(destination_)),
+      file_(std::fopen(written_.c_str(), "wb")) {
+    if (!file_)
+        refuse(name_, errno);
+    struct stat before {};
+    if (written_ != destination_ && ::stat(destination_.c_str(), &before) == 0 &&
+        ::fchmod(::fileno(file_), before.st_mode & 07777) != 0)
+        note_error();
+}
+
+OutputFile::~OutputFile() {
+    if (!file_)
+        return;
+    close();
+    if (written_ != destination_)
+        std::remove(written_.c_str());
+}
+
+void OutputFile::note_error() noexcept {
+    if (error_ == 0)
+        error_ = errno;
+}
+
+void OutputFile::close() noexcept {
+    if (std::fclose(file_) != 0)
+        note_error();
+    file_ = nullptr;
+}
+
+void OutputFile::write(std::string_view text) noexcept {
+    if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), file_) != text.size())
+        note_error();
+}
+
+void OutputFile::finish() {
+    close();
+    if (written_ != destination_) {
+        if (error_ == 0 && std::rename(written_.c_str(), destination_.c_str()) != 0)
+            note_error();
+        if (error_ != 0)
+            std::remove(written_.c_str());
+    }
+    if (error_ != 0)
+        refuse(name_, error_);
+}
+
+void write_whole(const fs::path& path, std::string_view content) {
+    OutputFile file(path);
+    file.write(content);
+    file.finish();
+}
+
+void require_writable(const fs::path& path) {
+    if (takes_standard_output(path))
+        refuse(path, "standard output goes there; say another name");
+    if (!is_written_as_it_goes(destination_of(path)))
+        OutputFile file(path); // and away with it
+}
+
+void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (outputs[i].empty())
+            continue;
+        if (!input.empty() && are_one_file(outputs[i], input))
+            refuse(outputs[i], "it is what is read; say another name");
+        for (std::size_t j = 0; j < i; ++j)
+            if (!outputs[j].empty() && are_one_file(outputs[i], outputs[j]))
+                refuse(outputs[i], "it would be written twice; say two names");
+    }
+}
+
+} // namespace placedpar

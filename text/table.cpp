@@ -1,0 +1,144 @@
+#include "text/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+/// A quote within quotes is written twice.
+std::string unquoted(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        result += text[i];
+        if (text.substr(i, 2) == "\"\"")
+            ++i;
+    }
+    return result;
+}
+
+TextCell trimmed(std::string_view text, std::size_t column) {
+    std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos)
+        return {"", column};
+    text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+    column += first;
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        return {unquoted(text.substr(1, text.size() - 2)), column + 1};
+    return {std::string(text), column};
+}
+
+/// `open_quote` becomes the column of a quote that is not closed, 0 when all are.
+std::vector<TextCell> split_line(std::string_view line, std::size_t& open_quote) {
+    std::vector<TextCell> cells;
+    std::size_t start = 0;
+    bool quoted = false;
+    open_quote = 0;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        if (i < line.size() && line[i] == '"') {
+            quoted = !quoted;
+            open_quote = quoted ? i + 1 : 0;
+        }
+        if (i == line.size() || (line[i] == ',' && !quoted)) {
+            cells.push_back(trimmed(line.substr(start, i - start), start + 1));
+            start = i + 1;
+        }
+    }
+    return cells;
+}
+
+std::string_view without_mark(std::string_view comment) {
+    comment.remove_prefix(1);
+    if (comment.starts_with(' '))
+        comment.remove_prefix(1);
+    return comment.substr(0, comment.find_last_not_of(blanks) + 1);
+}
+
+/// What is wrong with a row as a whole, if anything.
+void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<TextFault>& faults) {
+    if (open_quote > 0)
+        faults.push_back({true, row.line, open_quote, "the quote is not closed", "a quote ends on the line it begins"});
+    std::string_view inside = line.substr(0, line.find_last_not_of(blanks) + 1);
+    if (std::size_t end = inside.find('\r'); end != std::string_view::npos)
+        faults.push_back({true, row.line, end + 1, "a carriage return within a line", "lines end in LF or in CR LF"});
+}
+
+void check_header(std::string_view line, const TextRow& header, std::vector<TextFault>& faults) {
+    if (std::size_t mark = line.find_first_of(";\t"); header.cells.size() == 1 && mark != std::string_view::npos)
+        faults.push_back({true, header.line, mark + 1,
+                          fmt::format("the columns are separated by {}", line[mark] == ';' ? "semicolons" : "tabs"),
+                          "separate them by commas, and write numbers with a point"});
+}
+
+void add_row(TextTable& table, TextRow row, std::vector<TextFault>& faults) {
+    if (row.cells.size() == table.header.cells.size())
+        table.rows.push_back(std::move(row));
+    else
+        faults.push_back(
+            {true, row.line, row.cells.back().column,
+             fmt::format("{} values, expected {}", row.cells.size(), table.header.cells.size()),
+             fmt::format("the header on line {} has {} columns", table.header.line, table.header.cells.size())});
+}
+
+} // namespace
+
+TextTable split_table(std::string_view text, std::vector<TextFault>& faults) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // as spreadsheets write it
+    if (text.starts_with(byte_order_mark))
+        text.remove_prefix(byte_order_mark.size());
+    TextTable table;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.find_first_not_of(blanks) == std::string_view::npos)
+            continue;
+        if (line.starts_with('#')) {
+            if (table.header.cells.empty())
+                table.description += std::string(without_mark(line)) + "\n";
+            continue;
+        }
+        std::size_t open_quote = 0;
+        TextRow row{number, split_line(line, open_quote)};
+        check_row(line, row, open_quote, faults);
+        if (!table.header.cells.empty()) {
+            add_row(table, std::move(row), faults);
+            continue;
+        }
+        check_header(line, row, faults);
+        table.header = std::move(row);
+        if (refuses(faults)) // then the rows cannot be told
+            return table;
+    }
+    return table;
+}
+
+double number_in(const TextCell& cell, std::size_t line, std::vector<TextFault>& faults) {
+    double value = 0;
+    const char* end = cell.text.data() + cell.text.size();
+    const char* begin = cell.text.data() + (cell.text.starts_with('+') && !cell.text.starts_with("+-") ? 1 : 0);
+    auto [stop, error] = std::from_chars(begin, end, value);
+    if (error == std::errc() && stop == end && std::isfinite(value))
+        return value;
+    bool out_of_range = error == std::errc::result_out_of_range && stop == end;
+    bool tiny = cell.text.find("e-") != std::string::npos || cell.text.find("E-") != std::string::npos;
+    if (out_of_range && tiny)
+        return 0;
+    faults.push_back({true, line, cell.column,
+                      cell.text.empty() ? "no value"
+                      : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
+                                        : fmt::format("\"{}\" is not a finite number", cell.text),
+                      "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"});
+    return 0;
+}
+
+bool refuses(const std::vector<TextFault>& faults) { return std::ranges::any_of(faults, &TextFault::refused); }
+
+} // namespace placedpar

@@ -1,0 +1,46 @@
+#include "workbench/problems.hpp"
+
+#include "gaprocs/processes/kinds.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "hydraulics/circuit/circuit_problem.hpp"
+#include "hydraulics/plant/boom_record.hpp"
+#include "netlist/csp_kinds.hpp"
+#include "runtime/random.hpp"
+
+namespace placedpar {
+
+namespace {
+
+/// A circuit whose record was made with known compliances.
+struct SimulatedCircuit : CircuitProblem {
+    std::vector<double> compliance_in3_per_psi;
+
+    std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
+};
+
+/// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied.
+void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
+    BoomScenario scenario;
+    RandomStream noise(seed, "record of the boom");
+    auto record = boom_record(scenario, low_noise, [&] { return noise.uniform(); });
+    SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
+                          {scenario.machine.inlet_compliance_in3_per_psi}};
+    problems.add("boom", make_search_problem(std::move(boom)), std::move(record));
+}
+
+} // namespace
+
+ProblemRegistry known_problems(std::uint64_t seed) {
+    ProblemRegistry problems;
+    add_boom(problems, seed);
+    return problems;
+}
+
+Catalogue known_kinds(const ProblemRegistry& problems) {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    add_genetic_algorithm_kinds(catalogue, problems);
+    return catalogue;
+}
+
+} // namespace placedpar

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gaprocs/problem_registry.hpp"
+#include "identification/identification.hpp"
+#include "identification/record_problem.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/read.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// What processes are to search.
+struct NetlistAsked {
+    std::filesystem::path path;
+    Overrides overrides;
+    std::filesystem::path output; ///< that will be written: none of the netlist's own files
+};
+
+/// The first search of identify(), ready to run as the processes of a netlist.
+struct ProcessSearch {
+    ProblemRegistry problems; ///< "boom" is what the record asks
+    Network network;
+    std::string master; ///< the process that searches
+
+    RunReport run(std::uint64_t seed) const;
+    /// What it found. REQUIRES: a report of run() that came to its end.
+    std::vector<double> compliances(const RunReport& report) const;
+};
+
+/// Hands the way over to the netlist: what its processes leave to their defaults, and what it has a val of the same
+/// name for (population, elite), unless an override sets it. The processes know neither gaps nor a gate; they are sent
+/// the samples up to where the gate froze the search for good.
+/// Throws RefusedInput or std::runtime_error for what cannot be the same search: another number of searching processes
+/// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
+/// a while.
+ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
+                                  const IdentificationWay& way, const Identified& native);
+
+} // namespace placedpar
