@@ -26,6 +26,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 IdentificationWay way_of(const IdentifyOptions& options) {
@@ -66,8 +68,8 @@ double inches_of(const std::string& text) {
 bool uses_spool(const Record& record, const Question& question) {
     LinkReading boom;
     boom.from = question.areas_from;
-    return question.links.contains(MachineLink::boom) &&
-           areas_from(record, MachineLink::boom, boom) != AreasFrom::areas;
+    return question.links.contains(hydraulics::Link::boom) &&
+           areas_from(record, hydraulics::Link::boom, boom) != AreasFrom::areas;
 }
 
 /// A record, and what was asked of it.
@@ -90,7 +92,7 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
 
 /// By its own steady motion.
 void calibrate(Case& asked) {
-    asked.calibrates = asked.record.has(MachineLink::boom, Sensor::spool);
+    asked.calibrates = asked.record.has(hydraulics::Link::boom, Sensor::spool);
     if (asked.calibrates)
         asked.calibration =
             calibrate_spool_offset(asked.record, link_readings(asked.machine), flow_constants(asked.machine));

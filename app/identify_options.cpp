@@ -10,6 +10,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// An option that takes one of a few words.

@@ -8,6 +8,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 CLI::Option* add_links(CLI::App& command, std::string& links, const std::string& about) {
     return command.add_option("--link", links, about)->type_name("LINK[,LINK]");
 }

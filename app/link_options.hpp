@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hydraulics/circuit/circuit.hpp"
-#include "hydraulics/data/machine_link.hpp"
+#include "hydraulics/data/link.hpp"
 
 #include <string>
 
@@ -19,6 +19,6 @@ CLI::Option* add_links(CLI::App&, std::string& links, const std::string& about);
 CLI::Option* add_configuration(CLI::App&, std::string& configuration, const std::string& about);
 
 /// What --link says. Throws std::runtime_error for a name that is no link's, or is there twice.
-LinkSet links_of(const std::string& links);
+hydraulics::LinkSet links_of(const std::string& links);
 
 } // namespace placedpar

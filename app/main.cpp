@@ -15,6 +15,7 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

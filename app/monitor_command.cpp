@@ -19,6 +19,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 /// Ends included; all ours, wider than anybody needs and narrow enough that nothing overflows or never ends.

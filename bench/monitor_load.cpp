@@ -51,6 +51,7 @@ struct Part {
 /// Pressures that swing by 300 psi at .8 Hz, 1066 psi/s rms, of a machine whose compliances are those below.
 std::string sample_line(const Part& part, std::size_t index) {
     using namespace placedpar;
+    using namespace placedpar::hydraulics;
     static constexpr std::array<double, 4> compliances{0.0150, 0.0086, 0.0200, 0.0300};
     LinkSet active;
     for (const char* symbol : part.links)
@@ -62,7 +63,7 @@ std::string sample_line(const Part& part, std::size_t index) {
     transient.swing_rad_per_s = 5;
     monitor::SampleMessage sample = transient.sample(0, index);
     std::string links;
-    for (MachineLink link : monitor::links_of(active)) {
+    for (hydraulics::Link link : monitor::links_of(active)) {
         const monitor::Reading& reading = *sample.links[index_of(link)];
         const auto& areas = std::get<monitor::AreaReading>(reading.valve);
         links += fmt::format(R"({}"{}":{{"inlet_psi":{:.6f},"angle_deg":{:.8f},"inlet_in2":{},"bypass_in2":{:.8f}}})",

@@ -11,6 +11,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 Eigen::VectorXd residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,

@@ -22,8 +22,9 @@ struct ComplianceFit {
 /// Least squares on the signed missing flows of all junctions and samples, by Gauss-Newton from a start (mostly
 /// the search's answer). None when it does not settle within 50 steps.
 /// REQUIRES: samples of this circuit, start.size() == circuit.size().
-std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<const CircuitSample> samples,
-                                             const FlowConstants& flow, std::span<const double> start);
+std::optional<ComplianceFit> fit_compliances(const hydraulics::Circuit& circuit,
+                                             std::span<const hydraulics::CircuitSample> samples,
+                                             const hydraulics::FlowConstants& flow, std::span<const double> start);
 
 /// The codes of the strings of greatest fitness over a window: all of them are tried.
 struct ExhaustiveOptimum {
@@ -35,8 +36,9 @@ struct ExhaustiveOptimum {
 inline constexpr std::size_t exhaustive_bits = 20;
 
 /// C = largest * code / 2^bits. REQUIRES: circuit.size() * bits <= exhaustive_bits.
-ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const CircuitSample> window,
-                                     const FlowConstants& flow, InletFlow form, std::size_t bits,
-                                     double largest_in3_per_psi, double bias);
+ExhaustiveOptimum exhaustive_optimum(const hydraulics::Circuit& circuit,
+                                     std::span<const hydraulics::CircuitSample> window,
+                                     const hydraulics::FlowConstants& flow, hydraulics::InletFlow form,
+                                     std::size_t bits, double largest_in3_per_psi, double bias);
 
 } // namespace placedpar

@@ -18,8 +18,8 @@ inline constexpr double uncertain_share = 0.1;
 ///   of excitation says as much.
 ///
 /// `samples` are all that were used, `window` the last of them.
-void add_flags(Identified& identified, const CircuitProblem& problem, const FlowConstants& flow,
-               std::span<const CircuitSample> samples, std::span<const CircuitSample> window,
+void add_flags(Identified& identified, const hydraulics::CircuitProblem& problem, const hydraulics::FlowConstants& flow,
+               std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                const IdentificationWay& way);
 
 /// An offset of the spool that is found in the record itself may be a leak, which upsets the same balance of flows and

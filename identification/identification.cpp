@@ -15,6 +15,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// Is there a link whose pressure moves too slowly, if its compliance is what it was last found to be?
@@ -75,7 +77,7 @@ std::vector<double> last_answers(std::span<const SearchRun> runs, std::size_t ju
 }
 
 /// Everything about one junction's compliance but its flags.
-LinkIdentified summary(MachineLink link, const std::vector<double>& answers) {
+LinkIdentified summary(hydraulics::Link link, const std::vector<double>& answers) {
     LinkIdentified identified{};
     identified.link = link;
     identified.compliance_in3_per_psi = quantile(answers, 0.5);

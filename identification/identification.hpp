@@ -25,9 +25,9 @@ struct ExcitationGate {
 /// How compliances are identified.
 struct IdentificationWay {
     SearchSettings search;
-    std::size_t bits = CircuitProblem::usual_bits; // a compliance
+    std::size_t bits = hydraulics::CircuitProblem::usual_bits; // a compliance
     Coding coding = Coding::natural;
-    UsableSamples usable;
+    hydraulics::UsableSamples usable;
     /// None: the thesis has no gate.
     std::optional<ExcitationGate> gate;
     std::size_t searches = 1; // from different random numbers; the spread of their answers is reported
@@ -62,12 +62,13 @@ struct SearchRun {
 /// One search over the samples, generation after generation, as run_traditional() but for the gate and for gaps of the
 /// record, after which the window begins anew: what identify() does `searches` times. Throws UnfitRecord when there are
 /// not enough samples for the first generation.
-SearchRun search_transient(const CircuitProblem& problem, std::span<const CircuitSample> samples,
-                           const IdentificationWay& way, RandomStream random);
+SearchRun search_transient(const hydraulics::CircuitProblem& problem,
+                           std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way,
+                           RandomStream random);
 
 /// One compliance, identified.
 struct LinkIdentified {
-    MachineLink link;
+    hydraulics::Link link;
     double compliance_in3_per_psi; // the median of the searches
     double lowest, highest;        // 5 and 95 % of the searches
     double standard_error;         // of least squares on the last window: what the record's own noise leaves open
@@ -77,7 +78,7 @@ struct LinkIdentified {
 };
 
 struct Identified {
-    Circuit circuit;
+    hydraulics::Circuit circuit;
     std::vector<LinkIdentified> links;        // in the circuit's order
     std::vector<TransientEstimate> estimates; // of the first search
     std::uint64_t generations = 0;            // of all searches
@@ -87,7 +88,8 @@ struct Identified {
 /// the stream (seed, "master"), as the process of that name on a simulated machine does, so that both give
 /// the same answer; the others from streams of their own.
 /// Throws UnfitRecord when there are not enough samples for the first generation, saying why.
-Identified identify(const CircuitProblem& problem, const FlowConstants& flow, std::span<const CircuitSample> samples,
-                    const IdentificationWay& way, std::uint64_t seed);
+Identified identify(const hydraulics::CircuitProblem& problem, const hydraulics::FlowConstants& flow,
+                    std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way,
+                    std::uint64_t seed);
 
 } // namespace placedpar

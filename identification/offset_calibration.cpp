@@ -11,6 +11,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// A sample of steady motion: the flow is known, the spool is in doubt.
@@ -54,7 +56,7 @@ double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMoti
 
 std::vector<SteadySample> steadiest_motion(const Record& record, const LinkReadings& readings,
                                            const SteadyMotion& steady) {
-    auto samples = circuit_samples(record, circuit_of(Configuration::a, {MachineLink::boom}), readings);
+    auto samples = circuit_samples(record, circuit_of(Configuration::a, {hydraulics::Link::boom}), readings);
     auto length = 2 * static_cast<std::size_t>(std::lround(steady.duration_s / record.period_s / 2));
     double least = std::numeric_limits<double>::infinity();
     std::span<const CircuitSample> best;
@@ -69,7 +71,7 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkReadi
     std::vector<SteadySample> motion;
     for (const CircuitSample& sample : best)
         motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s,
-                          record.of(MachineLink::boom, Sensor::spool)[sample.index]});
+                          record.of(hydraulics::Link::boom, Sensor::spool)[sample.index]});
     return motion;
 }
 
@@ -94,7 +96,7 @@ double standard_error(std::span<const SteadySample> samples, double offset_in, c
 std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const LinkReadings& readings,
                                                   const FlowConstants& flow, const SteadyMotion& steady) {
     LinkReadings as_read = readings;
-    as_read[index_of(MachineLink::boom)].spool_offset_in = 0;
+    as_read[index_of(hydraulics::Link::boom)].spool_offset_in = 0;
     auto samples = steadiest_motion(record, as_read, steady);
     if (samples.empty())
         return std::nullopt;

@@ -30,7 +30,9 @@ struct SpoolOffset {
 /// boom alone, its areas from the spool. None without a steady motion, or when no offset within 0.08 in
 /// balances the flow.
 /// It cannot tell an offset from a wrong k or Q: 1 % of either moves it by 0.0011 to 0.0016 in.
-std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const LinkReadings& readings,
-                                                  const FlowConstants& flow, const SteadyMotion& steady = {});
+std::optional<SpoolOffset> calibrate_spool_offset(const hydraulics::Record& record,
+                                                  const hydraulics::LinkReadings& readings,
+                                                  const hydraulics::FlowConstants& flow,
+                                                  const SteadyMotion& steady = {});
 
 } // namespace placedpar

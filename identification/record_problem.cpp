@@ -10,11 +10,13 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 std::string list(LinkSet links) {
     std::string names;
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         if (links.contains(link))
             names += (names.empty() ? "" : ",") + std::string(name_of(link));
     return names;
@@ -33,7 +35,7 @@ void require_one_group(const Question& question) {
 
 LinkReadings link_readings(const Parameters& machine) {
     LinkReadings readings;
-    for (MachineLink link : all_links) {
+    for (hydraulics::Link link : all_links) {
         auto value = [&](std::string_view what) { return machine[fmt::format("{}.{}", name_of(link), what)]; };
         LinkReading& reading = readings[index_of(link)];
         reading.piston_flow_in3_per_deg = value("inlet_area") * value("moment_arm") * std::numbers::pi / 180;
@@ -52,7 +54,7 @@ RecordProblem prepare(const Record& record, const Parameters& machine, const Que
     Circuit circuit = circuit_of(question.configuration, question.links);
     FlowConstants flow = flow_constants(machine);
     LinkReadings readings = link_readings(machine);
-    readings[index_of(MachineLink::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
+    readings[index_of(hydraulics::Link::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
     for (LinkReading& reading : readings)
         reading.from = question.areas_from;
     auto samples = usable_samples(circuit_samples(record, circuit, readings), circuit, flow, way.usable);

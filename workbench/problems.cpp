@@ -9,6 +9,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// A circuit whose record was made with known compliances.

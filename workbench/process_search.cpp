@@ -18,6 +18,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 using Settings = std::map<std::string, Value>;

@@ -15,6 +15,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 [[noreturn]] void refuse(const Parameter& parameter, const std::string& text, const std::string& why) {
@@ -86,7 +88,7 @@ std::string cell(const std::string& text) {
 /// The options that say so.
 std::string shown(const LinksInMotion& moving) {
     std::vector<std::string_view> names;
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         if (moving.links.contains(link))
             names.push_back(name_of(link));
     return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));

@@ -11,6 +11,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr std::size_t most_shown = 20;

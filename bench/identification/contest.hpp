@@ -18,23 +18,23 @@ namespace placedpar {
 /// Identify the boom's compliance from its record, as chapter 3 does: for every new sample from the fifth on a
 /// window of up to ten, and five generations of 120 individuals.
 struct Transient {
-    std::vector<LinkSample> record;
-    FlowConstants flow;
+    std::vector<hydraulics::LinkSample> record;
+    hydraulics::FlowConstants flow;
     std::uint64_t seed = 0; // of the contestant's random numbers
 
     static constexpr std::size_t population = 120, window = 10, first = 5, trials = 5;
     static constexpr double bias = 400, crossover = 0.8, mutation = 0.01;
-    static constexpr double largest = CircuitProblem::largest_in3_per_psi;
-    static constexpr std::size_t bits = CircuitProblem::usual_bits;
+    static constexpr double largest = hydraulics::CircuitProblem::largest_in3_per_psi;
+    static constexpr std::size_t bits = hydraulics::CircuitProblem::usual_bits;
 
     /// Windows that get generations.
     std::size_t windows() const { return record.size() + 1 - first; }
-    std::span<const LinkSample> window_at(std::size_t number) const {
+    std::span<const hydraulics::LinkSample> window_at(std::size_t number) const {
         std::size_t end = first + number, length = end < window ? end : window;
         return std::span(record).subspan(end - length, length);
     }
     /// Equations 3.5 to 3.8 as one writes them by hand: the fastest that a contestant without the library can have.
-    double error(double compliance, const LinkSample& sample) const {
+    double error(double compliance, const hydraulics::LinkSample& sample) const {
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi;
         double inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance;
         double root = inlet / (k * sample.inlet_in2);
@@ -42,9 +42,9 @@ struct Transient {
         double bypass = k * sample.bypass_in2 * std::sqrt(std::max(pump_psi - flow.tank_psi, 0.0));
         return std::abs(flow.pump_in3_per_s - std::abs(inlet) - bypass);
     }
-    double fitness(double compliance, std::span<const LinkSample> samples) const {
+    double fitness(double compliance, std::span<const hydraulics::LinkSample> samples) const {
         double sum = 0;
-        for (const LinkSample& sample : samples)
+        for (const hydraulics::LinkSample& sample : samples)
             sum += fitness_term(bias, error(compliance, sample));
         return sum;
     }

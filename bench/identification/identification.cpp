@@ -20,6 +20,7 @@
 #include <limits>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -9,6 +9,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr const char* stream = "search"; // of the random numbers: one stream, so that the answers must agree

@@ -9,6 +9,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// What an objective function finds behind GAGenome::userData.

@@ -12,6 +12,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// pagmo minimises. A problem is copied into every population, so that a moved window makes a new one.

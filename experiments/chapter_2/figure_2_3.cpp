@@ -10,6 +10,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr std::array pressures_psia{100.0, 500.0, 1000.0, 2000.0};

@@ -14,6 +14,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 using OfPoint = std::function<double(const SteadyFlowPoint&)>;

@@ -14,6 +14,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// The constants of the machine and its motion.
@@ -46,7 +48,7 @@ void add_outlet_pressure(Record& record, std::span<const BoomState> states, doub
     for (std::size_t i = 0; i < record.size(); ++i) {
         double noise = noise_psi * standard_normal([&] { return random.uniform(); });
         double steps = std::nearbyint((states[i * stride].outlet_psi + noise) / pressure_resolution_psi);
-        record.of(MachineLink::boom, Sensor::outlet_pressure).push_back(steps * pressure_resolution_psi);
+        record.of(hydraulics::Link::boom, Sensor::outlet_pressure).push_back(steps * pressure_resolution_psi);
     }
 }
 
@@ -57,7 +59,7 @@ void add_voltage(Record& record, const BoomScenario& scenario, double offset_in)
         double since_s = time_s - scenario.step_time_s + scenario.integration_step_s / 2;
         double gone = since_s < 0 ? 0 : scenario.ramp_s > 0 ? std::min(since_s / scenario.ramp_s, 1.0) : 1;
         double wanted = std::lerp(scenario.spool_at_rest_in, scenario.spool_desired_in, gone);
-        record.of(MachineLink::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
+        record.of(hydraulics::Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
     }
 }
 
@@ -69,7 +71,7 @@ std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const s
         RandomStream random(seed, "sensors");
         Record record = measure_boom(states, scenario.machine.moment_arm_in, sampling_period_s, motion.noise,
                                      [&] { return random.uniform(); });
-        for (double& spool : record.of(MachineLink::boom, Sensor::spool))
+        for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
             spool += motion.spool_offset_in;
         add_outlet_pressure(record, states, motion.noise.pressure_psi, seed);
         add_voltage(record, scenario, motion.spool_offset_in);
@@ -103,7 +105,7 @@ BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.ma
 
 LinkReadings readings_of(const BoomData& data, const BoomModel& model) {
     LinkReadings readings = boom_readings(data.machine);
-    LinkReading& boom = readings[index_of(MachineLink::boom)];
+    LinkReading& boom = readings[index_of(hydraulics::Link::boom)];
     boom.from = model.from;
     boom.spool_lag_per_s = model.spool_lag_per_s;
     boom.spool_offset_in = model.spool_offset_in;
@@ -118,8 +120,8 @@ std::vector<double> spool_of(const BoomData& data, const BoomModel& model) {
     const Record& record = data.record;
     std::vector<double> spool =
         model.from == AreasFrom::servo
-            ? spool_from_volts(record.of(MachineLink::boom, Sensor::servo), model.spool_lag_per_s, record.period_s)
-            : record.of(MachineLink::boom, Sensor::spool);
+            ? spool_from_volts(record.of(hydraulics::Link::boom, Sensor::servo), model.spool_lag_per_s, record.period_s)
+            : record.of(hydraulics::Link::boom, Sensor::spool);
     for (double& spool_in : spool)
         spool_in -= model.spool_offset_in;
     return spool;

@@ -10,7 +10,7 @@
 namespace placedpar {
 
 /// Values over the record's time, up to a time.
-Series over_time(std::string name, const Record& record, std::span<const double> values, double until_s,
+Series over_time(std::string name, const hydraulics::Record& record, std::span<const double> values, double until_s,
                  Stroke stroke = Stroke::line);
 
 /// Figure 3.3: pressures, voltage, spool and angle as recorded.

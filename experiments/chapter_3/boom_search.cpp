@@ -11,6 +11,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr double fit_start_in3_per_psi = 0.0086;

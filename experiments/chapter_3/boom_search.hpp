@@ -11,7 +11,7 @@ namespace placedpar {
 
 /// What is identified from data with a model, by the thesis's way or another.
 struct BoomIdentified {
-    std::vector<CircuitSample> samples; ///< the usable ones
+    std::vector<hydraulics::CircuitSample> samples; ///< the usable ones
     Identified found;
     double compliance_in3_per_psi;       ///< the search's
     std::optional<double> least_squares; ///< of all samples; may be negative, as the thesis's first value was
@@ -22,7 +22,8 @@ struct BoomIdentified {
 BoomIdentified identify_boom(const BoomData&, const BoomModel&, const IdentificationWay&, std::uint64_t seed);
 
 /// The signed least squares of all usable samples; none when there are fewer than 5 or it does not settle.
-std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&, const UsableSamples& = {});
+std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&,
+                                               const hydraulics::UsableSamples& = {});
 
 /// One generation of a search.
 struct Generation {
@@ -33,7 +34,7 @@ struct Generation {
 };
 
 /// The search of identify() again, watched: the same population by population.
-std::vector<Generation> watch_search(const BoomData&, std::span<const CircuitSample> samples, const IdentificationWay&,
-                                     std::uint64_t seed);
+std::vector<Generation> watch_search(const BoomData&, std::span<const hydraulics::CircuitSample> samples,
+                                     const IdentificationWay&, std::uint64_t seed);
 
 } // namespace placedpar

@@ -14,6 +14,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 // As printed by the thesis.

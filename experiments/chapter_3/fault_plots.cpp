@@ -4,6 +4,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr std::size_t records_a_drift = 5;

@@ -8,6 +8,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr double valve_opens_s = 0.192; // in scenario A
@@ -42,7 +44,7 @@ Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed) {
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
     IdentificationWay way = service_way();
-    RecordProblem prepared = rising(record, {Configuration::a, {MachineLink::boom}, {}, from}, way);
+    RecordProblem prepared = rising(record, {Configuration::a, {hydraulics::Link::boom}, {}, from}, way);
     return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
 }
 

@@ -30,15 +30,15 @@ struct Plant {
     bool has_servo;
 };
 
-Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed);
+hydraulics::Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed);
 
 /// One search, the engineer's way, while the pressure rises. The identifier knows nothing of the fault: it takes the
 /// machine to be that of excavator.csv.
-SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed);
+SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
 /// Its last answer, in in^3/psi.
-double identified(const Record& record, AreasFrom from, std::uint64_t seed);
+double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
 
 /// By least squares over the rise, in in^3/psi. Throws where there is nothing to fit.
-double least_squares(const Record& record);
+double least_squares(const hydraulics::Record& record);
 
 } // namespace placedpar

@@ -13,6 +13,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr std::size_t records_a_fault = 20;

@@ -14,6 +14,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr double thesis_in3_per_psi = 0.0086, found_by_spool_in3_per_psi = 0.005;

@@ -13,6 +13,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 /// A figure of an independent prototype, and that which a sound identification must not exceed.

@@ -10,6 +10,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 using Runs = std::vector<SearchRun>;

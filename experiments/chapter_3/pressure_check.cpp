@@ -9,6 +9,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 // Of .18 to .66 s in scenario A, where the first usable sample is at .20 s.

@@ -7,6 +7,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 std::optional<double> found_with(const BoomModel& model, const BoomData& data) {

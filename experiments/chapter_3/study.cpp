@@ -11,6 +11,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr double m3_per_in3 = metre_per_inch * metre_per_inch * metre_per_inch;

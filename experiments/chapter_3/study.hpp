@@ -23,10 +23,10 @@ struct Study {
 /// Measured transients, one a seed.
 struct Transients {
     double true_in3_per_psi;
-    FlowConstants flow;
-    std::vector<std::vector<CircuitSample>> samples;
+    hydraulics::FlowConstants flow;
+    std::vector<std::vector<hydraulics::CircuitSample>> samples;
 };
-Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable,
+Transients measure_transients(const hydraulics::MeasurementNoise& noise, const hydraulics::UsableSamples& usable,
                               std::span<const std::uint64_t> seeds);
 
 /// REQUIRES: a seed for each transient.

@@ -4,6 +4,8 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
 constexpr std::size_t states_a_point = 10; // of 1 ms each

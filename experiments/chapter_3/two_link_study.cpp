@@ -8,9 +8,11 @@
 
 namespace placedpar {
 
+using namespace hydraulics;
+
 namespace {
 
-const LinkSet bucket_and_boom{MachineLink::bucket, MachineLink::boom};
+const LinkSet bucket_and_boom{hydraulics::Link::bucket, hydraulics::Link::boom};
 
 } // namespace
 

@@ -13,14 +13,14 @@ namespace placedpar {
 
 /// Bucket and boom, simulated once (scenario R2, Figure 3.9).
 struct TwoLinkMotion {
-    ExcavatorScenario scenario;
-    ExcavatorMotion motion;
-    LinkReadings readings;
+    hydraulics::ExcavatorScenario scenario;
+    hydraulics::ExcavatorMotion motion;
+    hydraulics::LinkReadings readings;
 };
 TwoLinkMotion simulate_two_links();
 
 /// The record of it that a seed's sensors write, and what identification uses of that.
-RecordProblem measure_two_links(const TwoLinkMotion& motion, const MeasurementNoise& noise,
+RecordProblem measure_two_links(const TwoLinkMotion& motion, const hydraulics::MeasurementNoise& noise,
                                 const IdentificationWay& way, std::uint64_t seed);
 
 /// Errors of the two compliances, in percent without sign.
@@ -40,7 +40,7 @@ IdentificationWay gray_way();
 inline constexpr std::size_t search_records = 200;
 
 /// Many searches, each with noise and random numbers of its own.
-std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
+std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const hydraulics::MeasurementNoise& noise,
                                    const IdentificationWay& way, std::span<const std::uint64_t> seeds);
 
 /// The share of searches in percent in which both are within 10 % after the given generation.
@@ -53,9 +53,9 @@ struct InternalStates {
     static constexpr std::size_t count = 6;
     std::array<double, count> values() const { return {p11, p12, q11, q12, q_bucket, q_boom}; }
 };
-InternalStates true_states(const ExcavatorState& state);
+InternalStates true_states(const hydraulics::ExcavatorState& state);
 /// What compliances make of a sample, as the thesis records it of the best individual (3.2, step 7).
-InternalStates estimated_states(const CircuitSample& sample, std::span<const double> compliance_in3_per_psi,
-                                const FlowConstants& flow);
+InternalStates estimated_states(const hydraulics::CircuitSample& sample, std::span<const double> compliance_in3_per_psi,
+                                const hydraulics::FlowConstants& flow);
 
 } // namespace placedpar

@@ -1,6 +1,6 @@
 #include "hydraulics/circuit/boom_orifices.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -41,4 +41,4 @@ int boom_orifice_branch(double spool_in) {
     return (spool_in > boom_dead_band_in) + (spool_in >= boom_outlet_knee_in) + (spool_in > boom_bypass_shut_in);
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Open areas of the boom main valve.
 struct OrificeAreas {
@@ -23,4 +23,4 @@ OrificeAreas boom_orifices(double spool_in);
 /// Between which of their knees the spool stands; the functions are smooth where this stays the same.
 int boom_orifice_branch(double spool_in);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

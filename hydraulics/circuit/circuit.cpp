@@ -4,26 +4,25 @@
 #include <array>
 #include <cassert>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
 /// A link's place in the main valve, whether or not the link is active.
 struct Place {
-    MachineLink link;
+    Link link;
     bool pump;
-    std::optional<MachineLink> next; // none: the bypass leads to the tank, or nowhere
+    std::optional<Link> next; // none: the bypass leads to the tank, or nowhere
     bool shut = false;
 };
 
 /// Pump 1 feeds the bucket and then the boom, pump 2 the swing and then the stick.
-constexpr Place bucket_then_boom{MachineLink::bucket, true, MachineLink::boom}, boom_last{MachineLink::boom, false, {}},
-    swing_then_stick{MachineLink::swing, true, MachineLink::stick}, stick_last{MachineLink::stick, false, {}};
+constexpr Place bucket_then_boom{Link::bucket, true, Link::boom}, boom_last{Link::boom, false, {}},
+    swing_then_stick{Link::swing, true, Link::stick}, stick_last{Link::stick, false, {}};
 /// The cross-over: what the stick (the boom) does not take goes on to the other branch's last link.
-constexpr Place stick_then_boom{MachineLink::stick, false, MachineLink::boom},
-    boom_then_stick{MachineLink::boom, false, MachineLink::stick};
+constexpr Place stick_then_boom{Link::stick, false, Link::boom}, boom_then_stick{Link::boom, false, Link::stick};
 /// The first link of a branch alone with its pump, because the pressure behind it is higher.
-constexpr Place bucket_alone{MachineLink::bucket, true, {}, true}, swing_alone{MachineLink::swing, true, {}, true};
+constexpr Place bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
 using MainValve = std::array<Place, 4>; // upstream before downstream
 
@@ -38,20 +37,18 @@ const MainValve& main_valve(Configuration configuration) {
     return valves[static_cast<std::size_t>(configuration)];
 }
 
-const Place& place_of(const MainValve& valve, MachineLink link) {
-    return *std::ranges::find(valve, link, &Place::link);
-}
+const Place& place_of(const MainValve& valve, Link link) { return *std::ranges::find(valve, link, &Place::link); }
 
 /// The next active link that the flow past `place` reaches.
-std::optional<MachineLink> next_active(const MainValve& valve, const Place& place, LinkSet active) {
-    std::optional<MachineLink> next = place.next;
+std::optional<Link> next_active(const MainValve& valve, const Place& place, LinkSet active) {
+    std::optional<Link> next = place.next;
     while (next && !active.contains(*next))
         next = place_of(valve, *next).next;
     return next;
 }
 
 /// The first active link downstream of a pump.
-std::optional<MachineLink> fed_by(const MainValve& valve, const Place& first, LinkSet active) {
+std::optional<Link> fed_by(const MainValve& valve, const Place& first, LinkSet active) {
     return active.contains(first.link) ? first.link : next_active(valve, first, active);
 }
 
@@ -68,9 +65,9 @@ std::optional<Configuration> configuration_named(std::string_view text) {
 
 std::vector<LinkSet> coupled_groups(Configuration configuration) {
     switch (configuration) {
-    case Configuration::a: return {{MachineLink::bucket, MachineLink::boom}, {MachineLink::stick, MachineLink::swing}};
-    case Configuration::b: return {{MachineLink::bucket}, {MachineLink::boom, MachineLink::stick, MachineLink::swing}};
-    case Configuration::c: return {{MachineLink::bucket, MachineLink::boom, MachineLink::stick}, {MachineLink::swing}};
+    case Configuration::a: return {{Link::bucket, Link::boom}, {Link::stick, Link::swing}};
+    case Configuration::b: return {{Link::bucket}, {Link::boom, Link::stick, Link::swing}};
+    case Configuration::c: return {{Link::bucket, Link::boom, Link::stick}, {Link::swing}};
     case Configuration::d:
     case Configuration::e: break;
     }
@@ -84,7 +81,7 @@ Circuit circuit_of(Configuration configuration, LinkSet active) {
     for (const Place& place : valve)
         if (active.contains(place.link))
             circuit.push_back({place.link, 0, place.shut ? Through::nowhere : Through::tank});
-    auto junction_of = [&](MachineLink link) {
+    auto junction_of = [&](Link link) {
         return static_cast<std::size_t>(std::ranges::find(circuit, link, &Junction::link) - circuit.begin());
     };
     for (Junction& junction : circuit)
@@ -98,4 +95,4 @@ Circuit circuit_of(Configuration configuration, LinkSet active) {
     return circuit;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

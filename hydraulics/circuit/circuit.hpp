@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydraulics/data/machine_link.hpp"
+#include "hydraulics/data/link.hpp"
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The five configurations of the main valve, by what the check valves of its cross-over network let through
 /// (Figure 2.11; the drawing is not to be had, the readings are ours and follow its text).
@@ -30,7 +30,7 @@ enum class Through : unsigned char {
 /// A junction of the main valve: the inlet orifice of one link and the bypass past it leave from here. Flow
 /// comes from a pump, from the bypasses that lead here, or from both.
 struct Junction {
-    MachineLink link;
+    Link link;
     int pumps; ///< of constant flow each: 0 to 2
     Through through;
     std::size_t next = 0; ///< of the circuit's junctions, when the bypass leads to one; INVARIANT: a later one
@@ -47,4 +47,4 @@ std::vector<LinkSet> coupled_groups(Configuration);
 /// shut and its bypass wide open. REQUIRES: `active` is a non-empty part of one coupled group.
 Circuit circuit_of(Configuration, LinkSet active);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

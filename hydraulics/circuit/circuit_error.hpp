@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Equation 3.8 takes the absolute value of the flow into the cylinder, equation 3.11 does not. The inner
 /// absolute value gives windows of falling pressure a second optimum, at C + 2 Q_i / |dP/dt|.
@@ -83,4 +83,4 @@ T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_
     return error;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -32,4 +32,4 @@ std::vector<std::string> CircuitProblem::parameter_units() const {
     return std::vector<std::string>(circuit_.size(), "in^3/psi");
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Identification of the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2), as a
 /// search problem. The string has a whole number of `bits` bits for each junction, in the circuit's order, over
@@ -69,4 +69,4 @@ private:
     InletFlow form_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

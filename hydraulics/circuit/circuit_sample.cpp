@@ -12,27 +12,27 @@
 #include <cmath>
 #include <string>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
 std::string list_channels(const Record& record) {
     std::string channels;
-    for (MachineLink link : all_links)
+    for (Link link : all_links)
         for (Sensor sensor : all_sensors)
             if (record.has(link, sensor))
                 channels += fmt::format("{}{}.{}", channels.empty() ? "" : ", ", name_of(link), name_of(sensor));
     return channels;
 }
 
-void require(const Record& record, MachineLink link, Sensor sensor) {
+void require(const Record& record, Link link, Sensor sensor) {
     if (!record.has(link, sensor))
         throw UnfitRecord(fmt::format("the record has no channel {}.{}; it has {}", name_of(link), name_of(sensor),
                                       list_channels(record)));
 }
 
 /// The areas of one link at every instant, as far as identification needs them.
-std::vector<OrificeAreas> areas_of(const Record& record, MachineLink link, const LinkReading& reading) {
+std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkReading& reading) {
     std::vector<OrificeAreas> areas;
     AreasFrom from = areas_from(record, link, reading);
     if (from == AreasFrom::areas) {
@@ -59,7 +59,7 @@ struct LinkChannels {
     double piston_flow_in3_per_deg;
 };
 
-LinkChannels channels_of(const Record& record, MachineLink link, const LinkReading& reading) {
+LinkChannels channels_of(const Record& record, Link link, const LinkReading& reading) {
     require(record, link, Sensor::inlet_pressure);
     require(record, link, Sensor::angle);
     return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle), areas_of(record, link, reading),
@@ -82,7 +82,7 @@ std::vector<double> CircuitSample::values() const {
     return values;
 }
 
-AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading) {
+AreasFrom areas_from(const Record& record, Link link, const LinkReading& reading) {
     if (reading.from)
         return *reading.from;
     if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
@@ -148,4 +148,4 @@ std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples
     return usable;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Where the areas of a link's orifices come from: as they were read, or by the boom's functions A.3 to A.9 from the
 /// spool, or from the servo-valve's voltage by A.1 and A.2.
@@ -27,7 +27,7 @@ struct LinkReading {
 using LinkReadings = std::array<LinkReading, all_links.size()>; // by index_of(link)
 
 /// As asked for, or the first of the three that the record has of the link.
-AreasFrom areas_from(const Record& record, MachineLink link, const LinkReading& reading);
+AreasFrom areas_from(const Record& record, Link link, const LinkReading& reading);
 
 /// What the links of a circuit did at one instant.
 struct CircuitSample {
@@ -68,4 +68,4 @@ struct UsableSamples {
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
                                           const FlowConstants& flow, const UsableSamples& rule = {});
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

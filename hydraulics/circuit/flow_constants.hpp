@@ -2,7 +2,7 @@
 
 #include "hydraulics/data/parameters.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What every orifice of the machine shares: flow = k a sqrt(pressure drop), a pump of constant flow, a tank.
 /// Units throughout this room: inch, psi (gauge), lbf, s; the unit is in the name.
@@ -27,4 +27,4 @@ inline const FlowConstants rounded_flow_constants{Parameters::excavator()["flow.
                                                   Parameters::excavator()["flow.rounded.pump"],
                                                   Parameters::excavator()["flow.rounded.tank"]};
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

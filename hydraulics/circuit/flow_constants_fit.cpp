@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::vector<double> spool_residuals_in(std::span<const SteadyFlowPoint> table, c
     return residuals;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

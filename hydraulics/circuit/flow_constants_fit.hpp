@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// An entry of a table of steady flow: this spool lets this flow through at this pressure.
 struct SteadyFlowPoint {
@@ -33,4 +33,4 @@ FlowConstantsFit fit_flow_constants(std::span<const SteadyFlowPoint> table, cons
 /// The residuals under given constants, as above.
 std::vector<double> spool_residuals_in(std::span<const SteadyFlowPoint> table, const FlowConstants& constants);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -58,4 +58,4 @@ double bypass_only_psi(double bypass_in2, const FlowConstants& constants) {
            square(constants.pump_in3_per_s / (constants.orifice_in3_per_s_in2_sqrt_psi * bypass_in2));
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -2,7 +2,7 @@
 
 #include "hydraulics/circuit/flow_constants.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// An orifice that leads to a known pressure: flow = coefficient sqrt(pressure drop), never backwards.
 struct Outlet {
@@ -34,4 +34,4 @@ FlowSplit split_flow(double inlet_in2, double bypass_in2, double inlet_psi, cons
 /// is predicted open when this exceeds the cylinder's pressure.
 double bypass_only_psi(double bypass_in2, const FlowConstants& constants);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -172,4 +172,4 @@ std::vector<JunctionFlow> solve_junctions(const Circuit& circuit, std::span<cons
     return flows;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

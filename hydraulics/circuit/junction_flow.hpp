@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What a junction finds open, and against which pressure.
 struct JunctionOpening {
@@ -40,4 +40,4 @@ void solve_junctions(const Circuit&, std::span<const JunctionOpening>, const Flo
 
 std::vector<JunctionFlow> solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

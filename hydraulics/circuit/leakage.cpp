@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::span<const double> slope_psi_per_s) {
     if (leak_in3_per_s.size() != slope_psi_per_s.size())
@@ -21,4 +21,4 @@ double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::s
     return products / squares;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

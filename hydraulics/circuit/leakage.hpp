@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Flow across a worn piston seal, from the pump side to the drain side: Q_l = k_l (P_i - P_o), laminar.
 inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, double outlet_psi) {
@@ -19,4 +19,4 @@ inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, dou
 /// than 0: then a leak cannot be told by the compliance.
 double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::span<const double> slope_psi_per_s);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 CentredLineFit::CentredLineFit(double period_s) {
     if (!(period_s > 0))
@@ -25,4 +25,4 @@ double CentredLineFit::slope_per_s(std::span<const double> values, std::size_t c
     return slope_weights_.dot(Eigen::Map<const Points>(values.data() + centre - line_fit_points / 2));
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

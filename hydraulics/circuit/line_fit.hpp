@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The thesis limits the piecewise least-squares line to 5 samples (3.1.2).
 inline constexpr std::size_t line_fit_points = 5;
@@ -33,4 +33,4 @@ private:
     Points slope_weights_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

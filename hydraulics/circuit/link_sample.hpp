@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What the error of identification needs of one link at one sampling instant.
 struct LinkSample {
@@ -21,4 +21,4 @@ struct LinkSample {
     }
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

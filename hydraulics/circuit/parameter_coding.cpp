@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -32,4 +32,4 @@ ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(s
     }
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

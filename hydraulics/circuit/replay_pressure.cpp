@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<double> replay_pressure(std::span<const ReplaySample> record, const 
     return pressures;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// One instant of a boom's record, as far as the cross-check by simulation needs it.
 struct ReplaySample {
@@ -29,4 +29,4 @@ struct ReplayCircuit {
 std::vector<double> replay_pressure(std::span<const ReplaySample>, const ReplayCircuit&, double initial_psi,
                                     double step_s);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

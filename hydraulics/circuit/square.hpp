@@ -1,7 +1,7 @@
 #pragma once
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 constexpr double square(double x) { return x * x; }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -45,4 +45,4 @@ FlowSensitivity boom_flow_sensitivity(double spool_in, double inlet_psi, const F
             slope([&](double psi) { return flow(spool_in, psi); }, inlet_psi, 0.01)};
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -3,7 +3,7 @@
 #include "hydraulics/circuit/flow_constants.hpp"
 #include "hydraulics/circuit/flow_split.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Where the pump's flow goes when the boom's spool and the cylinder's pressure stand still. REQUIRES: spool_in >= 0.
 FlowSplit steady_boom_flow(double spool_in, double inlet_psi, const FlowConstants& constants);
@@ -24,4 +24,4 @@ struct FlowSensitivity {
 /// spool-orifice functions, where the derivative jumps.
 FlowSensitivity boom_flow_sensitivity(double spool_in, double inlet_psi, const FlowConstants& constants);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -36,7 +36,7 @@ double servo_volts(double spool_in) {
 }
 
 double DriftedVoltageSpool::desired_spool_in(double volts_commanded, double time_s) const {
-    return std::max(placedpar::desired_spool_in(volts_commanded + volts.at(time_s)) + spool_in.at(time_s), 0.0);
+    return std::max(hydraulics::desired_spool_in(volts_commanded + volts.at(time_s)) + spool_in.at(time_s), 0.0);
 }
 
 SpoolLag::SpoolLag(double lag_per_s, double period_s, double spool_in)
@@ -70,4 +70,4 @@ std::vector<double> spool_from_volts(std::span<const double> volts, std::span<co
     return spools;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

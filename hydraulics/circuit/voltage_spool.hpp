@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The boom's voltage-spool function A.1: the spool, in inches, that a servo-valve voltage asks for. Strictly
 /// increasing for every voltage. Raising direction only: the thesis gives no function for lowering.
@@ -63,4 +63,4 @@ std::vector<double> spool_from_volts(std::span<const double> volts, double lag_p
 std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
                                      double period_s, const DriftedVoltageSpool& = {});
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -46,4 +46,4 @@ ParameterRange range_of(std::string_view parameter) {
     return {};
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

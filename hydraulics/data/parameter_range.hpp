@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The values, in this room's unit, that a constant of a machine can have.
 struct ParameterRange {
@@ -21,4 +21,4 @@ struct ParameterRange {
 /// either sign. One place for whoever reads parameters; what depends on several of them is checked where they are used.
 ParameterRange range_of(std::string_view parameter);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

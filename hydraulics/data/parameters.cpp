@@ -9,7 +9,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -119,4 +119,4 @@ void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
     }
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

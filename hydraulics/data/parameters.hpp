@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// A constant of the machine.
 struct Parameter {
@@ -49,4 +49,4 @@ private:
 /// The text of excavator.csv.
 std::string_view excavator_text();
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -35,7 +35,7 @@ std::optional<Sensor> sensor_named(std::string_view name) {
 
 LinkSet Record::links() const {
     LinkSet measured;
-    for (MachineLink link : all_links)
+    for (Link link : all_links)
         if (std::ranges::any_of(all_sensors, [&](Sensor sensor) { return has(link, sensor); }))
             measured.insert(link);
     return measured;
@@ -53,11 +53,11 @@ std::vector<Stretch> Record::stretches() const {
 
 std::optional<SensorReading> first_unmeasurable(const Record& record) {
     for (std::size_t i = 0; i < record.size(); ++i)
-        for (MachineLink link : all_links)
+        for (Link link : all_links)
             for (Sensor sensor : all_sensors)
                 if (record.has(link, sensor) && !(std::abs(record.of(link, sensor)[i]) <= largest_reading))
                     return SensorReading{link, sensor, record.time_s[i], record.of(link, sensor)[i]};
     return std::nullopt;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

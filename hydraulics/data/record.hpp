@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hydraulics/data/machine_link.hpp"
+#include "hydraulics/data/link.hpp"
 #include "hydraulics/data/units.hpp"
 
 #include <array>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What is measured at a link.
 enum class Sensor : unsigned char {
@@ -49,13 +49,13 @@ public:
 
     std::size_t size() const { return time_s.size(); }
     /// One value for each instant, in the unit of the sensor's quantity; empty where it was not measured.
-    const std::vector<double>& of(MachineLink link, Sensor sensor) const {
+    const std::vector<double>& of(Link link, Sensor sensor) const {
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
-    std::vector<double>& of(MachineLink link, Sensor sensor) {
+    std::vector<double>& of(Link link, Sensor sensor) {
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
-    bool has(MachineLink link, Sensor sensor) const { return !of(link, sensor).empty(); }
+    bool has(Link link, Sensor sensor) const { return !of(link, sensor).empty(); }
     /// The links of which at least one sensor was read.
     LinkSet links() const;
 
@@ -77,7 +77,7 @@ inline constexpr double largest_reading = 1e12;
 
 /// One value of a record.
 struct SensorReading {
-    MachineLink link;
+    Link link;
     Sensor sensor;
     double time_s, value;
 };
@@ -88,4 +88,4 @@ std::optional<SensorReading> first_unmeasurable(const Record& record);
 /// How far a sample may be from its place, of the period.
 inline constexpr double sampling_tolerance = 0.02;
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -125,4 +125,4 @@ void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::
              likely_units(unit.quantity, number, usual));
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

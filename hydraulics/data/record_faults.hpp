@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The checks that read_record makes of what is measured, one function a fault that loggers are known for.
 
@@ -37,4 +37,4 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
                    HeaderPlace place, std::vector<TextFault>& faults);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -174,7 +174,7 @@ std::string print_record(const Record& record) {
         text += '\n';
     std::vector<Printed> channels{{&record.time_s, time_decimals(record)}};
     text += "time [s]";
-    for (MachineLink link : all_links)
+    for (Link link : all_links)
         for (Sensor sensor : all_sensors)
             if (record.has(link, sensor)) {
                 text += fmt::format(",{}.{} [{}]", name_of(link), name_of(sensor),
@@ -189,4 +189,4 @@ std::string print_record(const Record& record) {
     return text;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

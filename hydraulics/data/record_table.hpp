@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 struct ReadRecord {
     std::optional<Record> record; ///< none when a fault refuses the text
@@ -37,4 +37,4 @@ inline constexpr std::size_t fewest_samples = 5;
 /// As read_record reads it, every channel that was measured, in this room's units.
 std::string print_record(const Record& record);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -4,7 +4,7 @@
 #include <array>
 #include <numbers>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -105,4 +105,4 @@ std::string_view name_of(Quantity quantity) {
     return names[static_cast<std::size_t>(quantity)];
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What a number measures. This room works in one unit of each: that of the thesis.
 enum class Quantity : unsigned char {
@@ -52,4 +52,4 @@ std::vector<Unit> units_of(Quantity);
 std::string list_units(Quantity);
 std::string_view name_of(Quantity);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

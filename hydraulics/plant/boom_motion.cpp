@@ -2,7 +2,7 @@
 
 #include "hydraulics/plant/excavator_motion.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -27,8 +27,7 @@ ExcavatorScenario excavator_scenario(const BoomScenario& boom) {
     ExcavatorScenario scenario;
     scenario.flow = boom.flow;
     scenario.configuration = Configuration::a;
-    scenario.links = {
-        {MachineLink::boom, link_machine(boom.machine), valve, {boom.leak_in3_per_s_psi, boom.leak_start_s}}};
+    scenario.links = {{Link::boom, link_machine(boom.machine), valve, {boom.leak_in3_per_s_psi, boom.leak_start_s}}};
     scenario.duration_s = boom.duration_s;
     scenario.integration_step_s = boom.integration_step_s;
     return scenario;
@@ -46,4 +45,4 @@ std::vector<BoomState> simulate_boom(const BoomScenario& scenario) {
     return motion;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

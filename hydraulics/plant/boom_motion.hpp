@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The true state of the boom circuit at one instant.
 struct BoomState {
@@ -23,4 +23,4 @@ struct BoomState {
 /// Throws std::invalid_argument as simulate_excavator().
 std::vector<BoomState> simulate_boom(const BoomScenario& scenario);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -2,15 +2,15 @@
 
 #include <numbers>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
-Circuit boom_circuit() { return circuit_of(Configuration::a, {MachineLink::boom}); }
+Circuit boom_circuit() { return circuit_of(Configuration::a, {Link::boom}); }
 
 LinkReadings boom_readings(const BoomMachine& machine) {
     LinkReadings readings;
-    readings[index_of(MachineLink::boom)].piston_flow_in3_per_deg =
+    readings[index_of(Link::boom)].piston_flow_in3_per_deg =
         machine.inlet_area_in2 * machine.moment_arm_in * std::numbers::pi / 180;
-    readings[index_of(MachineLink::boom)].spool_lag_per_s = machine.spool_lag_per_s;
+    readings[index_of(Link::boom)].spool_lag_per_s = machine.spool_lag_per_s;
     return readings;
 }
 
@@ -26,4 +26,4 @@ std::vector<std::vector<double>> boom_record(const BoomScenario& scenario, const
     return record;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The boom alone, fed by its pump.
 Circuit boom_circuit();
@@ -18,4 +18,4 @@ LinkReadings boom_readings(const BoomMachine& machine);
 std::vector<std::vector<double>> boom_record(const BoomScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable = {});
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

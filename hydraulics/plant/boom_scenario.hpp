@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The boom as a mass on a cylinder. The thesis prints the compliance and the sampling only; excavator.csv says
 /// where each value comes from.
@@ -56,4 +56,4 @@ struct BoomScenario {
     double ramp_s; // in which the spool's command goes from rest to desired; 0: a step
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

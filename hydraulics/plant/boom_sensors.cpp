@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -26,7 +26,7 @@ Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredMa
     constexpr double deg_per_rad = 180 / std::numbers::pi;
     Record record;
     record.period_s = sensors.period_s;
-    auto read = [&](Sensor sensor, double value) { record.of(MachineLink::boom, sensor).push_back(value); };
+    auto read = [&](Sensor sensor, double value) { record.of(Link::boom, sensor).push_back(value); };
     for (std::size_t i = 0; i < motion.size(); i += stride) {
         const MeasuredState& state = motion[i];
         double inlet = state.inlet_psi + sensors.noise.pressure_psi * standard_normal(uniform);
@@ -44,4 +44,4 @@ Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredMa
     return record;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

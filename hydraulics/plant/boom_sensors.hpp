@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The sensors of the measured machine's boom: noise first, then a converter each.
 struct BoomSensors {
@@ -29,4 +29,4 @@ struct BoomSensors {
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredMachine& machine,
                          const BoomSensors& sensors, const UniformSource& uniform);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 double bulk_modulus_psi(const AirOilMixture& mixture, double psia) {
     double oil = 1 - mixture.air_fraction;
@@ -22,4 +22,4 @@ double psia_at_modulus(const AirOilMixture& mixture, double share) {
     return (below + above) / 2;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -2,7 +2,7 @@
 
 #include "hydraulics/data/parameters.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Hydraulic oil with air in it that is free, never dissolved, as in Figure 2.3 of the thesis.
 struct AirOilMixture {
@@ -24,4 +24,4 @@ double psia_at_modulus(const AirOilMixture& mixture, double share);
 /// Equation 2.2: C_fluid = V / beta.
 inline double fluid_compliance_in3_per_psi(double volume_in3, double modulus_psi) { return volume_in3 / modulus_psi; }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

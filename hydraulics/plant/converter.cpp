@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 double Converter::step() const { return bits == 0 ? 0 : std::ldexp(range, -bits); }
 
@@ -23,4 +23,4 @@ int bits_of(const Parameters& parameters, std::string_view name) {
     return static_cast<int>(bits);
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// A converter of so many bits over a range.
 struct Converter {
@@ -22,4 +22,4 @@ struct Converter {
 /// The bits that a row of the parameters gives. Throws std::invalid_argument unless it is a whole number from 0 to 32.
 int bits_of(const Parameters& parameters, std::string_view name);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// A system of ordinary differential equations that is smooth but for events: valves that open and shut,
 /// knees of a curve, commands. `Mode` says which of them hold; where it stays the same, the system is smooth.
@@ -119,4 +119,4 @@ private:
     double tried_s_ = 0; // the step to `next_`; 0: none has been tried from now
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

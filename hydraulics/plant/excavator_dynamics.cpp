@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -154,4 +154,4 @@ ExcavatorDynamics::Mode ExcavatorDynamics::rate(const State& state, State& deriv
     return mode;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Which valves are open and which branch of each curve holds at one link and its junction.
 struct LinkMode {
@@ -56,4 +56,4 @@ private:
     std::vector<std::size_t> junction_of_; // of each link
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

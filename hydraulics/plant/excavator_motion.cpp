@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -54,4 +54,4 @@ ExcavatorMotion simulate_excavator(const ExcavatorScenario& scenario) {
     return motion;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The true state of one link at one instant.
 struct LinkState {
@@ -28,7 +28,7 @@ struct ExcavatorState {
 /// which the pressure over the inlet is lost in its rounding.
 struct CheckEvent {
     double time_s;
-    MachineLink link;
+    Link link;
     bool opened;
 };
 
@@ -48,4 +48,4 @@ ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 /// The same; the states are shown one by one instead of kept.
 std::vector<CheckEvent> simulate_excavator(const ExcavatorScenario&, const std::function<void(ExcavatorState&&)>& show);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
                          const MeasurementNoise& noise, const UniformSource& uniform) {
@@ -30,4 +30,4 @@ Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario&
     return record;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -4,7 +4,7 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/measurement.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Samples the motion of all links of a scenario every `period_s`, from its first state on: of each link the inlet
 /// pressure, the angle, and the areas of its inlet and bypass, whose noise is relative. Draws four normal numbers a
@@ -13,4 +13,4 @@ namespace placedpar {
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
                          const MeasurementNoise& noise, const UniformSource& uniform);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -97,4 +97,4 @@ Circuit junctions_of(const ExcavatorScenario& scenario) {
     return all;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

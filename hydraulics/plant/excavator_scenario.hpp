@@ -7,11 +7,11 @@
 
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// A link that moves, and what moves it.
 struct ActiveLink {
-    MachineLink link;
+    Link link;
     LinkMachine machine;
     LinkValve valve;
     PistonLeak leak = no_leak;
@@ -32,4 +32,4 @@ void require_valid(const ExcavatorScenario&);
 /// The junctions of all active links, circuit after circuit, each upstream before downstream.
 Circuit junctions_of(const ExcavatorScenario&);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -38,7 +38,7 @@ LinkMachine single_boom_machine(const Parameters& machine) {
             machine["boom.spool_lag"]};
 }
 
-LinkMachine coupled_machine(MachineLink link, const Parameters& machine) {
+LinkMachine coupled_machine(Link link, const Parameters& machine) {
     auto value = [&](std::string_view what) { return machine[fmt::format("{}.{}", name_of(link), what)]; };
     LinkMachine coupled{};
     coupled.inlet_area_in2 = value("inlet_area");
@@ -58,7 +58,7 @@ ExcavatorScenario single_boom_scenario(const Parameters& machine) {
                         {{machine["scenario_a.step_time"], machine["scenario_a.spool_desired"]}}};
     scenario.flow = flow_constants(machine);
     scenario.configuration = Configuration::a;
-    scenario.links = {{MachineLink::boom, single_boom_machine(machine), valve}};
+    scenario.links = {{Link::boom, single_boom_machine(machine), valve}};
     scenario.duration_s = machine["scenario_a.duration"];
     scenario.integration_step_s = machine["scenario_a.integration_step"];
     return scenario;
@@ -68,7 +68,7 @@ ExcavatorScenario two_link_scenario(const Parameters& machine) {
     ExcavatorScenario scenario;
     scenario.flow = flow_constants(machine);
     scenario.configuration = Configuration::a;
-    for (MachineLink link : {MachineLink::bucket, MachineLink::boom})
+    for (Link link : {Link::bucket, Link::boom})
         scenario.links.push_back({link, coupled_machine(link, machine), two_link_orifices(name_of(link), machine)});
     scenario.duration_s = machine["two_links.duration"];
     scenario.integration_step_s = machine["two_links.integration_step"];
@@ -79,7 +79,7 @@ ExcavatorScenario step_scenario(Configuration configuration, LinkSet active, con
     ExcavatorScenario scenario = two_link_scenario(machine);
     scenario.configuration = configuration;
     scenario.links.clear();
-    for (MachineLink link : all_links)
+    for (Link link : all_links)
         if (active.contains(link))
             scenario.links.push_back({link, coupled_machine(link, machine), two_link_orifices("bucket", machine)});
     Circuit circuit = junctions_of(scenario);
@@ -98,4 +98,4 @@ ExcavatorScenario step_scenario(Configuration configuration, LinkSet active, con
     return scenario;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

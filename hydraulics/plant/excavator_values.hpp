@@ -3,7 +3,7 @@
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/excavator_scenario.hpp"
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Machines and scenarios with the numbers of excavator.csv.
 
@@ -12,7 +12,7 @@ LinkMachine single_boom_machine(const Parameters& machine = Parameters::excavato
 
 /// A link where several move (Figures 3.9 to 3.11): no drain side, damping in place of friction, as appendix B has
 /// it. The swing is a motor: its area times its moment arm is what it takes up a radian.
-LinkMachine coupled_machine(MachineLink link, const Parameters& machine = Parameters::excavator());
+LinkMachine coupled_machine(Link link, const Parameters& machine = Parameters::excavator());
 
 /// Scenario A: the boom is held, then asked for 4 deg/s. What boom_motion.hpp simulates, here with its events.
 ExcavatorScenario single_boom_scenario(const Parameters& machine = Parameters::excavator());
@@ -25,4 +25,4 @@ ExcavatorScenario two_link_scenario(const Parameters& machine = Parameters::exca
 ExcavatorScenario step_scenario(Configuration configuration, LinkSet active,
                                 const Parameters& machine = Parameters::excavator());
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::vector<JunctionOpening> openings_for(const Circuit& circuit, std::span<cons
     return openings;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What the controller wants at a junction: this flow into the link, which then stands at this pressure.
 struct FlowTarget {
@@ -24,4 +24,4 @@ struct FlowTarget {
 std::vector<JunctionOpening> openings_for(const Circuit&, std::span<const FlowTarget>, const FlowConstants&,
                                           double inlet_drop_psi, double bypass_drop_psi);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

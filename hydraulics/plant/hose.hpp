@@ -1,6 +1,6 @@
 #pragma once
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// A hose as the second-order model has it: its fluid moves as one mass between the compliance at the valve's end and
 /// that at the cylinder's end. The thesis's first-order pipe model has their sum alone.
@@ -38,4 +38,4 @@ inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double seco
 /// The undamped natural frequency of the fluid between the two ends, both shut: sqrt((1/C_1 + 1/C_2) / I).
 double natural_rad_per_s(const Hose& hose, const HoseEnds& ends);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// A link as a mass on a cylinder (or, for the swing, on a motor: area times moment arm is then its
 /// displacement a radian). No value has a default: they come from excavator.csv.
@@ -26,4 +26,4 @@ struct PistonLeak {
 
 inline constexpr PistonLeak no_leak{0, 0};
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The simplified valve of B.5: it answers a step input by areas that approach their final values like
 /// exp(-rate t), without a spool. Before the step the inlet and the outlet are shut.
@@ -34,4 +34,4 @@ struct SpoolOrifices {
 
 using LinkValve = std::variant<TimedOrifices, SpoolOrifices>;
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

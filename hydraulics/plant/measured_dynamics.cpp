@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -120,4 +120,4 @@ MeasuredState MeasuredDynamics::describe(const State& state, double time_s) cons
             leak_in3_per_s(state, time_s)};
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The measured machine as a system of ordinary differential equations:
 ///
@@ -69,4 +69,4 @@ double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, c
 /// Throws std::invalid_argument that says which value cannot be simulated, and what would do.
 void require_valid(const MeasuredMachine& machine);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<MeasuredState> simulate_measured_machine(const MeasuredMachine& mach
     }
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The flow of an axial piston pump is not quite constant.
 struct PumpRipple {
@@ -71,4 +71,4 @@ double held_volts(const MeasuredMachine& machine, double time_s);
 /// that it allows.
 std::vector<MeasuredState> simulate_measured_machine(const MeasuredMachine& machine);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

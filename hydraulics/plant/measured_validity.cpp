@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -132,4 +132,4 @@ void require_valid(const MeasuredMachine& machine) {
                              fmt::format("at most {:g} integration steps", most_steps));
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

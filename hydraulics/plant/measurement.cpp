@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 std::size_t steps_in(double period_s, double step_s) {
     double ratio = period_s / step_s;
@@ -38,7 +38,7 @@ Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, dou
         double spool_noise = noise.spool_in * standard_normal(uniform);
         double angle_deg = state.piston_in / moment_arm_in * deg_per_rad;
         auto read = [&](Sensor sensor, double value, double resolution) {
-            record.of(MachineLink::boom, sensor).push_back(reading(value, resolution));
+            record.of(Link::boom, sensor).push_back(reading(value, resolution));
         };
         record.time_s.push_back(state.time_s);
         read(Sensor::inlet_pressure, state.inlet_psi + pressure_noise, pressure_resolution_psi);
@@ -48,4 +48,4 @@ Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, dou
     return record;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Standard deviations of white Gaussian noise on each sensor.
 struct MeasurementNoise {
@@ -61,4 +61,4 @@ std::size_t steps_in(double period_s, double step_s);
 Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
                     const MeasurementNoise& noise, const UniformSource& uniform);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

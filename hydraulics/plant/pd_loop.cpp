@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -94,4 +94,4 @@ StepFigures figures_of(const std::vector<double>& response, double step_s) {
             static_cast<double>(response.rend() - settled) * step_s};
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Transfer function of a joint under P-D control, equation 2.9:
 ///     theta / theta_d = K_p a_0 / (s^3 + a_2 s^2 + (a_1 + a_0 K_v) s + K_p a_0)
@@ -71,4 +71,4 @@ struct StepFigures {
 /// REQUIRES: the loop is stable and the response long enough to settle. Times are whole multiples of step_s.
 StepFigures figures_of(const std::vector<double>& response, double step_s);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -10,7 +10,7 @@
 #include <array>
 #include <initializer_list>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -64,7 +64,7 @@ Record record_simple_plant(const Parameters& parameters, const std::string& scen
     MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], parameters["noise.spool"]};
     Record record =
         measure_boom(simulate_boom(boom), boom.machine.moment_arm_in, parameters["sensors.period"], noise, uniform);
-    for (double& spool_in : record.of(MachineLink::boom, Sensor::spool))
+    for (double& spool_in : record.of(Link::boom, Sensor::spool))
         spool_in += parameters["fault.spool_offset"];
     return record;
 }
@@ -157,4 +157,4 @@ std::vector<Parameter> noise_rows(const Parameters& machine, std::string_view le
     return rows;
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// The links that move, in a configuration of the main valve.
 struct LinksInMotion {
@@ -42,4 +42,4 @@ const RecordScenario* record_scenario_named(std::string_view name);
 /// The rows of noise.* for one of the levels none, low, mid and high; empty when there is no such level.
 std::vector<Parameter> noise_rows(const Parameters& machine, std::string_view level);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 void Requirement::refuse(std::string_view what, double value, std::string_view expected) const {
     throw std::invalid_argument(fmt::format("{}: {} is {}, expected {}", of, what, value, expected));
@@ -31,4 +31,4 @@ void Requirement::share(std::string_view what, double value) const {
         refuse(what, value, "above 0 and below 1");
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

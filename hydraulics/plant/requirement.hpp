@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What the values of a machine or a scenario must be for it to be simulated. All throw std::invalid_argument:
 /// "measured machine: the boom's mass is -1, expected above 0".
@@ -17,4 +17,4 @@ struct Requirement {
     void share(std::string_view what, double value) const;
 };
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 ServoCommand servo_command(const Parameters& parameters) {
     ServoCommand command{parameters["excavator.servo_at_rest"],
@@ -27,4 +27,4 @@ double volts_at(const ServoCommand& command, double time_s) {
     return command.at_rest_volts + gone * (command.desired_volts - command.at_rest_volts);
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

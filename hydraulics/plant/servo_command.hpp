@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// What the control system asks of the boom's servo-valve: a voltage, reached by a ramp or at once, and later perhaps
 /// another.
@@ -23,4 +23,4 @@ ServoCommand servo_command(const Parameters& parameters);
 /// The command at an instant, before any converter.
 double volts_at(const ServoCommand& command, double time_s);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

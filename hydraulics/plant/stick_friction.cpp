@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 namespace {
 
@@ -34,4 +34,4 @@ double friction_force_lbf(const StickFriction& friction, double velocity_in_per_
            damping * bristle_rate_in_per_s(friction, velocity_in_per_s, bristle_in);
 }
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace placedpar {
+namespace placedpar::hydraulics {
 
 /// Dry friction with stiction: the LuGre model (C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky, "A new model
 /// for control of systems with friction", 1995), without its viscous part. The surfaces hold each other by bristles
@@ -23,4 +23,4 @@ double bristle_rate_in_per_s(const StickFriction&, double velocity_in_per_s, dou
 /// The force against the motion: sigma_0 z + sigma_1 exp(-(v / v_s)^2) z'.
 double friction_force_lbf(const StickFriction&, double velocity_in_per_s, double bristle_in);
 
-} // namespace placedpar
+} // namespace placedpar::hydraulics

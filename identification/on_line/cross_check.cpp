@@ -11,11 +11,13 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 // Pump 1 feeds bucket and boom, pump 2 swing and stick; the cross-over changes who else does.
-constexpr std::array<LinkSet, 2> branches{LinkSet{MachineLink::bucket, MachineLink::boom},
-                                          LinkSet{MachineLink::stick, MachineLink::swing}};
+constexpr std::array<LinkSet, 2> branches{LinkSet{hydraulics::Link::bucket, hydraulics::Link::boom},
+                                          LinkSet{hydraulics::Link::stick, hydraulics::Link::swing}};
 
 /// Apparent compliance with a leak of 5 to 10 % of the flow: +13 to +27 %, up to +37 % at 14 % (found by
 /// simulation; equation 2.8 is its lower bound).
@@ -45,7 +47,7 @@ Verdict judge(const LinkCheck& check, const DiagnosisSettings& settings) {
 
 std::string percent(double ratio) { return fmt::format("{:+.0f} %", 100 * (ratio - 1)); }
 
-Alarm alone_off(MachineLink link, double ratio, bool others_known) {
+Alarm alone_off(hydraulics::Link link, double ratio, bool others_known) {
     std::string where =
         others_known ? "the rest of its branch is not"
                      : "of the rest of its branch nothing is known, so that it may be that branch's pump or spool";
@@ -57,7 +59,7 @@ Alarm alone_off(MachineLink link, double ratio, bool others_known) {
                         where)};
 }
 
-void check_one(MachineLink link, const LinkCheck& check, const DiagnosisSettings& settings,
+void check_one(hydraulics::Link link, const LinkCheck& check, const DiagnosisSettings& settings,
                std::vector<Alarm>& alarms) {
     if (check.baseline_in3_per_psi && !check.estimates.empty())
         if (double ratio = check.newest().compliance_in3_per_psi / *check.baseline_in3_per_psi;
@@ -82,9 +84,10 @@ void check_one(MachineLink link, const LinkCheck& check, const DiagnosisSettings
 }
 
 void check_branch(LinkSet branch, const PerLink<Verdict>& verdicts, std::vector<Alarm>& alarms) {
-    std::vector<MachineLink> links = links_of(branch);
+    std::vector<hydraulics::Link> links = links_of(branch);
     auto count = [&](State state) {
-        return std::ranges::count_if(links, [&](MachineLink link) { return verdicts[index_of(link)].state == state; });
+        return std::ranges::count_if(links,
+                                     [&](hydraulics::Link link) { return verdicts[index_of(link)].state == state; });
     };
     if (count(State::off) == std::ssize(links)) {
         alarms.push_back({AlarmKind::branch_fault, branch,
@@ -94,7 +97,7 @@ void check_branch(LinkSet branch, const PerLink<Verdict>& verdicts, std::vector<
                                       percent(verdicts[index_of(links[1])].ratio))});
         return;
     }
-    for (MachineLink link : links)
+    for (hydraulics::Link link : links)
         if (const Verdict& verdict = verdicts[index_of(link)]; verdict.state == State::off)
             alarms.push_back(alone_off(link, verdict.ratio, count(State::good) > 0));
 }
@@ -126,7 +129,7 @@ const SetEstimate& LinkCheck::newest() const {
 std::vector<Alarm> find_alarms(const PerLink<LinkCheck>& checks, const DiagnosisSettings& settings) {
     std::vector<Alarm> alarms;
     PerLink<Verdict> verdicts;
-    for (MachineLink link : all_links) {
+    for (hydraulics::Link link : all_links) {
         check_one(link, checks[index_of(link)], settings, alarms);
         verdicts[index_of(link)] = judge(checks[index_of(link)], settings);
     }

@@ -13,7 +13,7 @@ namespace placedpar::monitor {
 
 /// What one population set says of a link, once it has settled.
 struct SetEstimate {
-    LinkSet set;
+    hydraulics::LinkSet set;
     double compliance_in3_per_psi; // the newest settled value
     double lasting_in3_per_psi;    // median over the last transients
     std::size_t transients;        // that settled; at most Estimate::kept_transients
@@ -50,8 +50,8 @@ std::string_view name_of(AlarmKind);
 
 struct Alarm {
     AlarmKind kind;
-    LinkSet links;    // one link, or those of the branch
-    std::string text; // for people
+    hydraulics::LinkSet links; // one link, or those of the branch
+    std::string text;          // for people
 
     /// Alarms of the same kind and links are the same alarm, whatever the figures.
     friend bool operator==(const Alarm& a, const Alarm& b) { return a.kind == b.kind && a.links == b.links; }

@@ -6,6 +6,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 /// The newest value comes in; the oldest leaves.

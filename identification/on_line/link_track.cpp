@@ -8,6 +8,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 void push_bounded(std::vector<double>& values, double value) {

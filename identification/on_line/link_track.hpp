@@ -31,7 +31,8 @@ public:
     void restart();
 
     /// Of the middle one of the last 5 samples; none while there are fewer.
-    std::optional<LinkSample> centre(const CentredLineFit& fit, const LinkParameters& parameters) const;
+    std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
+                                                 const LinkParameters& parameters) const;
 
 private:
     double follow_spool_in(double servo_V, const LinkParameters& parameters, std::optional<double> elapsed_s);

@@ -7,6 +7,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 /// A sample may come this part of a period early or late before the line through 5 of them is no longer one
@@ -74,7 +76,7 @@ void Machine::change(const ConfigurationChange& change) {
     restart_windows(); // of the sets in use until now
     state_.configuration = change.configuration;
     state_.active = change.active;
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         if (!state_.active.contains(link))
             state_.tracks[index_of(link)] = {}; // nobody tells its voltage any more
 }
@@ -91,7 +93,7 @@ void Machine::require_acceptable(const SampleMessage& message) const {
     if (!state_.configuration)
         throw BadMessage("type", "a sample before any configuration",
                          "first {\"type\":\"configuration\",\"configuration\":\"a\",\"active\":[\"BU\",\"BO\"]}");
-    for (MachineLink link : links_of(state_.active))
+    for (hydraulics::Link link : links_of(state_.active))
         if (!message.links[index_of(link)])
             throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is missing, and the link is active",
                              "a reading of each active link, or a configuration without it");
@@ -116,7 +118,7 @@ SampleOutcome Machine::take(const SampleMessage& message) {
     state_.time_s = message.time_s;
     state_.time_may_restart = false;
     ++state_.samples;
-    for (MachineLink link : links_of(state_.active))
+    for (hydraulics::Link link : links_of(state_.active))
         state_.tracks[index_of(link)].push(*message.links[index_of(link)], state_.parameters.links[index_of(link)],
                                            elapsed);
     double centre_s = message.time_s - static_cast<double>(line_fit_points / 2) * period_s;
@@ -129,7 +131,7 @@ SampleOutcome Machine::take(const SampleMessage& message) {
 
 std::size_t Machine::search(LinkSet set, double centre_s) {
     SetSample samples;
-    for (MachineLink link : links_of(set)) {
+    for (hydraulics::Link link : links_of(set)) {
         auto sample = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
         if (!sample)
             return 0;
@@ -138,7 +140,7 @@ std::size_t Machine::search(LinkSet set, double centre_s) {
     return population(set).take(problem(set), samples, centre_s);
 }
 
-LinkCheck Machine::check(MachineLink link) const {
+LinkCheck Machine::check(hydraulics::Link link) const {
     LinkCheck check{state_.baseline_in3_per_psi[index_of(link)], {}};
     double newest_s = 0;
     bool any = false;
@@ -146,7 +148,7 @@ LinkCheck Machine::check(MachineLink link) const {
         auto found = sets_.find(set);
         if (!set.contains(link) || found == sets_.end())
             continue;
-        std::vector<MachineLink> links = links_of(set);
+        std::vector<hydraulics::Link> links = links_of(set);
         auto position = static_cast<std::size_t>(std::ranges::find(links, link) - links.begin());
         const Estimate& estimate = found->second.state().estimates[position];
         double settled_s = estimate.state().settled_time_s;
@@ -164,7 +166,7 @@ LinkCheck Machine::check(MachineLink link) const {
 
 void Machine::settle_baselines() {
     for (const auto& [set, population] : sets_) {
-        std::vector<MachineLink> links = links_of(set);
+        std::vector<hydraulics::Link> links = links_of(set);
         for (std::size_t i = 0; i < links.size(); ++i) {
             // The first settled value that will not move any more: at the end of its transient.
             const Estimate& estimate = population.state().estimates[i];
@@ -177,7 +179,7 @@ void Machine::settle_baselines() {
 }
 
 SampleOutcome Machine::set_baseline(const BaselineMessage& message) {
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         if (const auto& compliance = message.compliance_in3_per_psi[index_of(link)])
             state_.baseline_in3_per_psi[index_of(link)] = *compliance;
     SampleOutcome outcome;
@@ -187,7 +189,7 @@ SampleOutcome Machine::set_baseline(const BaselineMessage& message) {
 
 void Machine::update_alarms(SampleOutcome& outcome) {
     PerLink<LinkCheck> checks;
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         checks[index_of(link)] = check(link);
     std::vector<Alarm> now = find_alarms(checks, settings_);
     outcome.raised = without(now, state_.alarms);

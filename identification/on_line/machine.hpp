@@ -30,13 +30,13 @@ public:
     struct State {
         std::string name;
         MachineParameters parameters;
-        std::optional<Configuration> configuration;
-        LinkSet active;
+        std::optional<hydraulics::Configuration> configuration;
+        hydraulics::LinkSet active;
         std::optional<double> time_s;  // of the last sample
         bool time_may_restart = false; // a control system has connected since the last sample
         std::uint64_t samples = 0;
         PerLink<LinkTrack> tracks;
-        std::map<LinkSet, PopulationSet::State> sets; // those ever used
+        std::map<hydraulics::LinkSet, PopulationSet::State> sets; // those ever used
         PerLink<std::optional<double>> baseline_in3_per_psi;
         std::vector<Alarm> alarms; // that hold
     };
@@ -50,14 +50,14 @@ public:
 
     const std::string& name() const { return state_.name; }
     const MachineParameters& parameters() const { return state_.parameters; }
-    std::optional<Configuration> configuration() const { return state_.configuration; }
-    LinkSet active() const { return state_.active; }
+    std::optional<hydraulics::Configuration> configuration() const { return state_.configuration; }
+    hydraulics::LinkSet active() const { return state_.active; }
     std::optional<double> time_s() const { return state_.time_s; }
     std::uint64_t samples() const { return state_.samples; }
-    const std::map<LinkSet, PopulationSet>& sets() const { return sets_; }
+    const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
-    std::vector<LinkSet> sets_in_use() const;
-    LinkCheck check(MachineLink link) const;
+    std::vector<hydraulics::LinkSet> sets_in_use() const;
+    LinkCheck check(hydraulics::Link link) const;
 
     /// A control system has connected: the time of its samples may begin anew.
     void connected() { state_.time_may_restart = true; }
@@ -74,18 +74,18 @@ private:
     /// Since the last sample; none when there was none, or time has begun anew.
     std::optional<double> elapsed_s(double time_s) const;
     void restart_windows();
-    std::size_t search(LinkSet set, double centre_s);
-    const SetProblem& problem(LinkSet set);
-    PopulationSet& population(LinkSet set);
+    std::size_t search(hydraulics::LinkSet set, double centre_s);
+    const SetProblem& problem(hydraulics::LinkSet set);
+    PopulationSet& population(hydraulics::LinkSet set);
     void settle_baselines();
     void update_alarms(SampleOutcome& outcome);
 
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     State state_; // without its sets
-    CentredLineFit fit_;
-    std::map<LinkSet, PopulationSet> sets_;
-    std::map<std::pair<Configuration, LinkSet>, SetProblem> problems_;
+    hydraulics::CentredLineFit fit_;
+    std::map<hydraulics::LinkSet, PopulationSet> sets_;
+    std::map<std::pair<hydraulics::Configuration, hydraulics::LinkSet>, SetProblem> problems_;
 };
 
 } // namespace placedpar::monitor

@@ -10,6 +10,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 double rms_slope_psi_per_s(const std::vector<SetSample>& window, std::size_t position) {

@@ -30,10 +30,11 @@ public:
     };
 
     /// Draws the first population. `name` is that of the random streams.
-    PopulationSet(LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name);
-    PopulationSet(LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name, State state);
+    PopulationSet(hydraulics::LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name);
+    PopulationSet(hydraulics::LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name,
+                  State state);
 
-    LinkSet links() const { return links_; }
+    hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
     /// The newest sample: window, gate and, when both allow it, the trials. Gives the number of generations.
@@ -52,7 +53,7 @@ private:
     void keep_frozen_columns(const std::vector<Genome>& former);
     void record(const SetProblem& problem, const Individual& best, double time_s);
 
-    LinkSet links_;
+    hydraulics::LinkSet links_;
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     std::string name_;

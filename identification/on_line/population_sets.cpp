@@ -6,6 +6,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 struct NamedSet {
@@ -13,8 +15,8 @@ struct NamedSet {
     LinkSet links;
 };
 
-constexpr MachineLink bu = MachineLink::bucket, bo = MachineLink::boom, st = MachineLink::stick,
-                      sw = MachineLink::swing;
+constexpr hydraulics::Link bu = hydraulics::Link::bucket, bo = hydraulics::Link::boom, st = hydraulics::Link::stick,
+                           sw = hydraulics::Link::swing;
 
 /// Figure 3.13.
 constexpr std::array<NamedSet, 15> figure_3_13{{
@@ -57,9 +59,10 @@ std::optional<LinkSet> set_named(std::string_view name) {
     return found == figure_3_13.end() ? std::nullopt : std::optional(found->links);
 }
 
-std::vector<MachineLink> links_of(LinkSet set) {
-    std::vector<MachineLink> links;
-    std::ranges::copy_if(all_links, std::back_inserter(links), [&](MachineLink link) { return set.contains(link); });
+std::vector<hydraulics::Link> links_of(LinkSet set) {
+    std::vector<hydraulics::Link> links;
+    std::ranges::copy_if(all_links, std::back_inserter(links),
+                         [&](hydraulics::Link link) { return set.contains(link); });
     return links;
 }
 

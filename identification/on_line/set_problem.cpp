@@ -10,9 +10,11 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 SetProblem::SetProblem(Configuration configuration, LinkSet links, const FlowConstants& flow, std::size_t bits)
     : circuit_(circuit_of(configuration, links)), flow_(flow), bits_(bits) {
-    std::vector<MachineLink> order = links_of(links);
+    std::vector<hydraulics::Link> order = links_of(links);
     for (const Junction& junction : circuit_)
         positions_.push_back(static_cast<std::size_t>(std::ranges::find(order, junction.link) - order.begin()));
 }

@@ -11,7 +11,7 @@
 namespace placedpar::monitor {
 
 /// One LinkSample for each link of a population set, in the order of links_of().
-using SetSample = std::vector<LinkSample>;
+using SetSample = std::vector<hydraulics::LinkSample>;
 
 /// The search for the compliances of a population set while the main valve is in one configuration. The string
 /// codes the links in the order of Figure 3.13, each in Gray code, so that a population means the same in every
@@ -19,7 +19,8 @@ using SetSample = std::vector<LinkSample>;
 class SetProblem {
 public:
     /// REQUIRES: `links` is a non-empty part of one coupled group of the configuration.
-    SetProblem(Configuration configuration, LinkSet links, const FlowConstants& flow, std::size_t bits);
+    SetProblem(hydraulics::Configuration configuration, hydraulics::LinkSet links,
+               const hydraulics::FlowConstants& flow, std::size_t bits);
 
     /// Of the whole string.
     std::size_t bits() const { return bits_ * circuit_.size(); }
@@ -36,10 +37,10 @@ public:
     std::vector<double> fitness(std::span<const Genome> strings, std::span<const SetSample> window, double bias) const;
 
 private:
-    std::vector<LinkSample> by_junction(const SetSample& sample) const;
+    std::vector<hydraulics::LinkSample> by_junction(const SetSample& sample) const;
 
-    Circuit circuit_;
-    FlowConstants flow_;
+    hydraulics::Circuit circuit_;
+    hydraulics::FlowConstants flow_;
     std::size_t bits_;
     std::vector<std::size_t> positions_; // in the set, of the link of each junction
 };

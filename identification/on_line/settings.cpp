@@ -9,6 +9,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 void require(bool good, const char* what, double value, const char* right) {

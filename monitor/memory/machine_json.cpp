@@ -8,6 +8,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace json = boost::json;
 
 namespace {
@@ -33,7 +35,7 @@ std::optional<double> optional_from(const json::value& value) {
 
 json::string links_json(LinkSet links) {
     std::string text;
-    for (MachineLink link : links_of(links))
+    for (hydraulics::Link link : links_of(links))
         text += fmt::format("{}{}", text.empty() ? "" : " ", symbol_of(link));
     return json::string(text);
 }
@@ -41,7 +43,7 @@ json::string links_json(LinkSet links) {
 LinkSet links_from(const json::value& value) {
     LinkSet links;
     std::string symbols = text(value);
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         if (symbols.find(symbol_of(link)) != std::string::npos)
             links.insert(link);
     return links;

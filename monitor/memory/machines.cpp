@@ -4,6 +4,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 Machine& Machines::greet(const Hello& hello) {
     auto found = machines_.find(hello.machine);
     if (hello.role == Role::watch) {

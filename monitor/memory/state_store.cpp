@@ -17,6 +17,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace fs = std::filesystem;
 namespace json = boost::json;
 

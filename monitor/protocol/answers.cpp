@@ -9,6 +9,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace json = boost::json;
 
 namespace {
@@ -61,7 +63,7 @@ json::value number(const std::optional<double>& value) {
 
 json::array symbols(LinkSet links) {
     json::array array;
-    for (MachineLink link : links_of(links))
+    for (hydraulics::Link link : links_of(links))
         array.emplace_back(symbol_of(link));
     return array;
 }
@@ -97,7 +99,7 @@ json::array flags(const Estimate& estimate, bool inconsistent, const DiagnosisSe
     return flags;
 }
 
-json::object estimate_json(const Machine& machine, MachineLink link, const Estimate& estimate,
+json::object estimate_json(const Machine& machine, hydraulics::Link link, const Estimate& estimate,
                            const DiagnosisSettings& settings) {
     bool inconsistent =
         std::ranges::find(machine.alarms(), Alarm{AlarmKind::inconsistent, {link}, ""}) != machine.alarms().end();
@@ -110,7 +112,7 @@ json::object estimate_json(const Machine& machine, MachineLink link, const Estim
 
 json::object set_json(const Machine& machine, const PopulationSet& set, const DiagnosisSettings& settings) {
     json::object links;
-    std::vector<MachineLink> order = links_of(set.links());
+    std::vector<hydraulics::Link> order = links_of(set.links());
     for (std::size_t i = 0; i < order.size(); ++i)
         links[symbol_of(order[i])] = estimate_json(machine, order[i], set.state().estimates[i], settings);
     return {{"window", set.state().window.size()}, {"generations", set.state().generations}, {"links", links}};
@@ -183,7 +185,7 @@ std::string status_line(const Machine& machine, const DiagnosisSettings& setting
     for (LinkSet set : all_population_sets())
         if (auto found = machine.sets().find(set); found != machine.sets().end())
             sets[name_of_set(set)] = set_json(machine, found->second, settings);
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         links[symbol_of(link)] = check_json(machine.check(link));
     json::array alarms;
     for (const Alarm& alarm : machine.alarms())

@@ -10,6 +10,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 std::string in_words(const Range& range) {

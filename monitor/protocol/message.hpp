@@ -18,7 +18,7 @@ namespace placedpar::monitor {
 inline constexpr int protocol_version = 1;
 
 template <typename T>
-using PerLink = std::array<T, all_links.size()>;
+using PerLink = std::array<T, hydraulics::all_links.size()>;
 
 /// What turns readings of one link into flows.
 struct LinkParameters {
@@ -34,7 +34,7 @@ PerLink<LinkParameters> default_link_parameters();
 /// What the diagnosis has to know of a machine.
 struct MachineParameters {
     double period_s = 0.020; // between samples; thesis
-    FlowConstants flow = fitted_flow_constants;
+    hydraulics::FlowConstants flow = hydraulics::fitted_flow_constants;
     PerLink<LinkParameters> links = default_link_parameters();
 
     friend bool operator==(const MachineParameters&, const MachineParameters&);
@@ -54,8 +54,8 @@ struct Hello {
 };
 
 struct ConfigurationChange {
-    Configuration configuration;
-    LinkSet active;
+    hydraulics::Configuration configuration;
+    hydraulics::LinkSet active;
 };
 
 struct SpoolReading {

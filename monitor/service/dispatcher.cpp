@@ -10,6 +10,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace {
 
 /// A state file that is due is not written more often: on a full disk, and under more load than any machine makes.

@@ -22,6 +22,8 @@
 
 namespace placedpar::monitor {
 
+using namespace hydraulics;
+
 namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;

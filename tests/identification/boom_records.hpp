@@ -12,20 +12,20 @@
 namespace placedpar {
 
 /// Scenario A measured: one record a seed.
-inline Record boom_measured(double duration_s, const MeasurementNoise& noise, std::uint64_t seed,
-                            double true_compliance = 0.0086) {
-    BoomScenario scenario;
+inline hydraulics::Record boom_measured(double duration_s, const hydraulics::MeasurementNoise& noise,
+                                        std::uint64_t seed, double true_compliance = 0.0086) {
+    hydraulics::BoomScenario scenario;
     scenario.duration_s = duration_s;
     scenario.machine.inlet_compliance_in3_per_psi = true_compliance;
     RandomStream sensors(seed, "sensors");
-    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, noise,
+    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, hydraulics::sampling_period_s, noise,
                         [&] { return sensors.uniform(); });
 }
 
-inline Identified identify_boom(const Record& record, const IdentificationWay& way, std::uint64_t seed,
+inline Identified identify_boom(const hydraulics::Record& record, const IdentificationWay& way, std::uint64_t seed,
                                 std::optional<double> spool_offset_in = {}) {
-    RecordProblem prepared =
-        prepare(record, Parameters::excavator(), {Configuration::a, {MachineLink::boom}, spool_offset_in}, way);
+    RecordProblem prepared = prepare(record, hydraulics::Parameters::excavator(),
+                                     {hydraulics::Configuration::a, {hydraulics::Link::boom}, spool_offset_in}, way);
     return identify(prepared.problem, prepared.flow, prepared.samples, way, seed);
 }
 

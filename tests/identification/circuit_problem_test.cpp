@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("the string is a natural binary number of 10 bits over 0 ... 0.1") {
     CircuitProblem problem(boom_circuit(), rounded_flow_constants);

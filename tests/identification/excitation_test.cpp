@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

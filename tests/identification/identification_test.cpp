@@ -11,6 +11,7 @@
 #include <span>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 
@@ -17,7 +18,7 @@ Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint6
     RandomStream random(seed, "sensors");
     Record record = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, noise,
                                  [&] { return random.uniform(); });
-    for (double& spool : record.of(MachineLink::boom, Sensor::spool))
+    for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
         spool += offset_in;
     return record;
 }

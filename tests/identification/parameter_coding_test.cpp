@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("a field of bits is low + (high - low) n / 2^bits") {
     ParameterField field{-1, 3, 4}; // eq. 1.5: steps of a quarter

@@ -17,6 +17,7 @@
 #include <limits>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

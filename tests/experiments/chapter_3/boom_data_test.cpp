@@ -9,10 +9,13 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 
-const std::vector<double>& of(const BoomData& data, Sensor sensor) { return data.record.of(MachineLink::boom, sensor); }
+const std::vector<double>& of(const BoomData& data, Sensor sensor) {
+    return data.record.of(hydraulics::Link::boom, sensor);
+}
 
 double greatest_difference(const std::vector<double>& a, const std::vector<double>& b) {
     REQUIRE(a.size() == b.size());

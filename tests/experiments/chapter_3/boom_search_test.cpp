@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("the search that is watched is the search that identifies, to the bit") {
     IdentificationWay other = thesis_way();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("the true compliance gives back the recorded pressure, half and twice do not") {
     BoomData data = measure({BoomPlant::simple}, 1);

@@ -10,6 +10,7 @@
 #include <set>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("studies of 100 seeds have no record in common") {
     std::set<std::uint64_t> all;

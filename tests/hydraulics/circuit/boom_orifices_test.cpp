@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -7,12 +7,13 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 
 std::string text_of(LinkSet links) {
     std::string text;
-    for (MachineLink link : all_links)
+    for (hydraulics::Link link : all_links)
         if (links.contains(link))
             text += fmt::format("{}{}", text.empty() ? "" : ",", symbol_of(link));
     return "{" + text + "}";
@@ -38,8 +39,8 @@ std::string text_of(const Circuit& circuit) {
     return text;
 }
 
-constexpr MachineLink BU = MachineLink::bucket, BO = MachineLink::boom, ST = MachineLink::stick,
-                      SW = MachineLink::swing;
+constexpr hydraulics::Link BU = hydraulics::Link::bucket, BO = hydraulics::Link::boom, ST = hydraulics::Link::stick,
+                           SW = hydraulics::Link::swing;
 
 void check_circuit(char configuration, LinkSet active, const std::string& expected) {
     CAPTURE(configuration);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 using test::flow;
 
 namespace {

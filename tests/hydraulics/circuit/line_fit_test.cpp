@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("the centred line has the derivative of any quadratic") {
     constexpr double period_s = 0.02;

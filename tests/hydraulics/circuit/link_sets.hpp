@@ -7,12 +7,12 @@
 namespace placedpar {
 
 /// The non-empty subsets of `links`.
-inline std::vector<LinkSet> non_empty_subsets(LinkSet links) {
-    std::vector<LinkSet> subsets{{}};
-    for (MachineLink link : all_links)
+inline std::vector<hydraulics::LinkSet> non_empty_subsets(hydraulics::LinkSet links) {
+    std::vector<hydraulics::LinkSet> subsets{{}};
+    for (hydraulics::Link link : hydraulics::all_links)
         if (links.contains(link))
             for (std::size_t i = 0, size = subsets.size(); i < size; ++i)
-                subsets.push_back(subsets[i] | LinkSet{link});
+                subsets.push_back(subsets[i] | hydraulics::LinkSet{link});
     subsets.erase(subsets.begin());
     return subsets;
 }
@@ -21,9 +21,9 @@ inline std::vector<LinkSet> non_empty_subsets(LinkSet links) {
 /// subsets of its coupled groups, 52 in all.
 template <typename Check>
 void for_each_circuit(Check check) {
-    for (Configuration configuration : all_configurations)
-        for (LinkSet group : coupled_groups(configuration))
-            for (LinkSet active : non_empty_subsets(group))
+    for (hydraulics::Configuration configuration : hydraulics::all_configurations)
+        for (hydraulics::LinkSet group : coupled_groups(configuration))
+            for (hydraulics::LinkSet active : non_empty_subsets(group))
                 check(configuration, active, circuit_of(configuration, active));
 }
 

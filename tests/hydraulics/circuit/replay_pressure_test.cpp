@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -5,6 +5,6 @@
 namespace placedpar::test {
 
 /// k 100, Q 175, P_e 25, as the thesis prints them.
-inline const FlowConstants& flow = rounded_flow_constants;
+inline const hydraulics::FlowConstants& flow = hydraulics::rounded_flow_constants;
 
 } // namespace placedpar::test

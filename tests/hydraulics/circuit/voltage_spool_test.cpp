@@ -7,6 +7,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 TEST_CASE("A.1 and its inverse at the thesis's knees and spools") {
     struct Pair {

@@ -7,6 +7,7 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 
@@ -44,11 +45,11 @@ TEST_CASE("a record as it is written") {
     CHECK(record.description == "boom, seed 1\nby hand\n");
     CHECK(record.size() == 10);
     CHECK(record.period_s == doctest::Approx(0.02));
-    CHECK(record.links() == LinkSet{MachineLink::boom});
-    CHECK(record.of(MachineLink::boom, Sensor::inlet_pressure)[5] == doctest::Approx(1655));
-    CHECK(record.has(MachineLink::boom, Sensor::spool));
-    CHECK_FALSE(record.has(MachineLink::boom, Sensor::servo));
-    CHECK_FALSE(record.has(MachineLink::bucket, Sensor::angle));
+    CHECK(record.links() == LinkSet{hydraulics::Link::boom});
+    CHECK(record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[5] == doctest::Approx(1655));
+    CHECK(record.has(hydraulics::Link::boom, Sensor::spool));
+    CHECK_FALSE(record.has(hydraulics::Link::boom, Sensor::servo));
+    CHECK_FALSE(record.has(hydraulics::Link::bucket, Sensor::angle));
     REQUIRE(record.stretches().size() == 1);
     CHECK(record.stretches()[0].last == 10);
 }
@@ -66,8 +67,8 @@ TEST_CASE("columns in any order, by a link's symbol, from other units") {
     CHECK(metric.faults.empty());
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
         for (std::size_t i = 0; i < 10; ++i)
-            CHECK(metric.record->of(MachineLink::boom, sensor)[i] ==
-                  doctest::Approx(inch.record->of(MachineLink::boom, sensor)[i]).epsilon(1e-9));
+            CHECK(metric.record->of(hydraulics::Link::boom, sensor)[i] ==
+                  doctest::Approx(inch.record->of(hydraulics::Link::boom, sensor)[i]).epsilon(1e-9));
     CHECK(metric.record->period_s == doctest::Approx(inch.record->period_s).epsilon(1e-12));
 }
 
@@ -78,7 +79,7 @@ TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs"
     ReadRecord read = read_record(text);
     CHECK(read.faults.empty());
     REQUIRE(read.record);
-    CHECK(read.record->of(MachineLink::boom, Sensor::angle)[5] == 5);
+    CHECK(read.record->of(hydraulics::Link::boom, Sensor::angle)[5] == 5);
 }
 
 TEST_CASE("what is wrong with a header") {
@@ -184,14 +185,14 @@ TEST_CASE("what no sensor could have read is found: the earliest, and the first 
     REQUIRE(read.record);
     Record& record = *read.record;
     CHECK(!first_unmeasurable(record));
-    record.of(MachineLink::boom, Sensor::inlet_pressure)[4] = -1e13;
-    record.of(MachineLink::boom, Sensor::spool)[3] = NAN;
-    record.of(MachineLink::boom, Sensor::angle)[3] = INFINITY;
+    record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[4] = -1e13;
+    record.of(hydraulics::Link::boom, Sensor::spool)[3] = NAN;
+    record.of(hydraulics::Link::boom, Sensor::angle)[3] = INFINITY;
     auto reading = first_unmeasurable(record);
     REQUIRE(reading);
     CHECK(reading->sensor == Sensor::angle);
     CHECK(reading->time_s == 0.06);
-    record.of(MachineLink::boom, Sensor::angle)[3] = record.of(MachineLink::boom, Sensor::spool)[3] = 0;
+    record.of(hydraulics::Link::boom, Sensor::angle)[3] = record.of(hydraulics::Link::boom, Sensor::spool)[3] = 0;
     REQUIRE(first_unmeasurable(record));
     CHECK(first_unmeasurable(record)->value == -1e13);
 }
@@ -202,8 +203,8 @@ TEST_CASE("what is printed reads back, and prints the same again") {
     for (int i = 0; i < 12; ++i) {
         record.time_s.push_back(0.02 * i);
         for (Sensor sensor : all_sensors)
-            record.of(MachineLink::stick, sensor).push_back(1000.0 / 3 * std::sin(i) + static_cast<int>(sensor));
-        record.of(MachineLink::boom, Sensor::angle).push_back(-1e-9 * i);
+            record.of(hydraulics::Link::stick, sensor).push_back(1000.0 / 3 * std::sin(i) + static_cast<int>(sensor));
+        record.of(hydraulics::Link::boom, Sensor::angle).push_back(-1e-9 * i);
     }
     std::string text = print_record(record);
     CHECK(text.find("-0.0000000") == std::string::npos);
@@ -214,7 +215,8 @@ TEST_CASE("what is printed reads back, and prints the same again") {
     CHECK(print_record(*read.record) == text);
     for (Sensor sensor : all_sensors)
         for (std::size_t i = 0; i < 12; ++i)
-            CHECK(std::abs(read.record->of(MachineLink::stick, sensor)[i] - record.of(MachineLink::stick, sensor)[i]) <=
+            CHECK(std::abs(read.record->of(hydraulics::Link::stick, sensor)[i] -
+                           record.of(hydraulics::Link::stick, sensor)[i]) <=
                   (quantity_of(sensor) == Quantity::pressure ? 0.51e-4 : 0.51e-7));
 }
 
@@ -222,7 +224,7 @@ TEST_CASE("a period that needs more decimals gets them") {
     Record record;
     for (int i = 0; i < 8; ++i) {
         record.time_s.push_back(i / 1024.0);
-        record.of(MachineLink::boom, Sensor::angle).push_back(i);
+        record.of(hydraulics::Link::boom, Sensor::angle).push_back(i);
     }
     ReadRecord read = read_record(print_record(record));
     REQUIRE(read.record);

@@ -6,6 +6,7 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 
@@ -59,11 +60,12 @@ TEST_CASE("without noise the sensors tell the state within half a step of their 
             const MeasuredState& state = motion[200 * i];
             double angle = 20 + state.piston_in / 22.4 * 180 / std::numbers::pi;
             CHECK(record.time_s[i] == doctest::Approx(state.time_s));
-            CHECK(std::abs(record.of(MachineLink::boom, Sensor::inlet_pressure)[i] - state.inlet_psi) <= 0.6104);
-            CHECK(std::abs(record.of(MachineLink::boom, Sensor::outlet_pressure)[i] - state.outlet_psi) <= 0.6104);
-            CHECK(std::abs(record.of(MachineLink::boom, Sensor::angle)[i] - angle) <= angle_step / 2);
-            CHECK(std::abs(record.of(MachineLink::boom, Sensor::spool)[i] - (state.spool_in + 0.01)) <= 0.5 / 4096);
-            CHECK(record.of(MachineLink::boom, Sensor::servo)[i] == held_volts(machine, record.time_s[i]));
+            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[i] - state.inlet_psi) <= 0.6104);
+            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::outlet_pressure)[i] - state.outlet_psi) <= 0.6104);
+            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::angle)[i] - angle) <= angle_step / 2);
+            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::spool)[i] - (state.spool_in + 0.01)) <=
+                  0.5 / 4096);
+            CHECK(record.of(hydraulics::Link::boom, Sensor::servo)[i] == held_volts(machine, record.time_s[i]));
         }
     }
 }
@@ -79,7 +81,7 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     Record record = read_with(sensors, machine, motion);
     auto deviation = [&](Sensor sensor) {
         double sum = 0, squares = 0;
-        for (double value : record.of(MachineLink::boom, sensor)) {
+        for (double value : record.of(hydraulics::Link::boom, sensor)) {
             sum += value;
             squares += value * value;
         }
@@ -91,8 +93,8 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     CHECK(deviation(Sensor::spool) == doctest::Approx(0.001).epsilon(0.08));
     Record again = read_with(sensors, machine, motion), other = read_with(sensors, machine, motion, 2);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool}) {
-        CHECK(again.of(MachineLink::boom, sensor) == record.of(MachineLink::boom, sensor));
-        CHECK(other.of(MachineLink::boom, sensor) != record.of(MachineLink::boom, sensor));
+        CHECK(again.of(hydraulics::Link::boom, sensor) == record.of(hydraulics::Link::boom, sensor));
+        CHECK(other.of(hydraulics::Link::boom, sensor) != record.of(hydraulics::Link::boom, sensor));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

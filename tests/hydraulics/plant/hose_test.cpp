@@ -7,6 +7,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

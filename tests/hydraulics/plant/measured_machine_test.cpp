@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

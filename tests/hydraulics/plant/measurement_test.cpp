@@ -9,10 +9,11 @@
 #include <stdexcept>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 
-std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(MachineLink::boom, sensor); }
+std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(hydraulics::Link::boom, sensor); }
 
 } // namespace
 

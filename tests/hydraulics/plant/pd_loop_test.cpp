@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 
 namespace {
 

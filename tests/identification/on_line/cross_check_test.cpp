@@ -6,12 +6,13 @@
 #include <initializer_list>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 using namespace placedpar::monitor;
 
 namespace {
 
-constexpr MachineLink bu = MachineLink::bucket, bo = MachineLink::boom, st = MachineLink::stick,
-                      sw = MachineLink::swing;
+constexpr hydraulics::Link bu = hydraulics::Link::bucket, bo = hydraulics::Link::boom, st = hydraulics::Link::stick,
+                           sw = hydraulics::Link::swing;
 
 /// A link of baseline .01 of which these sets say these multiples, each over three transients.
 LinkCheck check_of(std::initializer_list<std::pair<LinkSet, double>> ratios) {

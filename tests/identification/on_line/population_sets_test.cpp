@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 using namespace placedpar::monitor;
 
 namespace {

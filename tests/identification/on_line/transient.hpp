@@ -18,7 +18,8 @@ class Transient {
 public:
     static constexpr double period_s = 0.020;
 
-    Transient(Configuration configuration, LinkSet active, const PerLink<double>& compliance_in3_per_psi)
+    Transient(hydraulics::Configuration configuration, hydraulics::LinkSet active,
+              const PerLink<double>& compliance_in3_per_psi)
         : configuration_(configuration), active_(active), compliance_(compliance_in3_per_psi) {}
 
     PerLink<double> slope_psi_per_s{1800, 1400, 1600, 2000}; // at the start
@@ -29,48 +30,49 @@ public:
     SampleMessage sample(double start_s, std::size_t index) const {
         double t = static_cast<double>(index) * period_s;
         SampleMessage message{start_s + t, {}};
-        for (LinkSet set : sets_in_use(configuration_, active_))
+        for (hydraulics::LinkSet set : sets_in_use(configuration_, active_))
             read(circuit_of(configuration_, set), t, message);
         return message;
     }
 
 private:
-    double risen_psi(MachineLink link, double t) const {
+    double risen_psi(hydraulics::Link link, double t) const {
         return slope_psi_per_s[index_of(link)] * t + curvature_psi_per_s2 * t * t / 2 +
                swing_psi * std::sin(swing_rad_per_s * t);
     }
     static double base_psi(std::size_t position) { return 1700 - 250 * static_cast<double>(position); }
 
-    Reading reading(MachineLink link, double psi, double flow_in3_per_s, double t, AreaReading areas) const {
+    Reading reading(hydraulics::Link link, double psi, double flow_in3_per_s, double t, AreaReading areas) const {
         // The integral of (flow - C dP/dt).
         double piston_in3 = flow_in3_per_s * t - compliance_[index_of(link)] * risen_psi(link, t);
         double angle_rad = piston_in3 / default_link_parameters()[index_of(link)].piston_in3_per_rad;
         return {psi, angle_rad * 180 / std::numbers::pi, areas};
     }
 
-    void read(const Circuit& circuit, double t, SampleMessage& message) const {
-        const FlowConstants& flow = fitted_flow_constants;
+    void read(const hydraulics::Circuit& circuit, double t, SampleMessage& message) const {
+        const hydraulics::FlowConstants& flow = hydraulics::fitted_flow_constants;
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi, inlet_in2 = 0.1;
         std::array<double, 4> psi{}, into{}, junction_psi{}, arriving{};
         for (std::size_t j = 0; j < circuit.size(); ++j) {
             psi[j] = base_psi(j) + risen_psi(circuit[j].link, t); // downstream lower
             arriving[j] += circuit[j].pumps * flow.pump_in3_per_s;
-            into[j] = circuit[j].through == Through::nowhere ? arriving[j] : 40;
+            into[j] = circuit[j].through == hydraulics::Through::nowhere ? arriving[j] : 40;
             junction_psi[j] = psi[j] + std::pow(into[j] / (k * inlet_in2), 2);
-            if (circuit[j].through == Through::junction)
+            if (circuit[j].through == hydraulics::Through::junction)
                 arriving[circuit[j].next] += arriving[j] - into[j];
         }
         for (std::size_t j = 0; j < circuit.size(); ++j) {
-            double below = circuit[j].through == Through::junction ? junction_psi[circuit[j].next] : flow.tank_psi;
+            double below =
+                circuit[j].through == hydraulics::Through::junction ? junction_psi[circuit[j].next] : flow.tank_psi;
             double past = arriving[j] - into[j];
             double bypass_in2 = past > 0 ? past / (k * std::sqrt(junction_psi[j] - below)) : 0.02;
-            MachineLink link = circuit[j].link;
+            hydraulics::Link link = circuit[j].link;
             message.links[index_of(link)] = reading(link, psi[j], into[j], t, {inlet_in2, bypass_in2});
         }
     }
 
-    Configuration configuration_;
-    LinkSet active_;
+    hydraulics::Configuration configuration_;
+    hydraulics::LinkSet active_;
     PerLink<double> compliance_;
 };
 
@@ -83,8 +85,8 @@ inline std::vector<SampleOutcome> feed(Machine& machine, const Transient& transi
     return outcomes;
 }
 
-inline const Estimate& estimate_of(const Machine& machine, LinkSet set, MachineLink link) {
-    std::vector<MachineLink> links = links_of(set);
+inline const Estimate& estimate_of(const Machine& machine, hydraulics::LinkSet set, hydraulics::Link link) {
+    std::vector<hydraulics::Link> links = links_of(set);
     auto position = static_cast<std::size_t>(std::find(links.begin(), links.end(), link) - links.begin());
     return machine.sets().at(set).state().estimates.at(position);
 }

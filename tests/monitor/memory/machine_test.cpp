@@ -13,13 +13,14 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 using namespace placedpar::monitor;
 
 namespace {
 
 constexpr PerLink<double> healthy{0.0150, 0.0086, 0.0200, 0.0300};
-constexpr LinkSet bucket{MachineLink::bucket}, boom{MachineLink::boom},
-    bucket_boom{MachineLink::bucket, MachineLink::boom};
+constexpr LinkSet bucket{hydraulics::Link::bucket}, boom{hydraulics::Link::boom},
+    bucket_boom{hydraulics::Link::bucket, hydraulics::Link::boom};
 
 std::string text_of(const Machine& machine) { return boost::json::serialize(state_json(machine.state())); }
 
@@ -43,11 +44,11 @@ Record boom_record(std::uint64_t seed, const MeasurementNoise& noise) {
 }
 
 void feed(Machine& machine, const Record& record) {
-    auto of = [&](Sensor sensor) { return record.of(MachineLink::boom, sensor); };
+    auto of = [&](Sensor sensor) { return record.of(hydraulics::Link::boom, sensor); };
     for (std::size_t i = 0; i < record.size(); ++i) {
         SampleMessage message{record.time_s[i], {}};
-        message.links[index_of(MachineLink::boom)] = Reading{of(Sensor::inlet_pressure)[i], of(Sensor::angle)[i],
-                                                             SpoolReading{std::max(of(Sensor::spool)[i], 0.0)}};
+        message.links[index_of(hydraulics::Link::boom)] = Reading{of(Sensor::inlet_pressure)[i], of(Sensor::angle)[i],
+                                                                  SpoolReading{std::max(of(Sensor::spool)[i], 0.0)}};
         machine.take(message);
     }
 }
@@ -62,7 +63,7 @@ TEST_CASE("the boom's compliance out of scenario A, by spool") {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Machine machine = machine_in(Configuration::a, boom, seed);
             feed(machine, boom_record(seed, noise));
-            good += off(estimate_of(machine, boom, MachineLink::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
+            good += off(estimate_of(machine, boom, hydraulics::Link::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
         }
         CHECK(good >= 19); // 90th percentile 4 % without noise, 8 % at low noise
     }
@@ -76,7 +77,7 @@ TEST_CASE("all links of every configuration are found within 10 %") {
             Machine machine = machine_in(configuration, LinkSet::all(), seed);
             feed(machine, {configuration, LinkSet::all(), healthy}, 0);
             for (LinkSet set : machine.sets_in_use())
-                for (MachineLink link : links_of(set)) {
+                for (hydraulics::Link link : links_of(set)) {
                     auto found = estimate_of(machine, set, link).compliance_in3_per_psi();
                     CHECK(found);
                     good += off(found, healthy[index_of(link)]) <= 0.10;
@@ -105,9 +106,9 @@ TEST_CASE("a change from a to b leaves P2a untouched") {
 
 TEST_CASE("what a set finds does not depend on the other sets") {
     Machine alone = machine_in(Configuration::a, boom),
-            both = machine_in(Configuration::a, {MachineLink::boom, MachineLink::stick});
+            both = machine_in(Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick});
     feed(alone, {Configuration::a, boom, healthy}, 0);
-    feed(both, {Configuration::a, {MachineLink::boom, MachineLink::stick}, healthy}, 0);
+    feed(both, {Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick}, healthy}, 0);
     CHECK(text_of(alone, boom) == text_of(both, boom));
     Machine other = machine_in(Configuration::a, boom, 2);
     feed(other, {Configuration::a, boom, healthy}, 0);
@@ -141,17 +142,17 @@ TEST_CASE("after a change of configuration the window begins anew") {
 TEST_CASE("below the gate nothing moves") {
     Machine machine = machine_in(Configuration::a, boom);
     feed(machine, {Configuration::a, boom, healthy}, 0);
-    double found = estimate_of(machine, boom, MachineLink::boom).compliance_in3_per_psi().value();
-    CHECK(estimate_of(machine, boom, MachineLink::boom).excited());
+    double found = estimate_of(machine, boom, hydraulics::Link::boom).compliance_in3_per_psi().value();
+    CHECK(estimate_of(machine, boom, hydraulics::Link::boom).excited());
     std::vector<Genome> population = machine.sets().at(boom).state().population;
     Transient slow(Configuration::a, boom, {0.03, 0.03, 0.03, 0.03});
     slow.slope_psi_per_s.fill(700);
     slow.curvature_psi_per_s2 = 0;
     for (const SampleOutcome& outcome : feed(machine, slow, 10))
         CHECK(outcome.generations == 0);
-    CHECK(estimate_of(machine, boom, MachineLink::boom).compliance_in3_per_psi() == found);
-    CHECK_FALSE(estimate_of(machine, boom, MachineLink::boom).excited());
-    CHECK(estimate_of(machine, boom, MachineLink::boom).state().excitation_psi_per_s == doctest::Approx(700));
+    CHECK(estimate_of(machine, boom, hydraulics::Link::boom).compliance_in3_per_psi() == found);
+    CHECK_FALSE(estimate_of(machine, boom, hydraulics::Link::boom).excited());
+    CHECK(estimate_of(machine, boom, hydraulics::Link::boom).state().excitation_psi_per_s == doctest::Approx(700));
     CHECK(machine.sets().at(boom).state().population == population);
 }
 
@@ -166,7 +167,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
     };
     auto bucket_codes = columns(0), boom_codes = columns(10);
     Transient half(Configuration::a, bucket_boom, healthy);
-    half.slope_psi_per_s[index_of(MachineLink::bucket)] = 500;
+    half.slope_psi_per_s[index_of(hydraulics::Link::bucket)] = 500;
     half.curvature_psi_per_s2 = 0;
     auto outcomes = feed(machine, half, 10, 12); // the boom stays below the bucket
     CHECK(outcomes.back().generations == 5);
@@ -193,12 +194,12 @@ TEST_CASE("a doubled compliance is told once, and its end") {
     Machine machine = machine_in(Configuration::a, boom);
     Transient good(Configuration::a, boom, healthy);
     PerLink<double> twice = healthy;
-    twice[index_of(MachineLink::boom)] *= 2;
+    twice[index_of(hydraulics::Link::boom)] *= 2;
     Transient bad(Configuration::a, boom, twice);
     feed(machine, good, 0);
     feed(machine, good, 10);
     CHECK(machine.alarms().empty());
-    CHECK(off(machine.check(MachineLink::boom).baseline_in3_per_psi, 0.0086) < 0.05);
+    CHECK(off(machine.check(hydraulics::Link::boom).baseline_in3_per_psi, 0.0086) < 0.05);
     std::size_t raised = 0, cleared = 0;
     for (const SampleOutcome& outcome : feed(machine, bad, 20)) {
         raised += static_cast<std::size_t>(std::ranges::count(outcome.raised, AlarmKind::doubled, &Alarm::kind));
@@ -217,9 +218,9 @@ TEST_CASE("sets that disagree are told") {
     feed(machine, {Configuration::a, bucket_boom, healthy}, 0);
     machine.change({Configuration::b, bucket_boom});
     PerLink<double> other = healthy;
-    other[index_of(MachineLink::boom)] *= 1.5;
+    other[index_of(hydraulics::Link::boom)] *= 1.5;
     feed(machine, {Configuration::b, bucket_boom, other}, 10);
-    LinkCheck check = machine.check(MachineLink::boom);
+    LinkCheck check = machine.check(hydraulics::Link::boom);
     REQUIRE(check.estimates.size() == 2);
     CHECK(check.spread() == doctest::Approx(0.5 / 1.25).epsilon(0.1));
     CHECK(std::ranges::count(machine.alarms(), Alarm{AlarmKind::inconsistent, boom, ""}) == 1);
@@ -229,10 +230,10 @@ TEST_CASE("sets that disagree are told") {
 TEST_CASE("a machine of negative compliance is at its lower bound: drift") {
     Machine machine = machine_in(Configuration::a, boom);
     PerLink<double> negative = healthy;
-    negative[index_of(MachineLink::boom)] = -0.004;
+    negative[index_of(hydraulics::Link::boom)] = -0.004;
     feed(machine, {Configuration::a, boom, negative}, 0);
     CHECK(std::ranges::count(machine.alarms(), Alarm{AlarmKind::drift, boom, ""}) == 1);
-    CHECK_FALSE(machine.check(MachineLink::boom).baseline_in3_per_psi); // no measure of health
+    CHECK_FALSE(machine.check(hydraulics::Link::boom).baseline_in3_per_psi); // no measure of health
 }
 
 TEST_CASE("the state goes through JSON and on as if nothing had been") {
@@ -255,12 +256,12 @@ namespace {
 
 SampleMessage boom_by_voltage(double time_s, double volts) {
     SampleMessage message{time_s, {}};
-    message.links[index_of(MachineLink::boom)] = Reading{1500, 0, ServoReading{volts}};
+    message.links[index_of(hydraulics::Link::boom)] = Reading{1500, 0, ServoReading{volts}};
     return message;
 }
 
 double followed_spool_in(const Machine& machine) {
-    return machine.state().tracks[index_of(MachineLink::boom)].state().spool_in.value();
+    return machine.state().tracks[index_of(hydraulics::Link::boom)].state().spool_in.value();
 }
 
 // A.1 at .3 V, and the spool at rest.
@@ -271,7 +272,7 @@ constexpr double raised_in = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1
 TEST_CASE("the spool moves on over a gap, a change of configuration and a late sample, by the time that passed") {
     // From rest, .3 V from 1 s on; a_0 as in A.2.
     Machine machine = machine_in(Configuration::a, boom);
-    double lag_per_s = machine.parameters().links[index_of(MachineLink::boom)].spool_lag_per_s;
+    double lag_per_s = machine.parameters().links[index_of(hydraulics::Link::boom)].spool_lag_per_s;
     auto way = [&](double elapsed_s) { return raised_in + (rest_in - raised_in) * std::exp(-lag_per_s * elapsed_s); };
     machine.take(boom_by_voltage(0.98, 0));
     machine.take(boom_by_voltage(1, 0.3));
@@ -298,7 +299,7 @@ TEST_CASE("where its voltage was not told the spool starts at rest") {
     machine.take(boom_by_voltage(0.02, 0));
     CHECK(followed_spool_in(machine) == doctest::Approx(rest_in));
     SampleMessage by_spool = boom_by_voltage(0.04, 0);
-    by_spool.links[index_of(MachineLink::boom)]->valve = SpoolReading{0.2};
+    by_spool.links[index_of(hydraulics::Link::boom)]->valve = SpoolReading{0.2};
     machine.take(by_spool);
     machine.take(boom_by_voltage(0.06, 0.3));
     CHECK(followed_spool_in(machine) == doctest::Approx(raised_in));

@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace placedpar;
+using namespace placedpar::hydraulics;
 using namespace placedpar::monitor;
 
 namespace {
@@ -228,7 +229,7 @@ TEST_CASE("machines are known with one set of parameters") {
     machines.replay("m", hello);
     machines.replay("m", configuration);
     CHECK_NOTHROW(machines.replay("m", hello));
-    CHECK(machines.named("m").active() == LinkSet{MachineLink::boom});
+    CHECK(machines.named("m").active() == LinkSet{hydraulics::Link::boom});
     CHECK_THROWS_WITH_AS(machines.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01})"),
                          doctest::Contains("other parameters"), BadMessage);
     machines.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01,"anew":true})");
