@@ -1,7 +1,8 @@
 // How long the simulation of a link takes: nanoseconds of wall time per byte of long messages, with the closed
 // form and with every byte simulated, one way and both ways.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ struct Block {
 void carry(const char* what, bool every_byte, bool both_ways, long messages) {
     constexpr std::uint32_t bytes = 1000;
     Simulation simulation;
-    Link& link = simulation.link();
+    Link& link = simulation.add<Link>();
     Channel<Block> there("there"), back("back");
     there.put_on(link.from_a_to_b());
     back.put_on(link.from_b_to_a());

@@ -3,7 +3,7 @@
 #include "netlist/catalogue.hpp"
 #include "netlist/environment.hpp"
 #include "runtime/channel.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/timer.hpp"
 
 #include <memory>

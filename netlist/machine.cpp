@@ -83,14 +83,15 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
 
 void Machine::make_processors() {
     for (const Node& node : network_.nodes)
-        processors_.push_back(node.kind == NodeKind::processor
-                                  ? &simulation_.processor(node.name, node.clock_hz, Cycles{node.channel_call_cycles})
-                                  : nullptr);
+        processors_.push_back(
+            node.kind == NodeKind::processor
+                ? &simulation_.add<Processor>(node.name, node.clock_hz, Cycles{node.channel_call_cycles})
+                : nullptr);
 }
 
 void Machine::make_links() {
     for (const LinkConnection& connection : network_.connections)
-        links_.push_back(&simulation_.link(timing_of(connection, network_.nodes)));
+        links_.push_back(&simulation_.add<Link>(timing_of(connection, network_.nodes)));
     multiplexers_.resize(links_.size());
     // A link that is shared in one direction is shared in both: acknowledge packets travel the other way.
     for (const NetworkChannel& channel : network_.channels) {
@@ -99,8 +100,8 @@ void Machine::make_links() {
             continue;
         const LinkConnection& connection = network_.connections[c];
         multiplexers_[c] =
-            &simulation_.multiplexer(fmt::format("{} - {}", link_name(connection.a), link_name(connection.b)),
-                                     *links_[c], processors_[connection.a.node], processors_[connection.b.node]);
+            &simulation_.add<Multiplexer>(fmt::format("{} - {}", link_name(connection.a), link_name(connection.b)),
+                                          *links_[c], processors_[connection.a.node], processors_[connection.b.node]);
     }
 }
 

@@ -3,7 +3,10 @@
 #include "netlist/catalogue.hpp"
 #include "netlist/environment.hpp"
 #include "netlist/network.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/multiplexer.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/simulation.hpp"
 
 #include <cstdint>
 #include <list>

@@ -1,7 +1,6 @@
 #include "runtime/alternation.hpp"
 
-#include "runtime/hardware/instructions.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
@@ -45,27 +44,29 @@ std::vector<AnyChannel*> awaited_channels(std::span<const Guard> guards) {
     return channels;
 }
 
-using namespace instructions;
-
-/// Until the process waits: alt, and enbc, enbs or enbt for each guard.
-Cycles cost_of_enabling(std::span<const Guard> guards) {
-    Cycles sum = alt_start;
-    for (const Guard& guard : guards)
-        sum = sum + (guard.kind == Guard::timeout ? enable_timeout : enable_guard);
-    return sum;
+/// The process begins the alternation and enables each guard.
+void charge_enabling(const Process& self, std::span<const Guard> guards) {
+    charge(self, [guards](const OperationCosts& cost) {
+        Cycles sum = cost.alternation_start;
+        for (const Guard& guard : guards)
+            sum = sum + (guard.kind == Guard::timeout ? cost.enable_timeout : cost.enable_guard);
+        return sum;
+    });
 }
 
-/// Once a guard is ready: disc, diss or dist for each, and altend.
-Cycles cost_of_disabling(std::span<const Guard> guards) {
-    Cycles sum = alt_end;
-    for (const Guard& guard : guards)
-        sum = sum + (guard.kind == Guard::timeout ? disable_timeout : disable_guard);
-    return sum;
+/// A guard is ready: the process disables each guard and ends the alternation.
+void charge_disabling(const Process& self, std::span<const Guard> guards) {
+    charge(self, [guards](const OperationCosts& cost) {
+        Cycles sum = cost.alternation_end;
+        for (const Guard& guard : guards)
+            sum = sum + (guard.kind == Guard::timeout ? cost.disable_timeout : cost.disable_guard);
+        return sum;
+    });
 }
 
 } // namespace
 
-/// A process that sleeps on its guards: enabled on their channels for as long as it exists.
+/// A process that sleeps on its guards. While this exists, the guards are enabled on their channels.
 class Alternation final : Event {
 public:
     Alternation(Process& process, std::span<AnyChannel* const> channels) : process_(process), channels_(channels) {}
@@ -104,7 +105,7 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
     auto channels = awaited_channels(guards);
     auto timeout = earliest_timeout(guards);
     if (channels.empty() && !timeout)
-        throw std::logic_error("process " + self.path() + ": an alternation none of whose guards can be ready");
+        throw std::logic_error("process " + self.path() + ": no guard of its alternation can ever become ready");
     Alternation alternation(self, channels);
     alternation.enable(timeout);
     self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where);
@@ -115,15 +116,15 @@ std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     for (const Guard& guard : guards)
         if (guard.kind == Guard::input)
             guard.channel->note_inputter(self);
-    compute(cost_of_enabling(guards));
-    compute(first_ready(guards) ? alt_wait_ready : alt_wait);
+    charge_enabling(self, guards);
+    charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     bool has_to_sleep = !first_ready(guards);
     if (has_to_sleep)
         sleep(self, guards, where);
     std::size_t chosen = *first_ready(guards);
-    compute(cost_of_disabling(guards));
-    // Who polls and is not placed uses no time: without this nobody else would ever run.
-    if (!has_to_sleep && !self.processor() && guards[chosen].kind != Guard::input)
+    charge_disabling(self, guards);
+    // A process that polls and is not placed takes no time: without this no other would ever run.
+    if (!has_to_sleep && !self.executive() && guards[chosen].kind != Guard::input)
         wait_until(now(), where);
     return chosen;
 }

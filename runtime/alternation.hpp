@@ -12,17 +12,17 @@
 
 namespace placedpar {
 
-/// One guard of an alternation, without what follows it.
+/// One guard of an alternation, without the process that it guards.
 struct Guard {
     enum Kind { never, input, timeout, skip } kind;
     AnyChannel* channel = nullptr; ///< of an input guard
     Time due{};                    ///< of a timeout guard
-    SourceLocation where{};        ///< in the program
+    SourceLocation where{};        ///< in its program
 };
 
-/// Waits until one of the guards is ready and returns its index: the first ready one in the order given,
-/// which is occam's PRI ALT, and the choice that the transputer's own instructions make for ALT.
-/// `never` guards (a condition that is false) are passed over. Nothing has been input yet.
+/// Waits until a guard is ready and returns its index; of several ready ones the first in the order given, which is
+/// occam's PRI ALT, and what the transputer's own instructions choose for ALT. Guards of kind `never` (a condition
+/// that is false) are passed over. The message of an input guard has not been input yet.
 /// Throws std::logic_error when no guard could ever be ready (occam: such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
@@ -39,9 +39,9 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
 
-/// occam's SKIP guard: always ready, so whatever stands behind it is reached only if nothing before is ready.
-/// To poll costs a placed process its cycles. One that is not placed polls in no time: others have their turn at this
-/// moment, but time passes only if it waits.
+/// occam's SKIP guard: always ready, so that a guard before it is chosen only if it is ready, and one behind it never.
+/// Polling costs a placed process its cycles. One that is not placed polls in no time: others get their turn at this
+/// moment, but time passes only when it waits.
 template <class Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
@@ -55,7 +55,7 @@ auto when(bool condition, std::pair<Guard, Body> guarded) {
     return guarded;
 }
 
-/// occam's PRI ALT: waits for the first ready guard, inputs if it is an input, and runs what it guards.
+/// occam's PRI ALT: waits for the first ready guard, inputs if it is an input, and runs the body that it guards.
 /// Returns its index.
 template <class... Bodies>
 std::size_t alt(std::pair<Guard, Bodies>... alternatives) {

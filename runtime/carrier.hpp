@@ -8,8 +8,9 @@ namespace placedpar {
 class AnyChannel;
 class Process;
 
-/// What carries a hard channel's messages from one processor to another: a direction of a link, alone or
-/// shared with other channels. Both halves return when their process may go on.
+/// Carries the messages of hard channels from one executive to another: a direction of a link, alone or shared with
+/// other channels. output and input return when their process can go on. Each charges its process
+/// OperationCosts::hard_communication.
 class Carrier {
 public:
     virtual ~Carrier() = default;
@@ -18,7 +19,7 @@ public:
     virtual void output(AnyChannel&, const WireForm&, const SourceLocation&) = 0;
     /// Receives a message into the channel's waiting slot. REQUIRES: called by the inputting process.
     virtual void input(AnyChannel&, const SourceLocation&) = 0;
-    /// Whether the first byte of a message has arrived that nobody has asked for yet.
+    /// Whether a message has begun to arrive for which no process has asked yet.
     virtual bool message_waits(const AnyChannel&) const = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "runtime/channel.hpp"
 
-#include "runtime/hardware/instructions.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/trace.hpp"
 
@@ -21,12 +20,9 @@ namespace {
 
 AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
 
-/// What the second process to arrive at a soft channel pays for the copy.
+/// The second process to arrive at a soft channel copies the message.
 void charge_copy(const Process& self, const WireForm& form) {
-    if (Processor* processor = self.processor()) {
-        std::int64_t words = (form.total() + instructions::bytes_in_a_word - 1) / instructions::bytes_in_a_word;
-        processor->compute(words * instructions::copied_word);
-    }
+    charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
 }
 
 } // namespace
@@ -53,7 +49,7 @@ void AnyChannel::note_inputter(const Process& process) { inputter_ = user(proces
 void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     if (!carrier_)
-        compute(instructions::input_or_output);
+        charge(self, &OperationCosts::soft_communication);
     if (message_)
         refuse_second_user("outputs to", self, *this);
     outputter_ = user(self);
@@ -67,7 +63,7 @@ void AnyChannel::output_any(void* message, const WireForm& form, const SourceLoc
 void AnyChannel::input_any(void* slot, const SourceLocation& where) {
     Process& self = Kernel::current()->running();
     if (!carrier_)
-        compute(instructions::input_or_output);
+        charge(self, &OperationCosts::soft_communication);
     if (slot_ || alternation_)
         refuse_second_user("inputs from", self, *this);
     inputter_ = user(self);

@@ -17,20 +17,21 @@ class Process;
 
 /// A channel of any protocol: synchronous, unbuffered, from one process to one other.
 ///
-/// The processes at its ends do not know whether it is soft (both on one processor: the second to arrive
-/// copies the message and goes on, the first goes to the back of its run queue) or hard (a carrier takes the
-/// message along a link). The simulation decides that by `put_on` before it runs.
+/// The processes at its ends do not know whether it is soft or hard. On a soft channel the process that arrives second
+/// copies the message and goes on, and the first is made ready. On a hard channel a carrier takes the message along a
+/// link.
 ///
-/// A channel belongs to one simulation. Throws std::logic_error when two processes are in the same end of a
-/// channel at once.
+/// 1. It is put on a carrier, if at all, before it is used.
+/// 2. One process at a time outputs and one inputs: a second one at the same end makes it throw std::logic_error.
+/// 3. It belongs to one simulation and outlives its run.
 class AnyChannel {
 public:
-    /// A process that used an end of a channel. It may have ended since; its outermost ancestor is there until
-    /// the end of the simulation.
+    /// A process that used an end of a channel. It may have ended since, and its object be gone; its outermost
+    /// ancestor's object lasts until the end of the simulation.
     struct User {
         const Process* process = nullptr;
         const Process* outermost = nullptr;
-        std::uint32_t ordinal = 0; ///< tells whether the process still lives
+        std::uint32_t ordinal = 0; ///< of the process, by which to find out whether it still lives
     };
 
     explicit AnyChannel(std::string name) : name_(std::move(name)) {}
@@ -44,31 +45,31 @@ public:
     /// yet; the carrier outlives it.
     void put_on(Carrier&);
 
-    /// The process that used this end last, null if none did. It is sure to live still only while it is in the
-    /// channel.
+    /// The process that used this end last, null if none did. It may only be looked at while it is in the channel.
     const Process* outputter() const { return outputter_.process; }
     const Process* inputter() const { return inputter_.process; }
-    /// Who must come to wake the other end.
+    /// The same, for when it may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
-    /// Foretells who will use the ends, for the report of a deadlock before their first communication.
-    /// REQUIRES: they live until the end of the simulation, or are null.
+    /// Says beforehand which processes will use the ends, so that a deadlock before their first communication can name
+    /// them. REQUIRES: they exist until the end of the simulation, or are null.
     void expect(const Process* outputter, const Process* inputter);
 
-    // For alternations: whether an input would find a message; whom to wake when one comes.
+    // For alternations.
+    /// Whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    /// Throws std::logic_error when another process inputs or alternates on the channel.
+    /// From now on a message wakes the alternation. Throws std::logic_error when another process inputs or alternates
+    /// on the channel.
     void enable(Alternation&);
-    /// An alternation has a guard on the channel, for the report of a deadlock.
-    void note_inputter(const Process&);
     void disable() { alternation_ = nullptr; }
+    /// The process has a guard on the channel: for the report of a deadlock.
+    void note_inputter(const Process&);
 
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
     void hand_over();
-    /// A message has arrived that nobody asked for: an alternating process may want it.
+    /// A message waits for which no process has asked: wakes the alternation that is enabled, if any.
     void announce();
-    bool input_waits() const { return slot_ != nullptr; }
 
 protected:
     void output_any(void* message, const WireForm&, const SourceLocation&);
@@ -80,13 +81,13 @@ private:
     void input_soft(Process&, const SourceLocation&);
 
     std::string name_;
-    Carrier* carrier_ = nullptr;
+    Carrier* carrier_ = nullptr; ///< null if the channel is soft
     User outputter_, inputter_;
-    void* message_ = nullptr;    ///< set while an outputter is in the channel
-    void* slot_ = nullptr;       ///< set while an inputter is
-    Process* waiting_ = nullptr; ///< on a soft channel, the first to arrive
-    WireForm waiting_form_{0};
-    Alternation* alternation_ = nullptr; ///< that of an inputter which sleeps on several channels
+    void* message_ = nullptr;            ///< set while an outputter is in the channel
+    void* slot_ = nullptr;               ///< set while an inputter is
+    Process* waiting_ = nullptr;         ///< on a soft channel, the first to arrive
+    WireForm waiting_form_{0};           ///< of its message, if it is the outputter
+    Alternation* alternation_ = nullptr; ///< of an inputter that sleeps on several channels
 };
 
 template <class T>

@@ -17,11 +17,11 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< in order of creation
 
-/// Who would have to come: the user of a channel's end, or, if it was a component that has ended, the process
-/// whose PAR it was in.
+/// The process that would have to come: the user of a channel's end or, if that was a component that has ended, its
+/// ancestor at the outermost level.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
-    // The address alone does not tell: a later component may have been put where an earlier one was.
+    // The address does not suffice: a later component may stand where an earlier one was.
     bool lives = found != living.end() && (*found)->ordinal() == user.ordinal && *found == user.process;
     return lives ? user.process : user.outermost;
 }
@@ -33,7 +33,7 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
     return process->path() + (process->ended() ? " (has ended)" : "");
 }
 
-/// The processes of which one would have to act for this one to go on.
+/// The processes that this one waits for: one of them would have to act.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     for (const AnyChannel* channel : process.awaited_channels())
@@ -47,7 +47,7 @@ Processes awaited_by(const Process& process, const Processes& living) {
     return partners;
 }
 
-/// Follows who waits for whom, depth first, until it comes back to a process on its way.
+/// Follows the waits from process to process, depth first, until it comes back to one on its way.
 class CycleSearch {
 public:
     explicit CycleSearch(const Processes& living) : living_(living) {}
@@ -60,7 +60,8 @@ public:
     }
 
 private:
-    /// Not recursive, for a way can be as long as there are processes, and the stack of a fiber is short.
+    /// Whether a cycle can be reached from here. Not recursive: a way can be as long as there are processes, and the
+    /// stack of a fiber is short.
     bool visit(const Process* start) {
         step_to(start);
         while (!way_.empty()) {
@@ -75,7 +76,7 @@ private:
         return false;
     }
 
-    /// Whether this closes a cycle.
+    /// Whether the step closes a cycle.
     bool step_to(const Process* process) {
         if (process->ended())
             return false;

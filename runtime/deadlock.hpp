@@ -13,25 +13,25 @@ class Kernel;
 struct StuckProcess {
     std::string path;
     Activity activity;
-    std::vector<std::string> channels; ///< those that it waits on
+    std::vector<std::string> channels; ///< on which it waits
     std::string where;                 ///< "slave.cpp:57": the file and line of its program
 };
 
-/// A channel on which somebody waits for a partner that never comes.
+/// A channel on which a process waits for a partner that never comes.
 struct StuckChannel {
     std::string name;
     std::string outputter, inputter; ///< paths; "nobody yet" for an end that was never used
     std::string waiting;             ///< "outputter" or "inputter"
 };
 
-/// Who waits for whom when a simulation can go no further. It holds no addresses: two reports of the same
-/// deadlock are equal.
+/// Which process waits for which when a simulation can go no further. It holds no addresses, so that two reports of the
+/// same deadlock are equal.
 struct Deadlock {
     std::vector<std::string> cycle; ///< paths, each waiting for the next and the last for the first; may be empty
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;
 
-    /// The cycle first, then the two tables.
+    /// The cycle, then the table of processes and the table of channels.
     std::string text() const;
 };
 

@@ -10,8 +10,8 @@ namespace placedpar {
 
 class EventQueue;
 
-/// Something that is to happen at a point of virtual time: a delay that ends, a bit that arrives. It is in
-/// the queue at most once, and leaves it when it is destroyed.
+/// Something that will happen at a moment of virtual time: a delay ends, a bit arrives. An event is in the
+/// queue at most once, and leaves it when it is destroyed.
 class Event {
 public:
     Event() = default;
@@ -24,30 +24,30 @@ protected:
 
 private:
     friend class EventQueue;
-    /// What happens. Runs outside every process: it must not wait and must not throw.
+    /// Runs outside every process: it must not wait and must not throw.
     virtual void happen() noexcept = 0;
 
     EventQueue* queue_ = nullptr;
     std::size_t position_ = 0;
 };
 
-/// The future: a heap of events keyed (time, priority, insertion). Events of one instant happen by
-/// priority, lowest first, and within a priority in the order in which they were scheduled; those of links
-/// in the order of their ranks, so that it makes no difference when a link learnt that they would happen.
+/// The future: a heap of events keyed (time, priority, insertion or rank). kernel.hpp states the rule of ordering.
 class EventQueue {
 public:
-    /// What goes first within an instant. On links first whatever asks for an acknowledge, then what starts
-    /// bytes, then what wakes processes; then the processors' turns, then timers.
-    enum Priority : std::uint64_t { acknowledge, start, arrival, processor, timer };
+    /// Order within an instant: requests for a wire, starts of packets on it, arrivals that wake processes, turns of
+    /// executives, timers. The events of the first three have ranks, those of the others go by insertion.
+    enum Priority : std::uint64_t { request, start, arrival, turn, timer };
 
     ~EventQueue();
     bool empty() const { return heap_.empty(); }
     /// REQUIRES: not empty().
     Time next_time() const { return heap_.front().time; }
 
-    /// REQUIRES: the event is not scheduled.
+    /// Of one time and priority, events happen in the order in which they were scheduled. REQUIRES: the event is not
+    /// scheduled.
     void schedule(Event&, Time, Priority);
-    /// The same for the events of links. REQUIRES: no other event of that time and priority has this rank.
+    /// The same, but in the order of their ranks (Kernel::new_ranks), so that it makes no difference how early a device
+    /// foresaw them. REQUIRES: the event is not scheduled, and no other event of that time and priority has its rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
     /// No effect on an event that is not scheduled.
     void cancel(Event&);

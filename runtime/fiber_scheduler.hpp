@@ -9,20 +9,20 @@
 
 namespace placedpar {
 
-/// Boost.Fiber's view of a running simulation. The kernel decides which of its processes runs and resumes
-/// that fiber itself; this algorithm only catches the fibers that Boost announces: new ones, which the
-/// kernel takes over, and those that were there before (Boost's dispatcher, the host program's own fibers),
-/// which rest until the run is over. Boost's own clocks are never used.
+/// Boost.Fiber's view of a running simulation. The kernel decides which process runs and resumes its fiber itself; this
+/// algorithm only takes delivery of the fibers that Boost announces: new ones, which it hands to the kernel, and those
+/// that were there before (Boost's dispatcher, the host program's own fibers), which rest until the run is over.
+/// Boost's own clocks are never used.
 class FiberScheduler final : public boost::fibers::algo::algorithm {
 public:
     using Context = boost::fibers::context;
 
-    /// `host` is the fiber that called Kernel::run; `self` is told where the algorithm lives, which Boost owns.
+    /// `host` is the fiber that called Kernel::run. Boost owns the algorithm; `self` is set to point to it.
     FiberScheduler(Context* host, FiberScheduler*& self) : host_(host) { self = this; }
 
     Context* host() const { return host_; }
 
-    /// While a worker is being made, the fiber that Boost announces is the worker's.
+    /// The next fiber that Boost announces is a new worker's.
     void expect_worker() { newest_ = nullptr, expecting_worker_ = true; }
     Context* newest_worker() const { return newest_; }
     /// From now on a fiber that ends hands over to the host.
@@ -52,7 +52,7 @@ public:
 private:
     Context* host_;
     Context* newest_ = nullptr;
-    std::deque<Context*> resting_;
+    std::deque<Context*> resting_; ///< fibers that are no workers
     bool expecting_worker_ = false;
     bool dismissing_ = false;
 };

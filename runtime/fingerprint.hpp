@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// A hash of what happened, in its order. Equal fingerprints of two runs mean: the same processes
-/// communicated with each other at the same virtual times in the same order.
+/// A hash of a run's events in their order. If two runs have equal fingerprints, the same processes communicated with
+/// each other at the same virtual times in the same order.
 class Fingerprint {
 public:
     void mix(std::uint64_t word) {

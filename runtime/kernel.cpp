@@ -1,7 +1,7 @@
 #include "runtime/kernel.hpp"
 
+#include "runtime/executive.hpp"
 #include "runtime/fiber_scheduler.hpp"
-#include "runtime/hardware/processor.hpp"
 #include "runtime/worker.hpp"
 
 #include <boost/fiber/algo/round_robin.hpp>
@@ -18,10 +18,11 @@ namespace placedpar {
 
 namespace {
 
-/// Workers with guarded stacks: more would exceed what Linux grants a program by default (65530 mappings).
+/// How many workers have guarded stacks: with more a program would exceed the 65530 mappings that Linux allows it.
 constexpr std::size_t guarded_workers = 16'000;
 
-/// Names the first process that computes or waits for its timer: it is, or drives, what would come too late.
+/// Names the first process that computes or waits for its timer, as a hint: what comes too late is its own
+/// computation or delay, or follows from it.
 std::string beyond_the_end_of_time(const std::vector<const Process*>& living) {
     auto late = std::ranges::find_if(living, [](const Process* p) {
         return p->activity() == Activity::ready || p->activity() == Activity::delayed;
@@ -55,8 +56,8 @@ void Kernel::remove(Process& p) {
 }
 
 void Kernel::make_ready(Process& p) {
-    if (p.processor_)
-        p.processor_->make_ready(p);
+    if (p.executive_)
+        p.executive_->make_ready(p);
     else
         enqueue(p);
 }
@@ -83,7 +84,7 @@ Process* Kernel::choose_next() {
     return nullptr;
 }
 
-/// The next event happens, unless the run ends before it.
+/// Lets the next event happen, unless the run ends before it.
 void Kernel::pass_to(Time next) {
     limit_reached_ = next > limit_;
     if (limit_reached_) {
@@ -96,7 +97,7 @@ void Kernel::pass_to(Time next) {
     }
 }
 
-/// The process that is to run next, with a fiber to run on; null when the run is over.
+/// The process to run next, with a fiber to run on; null when the run is over.
 Process* Kernel::next_with_worker() {
     Process* next = choose_next();
     if (next && !next->worker_) {
@@ -119,7 +120,7 @@ bool Kernel::pass_time(Time until) {
     return true;
 }
 
-/// Null stands for the fiber that called run.
+/// Null means the fiber that called run.
 void Kernel::switch_to(Process* p) {
     running_ = p;
     SwitchedStack& from = *stack_in_use_;
@@ -134,7 +135,7 @@ void Kernel::switch_to(Process* p) {
     from.arrive();
 }
 
-/// Gives a process that has its first turn a fiber.
+/// Gives a process that runs for the first time a fiber.
 void Kernel::employ(Process& p) {
     if (idle_.empty()) {
         workers_.push_back(std::make_unique<Worker>(*this, workers_.size() < guarded_workers));
@@ -147,8 +148,8 @@ void Kernel::employ(Process& p) {
 
 void Kernel::wait() {
     Process& self = *running_;
-    if (self.processor_ && !unwinding_)
-        self.processor_->release(self);
+    if (self.executive_ && !unwinding_)
+        self.executive_->release(self);
     give_way();
 }
 
@@ -162,7 +163,7 @@ void Kernel::give_way() {
     throw_if_unwinding();
 }
 
-/// The process that ran on the worker has ended: whoever waits in a PAR for it may go on.
+/// The process that ran on the worker has ended. If it was the last component of a PAR, its parent can go on.
 void Kernel::finish(Process& p) noexcept {
     p.activity_ = Activity::ended;
     p.stands_still();
@@ -174,8 +175,8 @@ void Kernel::finish(Process& p) noexcept {
     if (unwinding_)
         return;
     Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
-    if (p.processor_)
-        p.processor_->end(p, parent);
+    if (p.executive_)
+        p.executive_->end(p, parent);
     else if (parent)
         make_ready(*parent);
 }
@@ -216,7 +217,7 @@ Ending Kernel::ending() const {
     return limit_reached_ ? Ending::time_limit : Ending::stuck;
 }
 
-/// Components before the processes that wait for them: the youngest first.
+/// The youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
     unwinding_ = true;
     std::vector<Process*> left = processes_;

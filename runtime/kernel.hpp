@@ -8,9 +8,12 @@
 #include "runtime/time.hpp"
 
 #include <atomic>
+#include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -21,22 +24,27 @@ class TraceSink;
 /// Why a run ended. `stuck`: processes are left that nothing will ever wake.
 enum class Ending { completed, stuck, time_limit, interrupted };
 
-/// Thrown through a process that still waits when its simulation is over, so that its stack is unwound.
-/// A process that catches everything must let this one pass, and no
-/// destructor may communicate, compute or wait.
+/// Thrown through a process that still waits when its simulation is over, so that its stack is unwound. A process
+/// that catches everything must let this exception pass, and no destructor may communicate, compute or wait.
 class Unwinding {};
 
-/// The heart of a simulation: who runs, and what time it is.
+/// Decides which process runs next, and what time it is.
 ///
-/// The rule: processes that are ready run in the order in which they became ready, each until it waits.
-/// When nobody is ready, the earliest event of the future happens (time, then priority, then insertion) and
-/// virtual time becomes that event's time. When nobody is ready and nothing is due, the run is over; it is
-/// also over when every process of the program has ended, whatever the machine would still do.
-/// Nothing else decides, so a simulation is deterministic; it is also one thread, and does not watch the
-/// wall clock.
+/// The rule of ordering. Processes that are ready run in the order in which they became ready, each until it waits.
+/// When none is ready, the earliest event happens and virtual time becomes its time; within an instant events happen
+/// by priority (EventQueue::Priority), and within a priority by rank or, if they have none, by insertion. Nothing else
+/// decides, and no wall clock is read, so a simulation is deterministic.
 ///
-/// Processes are Boost fibers. A fiber outlives its process and takes the next one, so that a PAR in a loop
-/// costs no new stack.
+/// A run is over when no process is ready and no event is due, and also when every process of the program has ended,
+/// even if the machine could go on.
+///
+/// 1. A kernel is used by one thread; only interrupt() may be called from elsewhere.
+/// 2. It runs once, and no other kernel runs on its thread meanwhile.
+/// 3. wait, give_way and running are for a process that is being executed, and for what it calls.
+/// 4. Processes are destroyed before their kernel, and when they have ended or the run is over.
+///
+/// Processes are Boost fibers. When a process ends, its fiber takes the next one, so that a PAR in a loop needs no new
+/// stack.
 class Kernel {
 public:
     Kernel();
@@ -44,52 +52,51 @@ public:
     Kernel(const Kernel&) = delete;
     Kernel& operator=(const Kernel&) = delete;
 
-    /// The kernel whose simulation this thread is running; null outside a run.
+    /// The kernel that this thread is running; null outside a run.
     static Kernel* current() { return current_; }
 
     Time now() const { return now_; }
-    /// The process whose program is being executed. REQUIRES: called from within a process.
+    /// The process whose program is being executed.
     Process& running() const { return *running_; }
     EventQueue& future() { return future_; }
     Fingerprint& fingerprint() { return fingerprint_; }
-    /// Null when nobody wants a trace.
+    /// Null if no trace is wanted.
     TraceSink* trace() const { return trace_; }
     void trace_to(TraceSink& sink) { trace_ = &sink; }
-    /// A rank for one more wire, by which its events are ordered: wires are counted as they are created.
-    std::uint64_t rank_of_new_wire() { return wires_++; }
+    /// The first of so many successive ranks for the events of one more device. Devices rank in the order in which they
+    /// ask.
+    std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
-    /// Lets a process go on: at once if it is not placed, else when its processor gets to it.
+    /// Lets a process go on: at once if it is not placed, else when its executive gives it its turn.
     void make_ready(Process&);
-    /// To the back of the ready queue. For processors; everybody else calls make_ready.
+    /// Puts the process at the back of the ready queue. For executives; all others call make_ready.
     void enqueue(Process& p) { ready_.push_back(p); }
-    /// Runs others until this process is made ready. Throws Unwinding when the simulation is over.
-    /// REQUIRES: called from within a process.
+    /// Takes the running process off its executive and runs others until it is made ready. Throws Unwinding when the
+    /// simulation is over.
     void wait();
-    /// The same, but the process keeps its processor, as one that computes does.
+    /// The same, but the process keeps its executive. For executives, while the process computes.
     void give_way();
     /// Throws Unwinding when the simulation is over.
     void throw_if_unwinding() const {
         if (unwinding_)
             throw Unwinding{};
     }
-    /// Moves virtual time on to `until` if nobody else could do anything up to then and at that moment;
-    /// returns whether it did. It is what waiting would come to, without the switch to and fro.
+    /// Moves virtual time on to `until` if nothing else could happen before or at that moment; returns whether it did.
+    /// Same effect as waiting, without two context switches.
     bool pass_time(Time until);
 
-    /// Runs until the end. Rethrows what a process or `at_end` threw. On return every process has been unwound.
-    /// `at_end` is called before that, while the processes that are stuck still stand where they are; not
-    /// after a process threw. Throws std::logic_error when a simulation is already running on this thread,
-    /// and when called twice; std::overflow_error when nothing is left to happen before the end of virtual time
-    /// but something is beyond it.
+    /// Runs until the end, calls `at_end` while the processes that are left still stand where they wait, and then
+    /// unwinds them. Rethrows what a process or `at_end` threw; after a process threw, `at_end` is not called.
+    /// Throws std::logic_error when a simulation is already running on this thread, and when called twice;
+    /// std::overflow_error when nothing is left to happen before the end of virtual time, but something beyond it.
     ///
-    /// It may be called from a Boost fiber. The thread's other fibers rest meanwhile; afterwards they are
-    /// scheduled round robin, whatever the algorithm was before.
+    /// It may be called from a Boost fiber. The thread's other fibers rest meanwhile; afterwards they are scheduled
+    /// round robin, whatever the algorithm was before.
     Ending run(Time limit, const std::function<void(Ending)>& at_end);
-    /// Lets the processes that are ready run in an order drawn from the seed, not in the order in which they
-    /// became ready: another of the program's possible courses, to shake out what depends on order.
-    /// Processors share themselves out as before.
+    /// Runs ready processes in an order drawn from the seed instead of the order in which they became ready: another of
+    /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
     void shuffle(std::uint64_t seed) { shuffle_.emplace(seed, "ready queue"); }
-    /// Ends the run at the next occasion. May be called from a signal handler.
+    /// Ends the run before the next process or event. May be called from a signal handler or another thread.
     void interrupt() { interrupted_.store(true, std::memory_order_relaxed); }
 
     /// Every process of the program that exists and has not ended, in order of creation.
@@ -121,18 +128,18 @@ private:
     Fingerprint fingerprint_;
     TraceSink* trace_ = nullptr;
     Process* running_ = nullptr;
-    std::vector<Process*> processes_;
-    std::size_t program_processes_ = 0; ///< those that have not ended
+    std::vector<Process*> processes_;   ///< all that exist, in no order
+    std::size_t program_processes_ = 0; ///< how many of the program have not ended
     std::uint32_t next_ordinal_ = 0;
-    std::uint64_t wires_ = 0;
+    std::uint64_t ranks_ = 0; ///< how many were given out
 
     std::vector<std::unique_ptr<Worker>> workers_;
-    std::vector<Worker*> idle_;
+    std::vector<Worker*> idle_; ///< those of the workers without a process
     FiberScheduler* scheduler_ = nullptr;
     bool unwinding_ = false;
     bool limit_reached_ = false;
     std::atomic<bool> interrupted_{false};
-    std::exception_ptr failure_;
+    std::exception_ptr failure_; ///< what a process threw
     std::optional<RandomStream> shuffle_;
     SwitchedStack host_stack_; ///< of the fiber that called run
     SwitchedStack* stack_in_use_ = nullptr;

@@ -1,7 +1,6 @@
 #include "runtime/parallel.hpp"
 
-#include "runtime/hardware/instructions.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
 #include <list>
@@ -16,7 +15,7 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
     Kernel& kernel = *Kernel::current();
     Process& self = kernel.running();
     auto n = static_cast<std::int64_t>(components.size());
-    compute(n * (instructions::start_process + instructions::end_process));
+    charge(self, [n](const OperationCosts& cost) { return n * (cost.start_component + cost.end_component); });
     Join join{components.size(), self};
     std::list<Process> processes;
     for (std::size_t i = 0; i < components.size(); ++i)

@@ -16,14 +16,14 @@ struct Component {
     Priority priority;
 };
 
-/// Runs the components as processes on the running process's processor and waits until all have ended.
-/// A component that throws ends the simulation, whose run rethrows it.
+/// Runs the components as processes on the running process's executive and waits until all have ended. What a
+/// component throws ends the simulation, and its run rethrows it.
 void run_in_parallel(std::vector<Component>, const SourceLocation&);
 
 /// The priority of the running process, which its components inherit.
 Priority own_priority();
 
-/// The first component of a PAR, made of a body where `par` is called, so that it knows where that is.
+/// The first component of a PAR. It is made from a body by the caller of `par`, so that it can record that place.
 struct FirstComponent {
     template <class Body>
     FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())

@@ -9,13 +9,13 @@
 
 namespace placedpar {
 
-Process::Process(Kernel& kernel, std::string name, Body body, Processor* processor, Priority priority)
-    : kernel_(kernel), name_(std::move(name)), body_(std::move(body)), processor_(processor), priority_(priority) {
+Process::Process(Kernel& kernel, std::string name, Body body, Executive* executive, Priority priority)
+    : kernel_(kernel), name_(std::move(name)), body_(std::move(body)), executive_(executive), priority_(priority) {
     kernel_.add(*this);
 }
 
 Process::Process(Process& parent, std::size_t index, Body body, Priority priority, Join& join)
-    : kernel_(parent.kernel_), index_(index), body_(std::move(body)), processor_(parent.processor_),
+    : kernel_(parent.kernel_), index_(index), body_(std::move(body)), executive_(parent.executive_),
       priority_(priority), join_(&join), outermost_(parent.outermost_) {
     kernel_.add(*this);
     goes_on();
@@ -52,7 +52,7 @@ void Process::stands_still() {
 }
 
 void Process::wait(Activity activity) {
-    /// Also when the run ends during the wait.
+    // Ends the standstill also when the run ends during the wait.
     struct Standstill {
         explicit Standstill(Process& p) : process(p) { process.stands_still(); }
         ~Standstill() { process.goes_on(); }

@@ -13,33 +13,33 @@
 namespace placedpar {
 
 class AnyChannel;
+class Executive;
 class Kernel;
 class Process;
-class Processor;
 class Worker;
 
-/// The two priorities of a transputer's processes.
+/// The two priorities of occam's processes.
 enum class Priority { high, low };
 
 /// What a process is doing, or what it waits for.
 enum class Activity { ready, delayed, outputting, inputting, alternating, joining, ended };
 
-/// How many components of a PAR still run, and who waits for them.
+/// A PAR: how many of its components still run, and the process that waits for them.
 struct Join {
     std::size_t components_left;
     Process& parent;
 };
 
-/// One process of the simulation: a body that runs on a fiber, and, if it is placed, the processor that it
-/// shares with others. It belongs to whoever created it: to a `par`, or to the simulation.
-/// REQUIRES: it has ended, or the simulation is over, when it is destroyed.
+/// One process of the simulation: a body that runs on a fiber, and, if it is placed, the executive that it
+/// shares with others. It is owned by the `par` or the simulation that made it, and is destroyed only when it has ended
+/// or the simulation is over.
 class Process {
 public:
     using Body = std::function<void()>;
 
     /// A process with a name of its own, started at the outermost level.
-    Process(Kernel&, std::string name, Body, Processor*, Priority);
-    /// Component number `index` of a PAR in `parent`, on the parent's processor.
+    Process(Kernel&, std::string name, Body, Executive*, Priority);
+    /// Component number `index` of a PAR in `parent`, on the parent's executive.
     Process(Process& parent, std::size_t index, Body, Priority, Join&);
     ~Process();
     Process(const Process&) = delete;
@@ -53,32 +53,35 @@ public:
     const Process* parent() const { return join_ ? &join_->parent : nullptr; }
     /// Its ancestor at the outermost level, perhaps itself.
     const Process& outermost() const { return *outermost_; }
-    Processor* processor() const { return processor_; }
+    /// Null if it is not placed.
+    Executive* executive() const { return executive_; }
     Priority priority() const { return priority_; }
     Kernel& kernel() const { return kernel_; }
     bool ended() const { return activity_ == Activity::ended; }
-    /// A part of the machine and not of the program: a run can end while it still lives.
+    /// Makes it a part of the machine instead of the program: a run does not wait for it to end.
     void serve_machine();
     bool serves_machine() const { return machine_; }
 
-    /// What it does or waits for, and where in its program, for reports.
+    // For reports.
     Activity activity() const { return activity_; }
+    /// The channels of its last wait.
     const std::vector<const AnyChannel*>& awaited_channels() const { return awaited_; }
+    /// Where it last waited.
     const SourceLocation& place_in_program() const { return where_; }
-    /// Of a process at the outermost level: time in which neither it nor any component of its PARs could go on,
-    /// for all of them waited for partners or delays; each wait up to the moment when the processor took the process
-    /// up again, and those that were not over when the run was.
+    /// For a process at the outermost level: how long it and all components of its PARs waited for partners or delays
+    /// at once. A wait lasts until the process runs again, or the run ends.
     Time time_waited() const { return waited_; }
 
-    /// Waits, as part of the operation named, until made ready. REQUIRES: this process is running.
+    /// Waits until made ready, and notes for reports why and where. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&);
-    /// Notes a delay for which the kernel passed the time on, without a wait. REQUIRES: this process is running.
+    /// Notes a delay that took no wait, since the kernel could pass the time (Kernel::pass_time). REQUIRES: this
+    /// process is running.
     void was_delayed(Time since, const SourceLocation&);
 
 private:
+    friend class Executive;
     friend class Kernel;
-    friend class Processor;
     friend class Worker;
     friend class ProcessQueue;
 
@@ -91,17 +94,17 @@ private:
     std::string name_;
     std::size_t index_ = 0;
     Body body_;
-    Processor* processor_;
+    Executive* executive_; ///< null if it is not placed
     Priority priority_;
     std::uint32_t ordinal_;
 
-    bool machine_ = false;
+    bool machine_ = false; ///< it serves the machine
     Activity activity_ = Activity::ready;
-    std::vector<const AnyChannel*> awaited_;
-    SourceLocation where_;
+    std::vector<const AnyChannel*> awaited_; ///< the channels of its last wait
+    SourceLocation where_;                   ///< where in its program it last waited
 
     // Of a process at the outermost level, for itself and its components.
-    std::size_t going_on_ = 1; ///< how many of them do not wait and have not ended
+    std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended
     Time still_since_{};       ///< when the last of them began to wait
     Time waited_{};
 
@@ -109,12 +112,12 @@ private:
     Process* next_ = nullptr;  ///< the next in the queue in which it stands
     std::size_t slot_ = 0;     ///< where the kernel lists it
 
-    Time work_left_{};     ///< processor time that it still needs before its body goes on
-    Join* join_ = nullptr; ///< the PAR of which it is a component
-    Process* outermost_ = this;
+    Time work_left_{};          ///< see Executive::work_left
+    Join* join_ = nullptr;      ///< the PAR of which it is a component
+    Process* outermost_ = this; ///< see outermost()
 };
 
-/// First in, first out, linked through the processes themselves: a process stands in at most one queue.
+/// First in, first out. Linked through the processes themselves, so that a process stands in at most one queue.
 class ProcessQueue {
 public:
     bool empty() const { return !first_; }

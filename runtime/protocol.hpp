@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// How a message looks on a wire: the lengths in bytes of the communications that carry it, one after the
-/// other. A value of fixed size is one; occam's counted array `INT::[]BYTE` is two, the count and the bytes.
+/// The parts in which a message travels on a wire, one communication each: their lengths in bytes. A value of fixed
+/// size is one part; occam's counted array `INT::[]BYTE` is two, the count and the bytes.
 class WireForm {
 public:
     static constexpr std::size_t most_parts = 4;
@@ -33,8 +33,8 @@ private:
     std::size_t parts_;
 };
 
-/// The protocol of a channel is the C++ type of its messages; its length on the wire is a property of the
-/// type. A type of fixed size needs nothing; others have a member `WireForm wire_form() const`.
+/// The protocol of a channel is the C++ type of its messages, and the type determines the form on the wire: a type of
+/// fixed size needs nothing; others have a member `WireForm wire_form() const`.
 template <class T>
 WireForm wire_form(const T& message) {
     if constexpr (requires {

@@ -9,10 +9,9 @@
 
 namespace placedpar {
 
-/// A stream of random numbers that depends on the run's seed and the path of the process alone, not on
-/// who drew before: the same in every placement, order of events and number of processors.
-/// Counter-based, Philox 4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", 2011).
-/// Meets std::uniform_random_bit_generator.
+/// A stream of random numbers that depends only on the run's seed and the path of the process, so that it is the same
+/// in every placement, order of events and number of processors. Counter-based, Philox 4x32-10 (J. Salmon et al.,
+/// "Parallel random numbers: as easy as 1, 2, 3", 2011). Meets std::uniform_random_bit_generator.
 class RandomStream {
 public:
     using result_type = std::uint32_t;
@@ -26,7 +25,7 @@ public:
             next_block();
         return block_[drawn_from_block_++];
     }
-    /// The next numbers, as by so many calls.
+    /// Draws the next numbers, the same as single calls would.
     void fill(std::span<result_type> numbers);
 
     /// Uniform in [0, 1), a multiple of 2^-32.

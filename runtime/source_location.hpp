@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// Where in the program something was asked for. Clang before version 15 lacks what std::source_location is
-/// made of, and has the one of the library fundamentals, which does the same.
+/// A place in the program, by which reports name the statement that waits. Clang before version 15 cannot compile
+/// std::source_location, but has its forerunner from the library fundamentals.
 #if defined(__cpp_lib_source_location)
 using SourceLocation = std::source_location;
 #else

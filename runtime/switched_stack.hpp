@@ -16,10 +16,12 @@
 
 namespace placedpar {
 
-/// A stack on which processes run, as AddressSanitizer has to know it: without being told of every switch it
-/// takes an exception for a jump out of the stack. Without the sanitizer nothing is left of this.
+/// Tells AddressSanitizer of every switch from one fiber's stack to another; otherwise it would report an exception as
+/// a jump out of the stack. Compiled without the sanitizer, this does nothing.
 ///
-/// To switch: leave_for the other stack, switch, and on coming back (or in at the start) arrive.
+/// 1. lies_at, once the stack's memory is known.
+/// 2. To switch: leave_for(the other stack), or end_for if this one is left for good; then switch.
+/// 3. On arrival: arrive; the first time arrive_from(the stack that was left).
 class SwitchedStack {
 public:
 #if defined(PLACEDPAR_ADDRESS_SANITIZER)

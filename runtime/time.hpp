@@ -6,12 +6,12 @@
 
 namespace placedpar {
 
-/// Virtual time since the start of the simulation. An integer of picoseconds, so that the cycles of 20 and
-/// 25 MHz clocks and the bits of 5, 10 and 20 Mbit/s links are exact; it lasts for 106 days. What would lie beyond
-/// is Time::max(), a moment that never comes: a run that has nothing else left to do ends with an error.
+/// Virtual time since the start of the simulation: an integer of picoseconds, so that the cycles of 20 and
+/// 25 MHz clocks and the bits of 5, 10 and 20 Mbit/s links are exact. It lasts for 106 days; a later moment is
+/// represented by Time::max(), which never comes: a run that has nothing earlier left to do ends with an error.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
-/// Processor cycles. A tag of its own, so that cycles and times cannot be mistaken for each other.
+/// Cycles of an executive's clock: a type of its own, so that cycles and times cannot be mistaken for each other.
 enum class Cycles : std::int64_t {};
 
 constexpr Cycles operator+(Cycles a, Cycles b) {
@@ -21,14 +21,13 @@ constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_
 
 __extension__ typedef __int128 WideInteger; ///< periods * 1e12 does not fit 64 bits after nine seconds
 
-/// So many picoseconds, at most Time::max(). REQUIRES: count >= 0.
+/// A number of picoseconds as a time, at most Time::max(). REQUIRES: count >= 0.
 constexpr Time clamped(WideInteger count) {
     return count > Time::max().count() ? Time::max() : Time{static_cast<std::int64_t>(count)};
 }
 
-/// How long a count of periods lasts at a frequency, to the nearest picosecond, at most Time::max().
-/// REQUIRES: periods >= 0, hertz > 0.
-/// Used for cycles of a clock and for bits on a wire.
+/// How long so many periods (cycles of a clock, bits on a wire) last at a frequency, to the nearest picosecond, at most
+/// Time::max(). REQUIRES: periods >= 0, hertz > 0.
 constexpr Time duration_of(std::int64_t periods, std::int64_t hertz) {
     constexpr std::int64_t picoseconds_in_a_second = 1'000'000'000'000;
     return clamped((WideInteger{periods} * picoseconds_in_a_second + hertz / 2) / hertz);
@@ -37,12 +36,12 @@ constexpr Time duration_of(std::int64_t periods, std::int64_t hertz) {
 /// `n * each`, at most Time::max(). REQUIRES: n >= 0, each >= 0.
 constexpr Time times(std::int64_t n, Time each) { return clamped(WideInteger{n} * each.count()); }
 
-/// `t + by`, and the end of time where that would lie beyond it. REQUIRES: t >= 0.
+/// `t + by`, at most Time::max(). REQUIRES: t >= 0.
 constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
 constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }
 
-/// For people: "1.234567 ms", the unit chosen by size.
+/// For reports: "1.234567 ms", in a unit that suits the size.
 std::string to_string(Time);
 
 } // namespace placedpar

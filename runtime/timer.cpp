@@ -1,7 +1,6 @@
 #include "runtime/timer.hpp"
 
-#include "runtime/hardware/instructions.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
@@ -10,6 +9,7 @@ namespace placedpar {
 
 namespace {
 
+/// Wakes a process.
 struct Alarm final : Event {
     explicit Alarm(Process& p) : process(p) {}
     void happen() noexcept override { process.kernel().make_ready(process); }
@@ -23,11 +23,11 @@ Time now() { return Kernel::current()->now(); }
 void wait_until(Time due, const SourceLocation& where) {
     Kernel& kernel = *Kernel::current();
     Process& self = kernel.running();
-    if (self.processor() && due <= kernel.now())
-        return compute(instructions::timer_input_past);
+    if (self.executive() && due <= kernel.now())
+        return charge(self, &OperationCosts::timer_wait_past);
     Time since = kernel.now();
     due = std::max(due, since);
-    if (!self.processor() && kernel.pass_time(due))
+    if (!self.executive() && kernel.pass_time(due))
         return self.was_delayed(since, where);
     Alarm alarm(self);
     kernel.future().schedule(alarm, due, EventQueue::timer);
@@ -38,11 +38,11 @@ void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now
 
 Time Timer::tick() const {
     const Process& self = Kernel::current()->running();
-    return self.processor() && self.priority() == Priority::low ? low_tick : high_tick;
+    return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
 }
 
 std::int64_t Timer::read() const {
-    compute(instructions::load_timer);
+    charge(Kernel::current()->running(), &OperationCosts::timer_read);
     return now() / tick();
 }
 
@@ -56,7 +56,7 @@ void Timer::wait_after(std::int64_t ticks, const SourceLocation& where) const {
     Time moment = moment_after(ticks);
     bool has_to_wait = moment > now();
     if (has_to_wait)
-        compute(instructions::timer_input);
+        charge(Kernel::current()->running(), &OperationCosts::timer_wait);
     if (!has_to_wait || moment > now())
         wait_until(moment, where);
 }

@@ -5,11 +5,11 @@
 
 namespace placedpar {
 
-/// Takes the records of a run, in the order in which their stretches of time end. Processes and channels
-/// are only to be looked at during the call.
+/// Takes the records of a run, in the order in which their stretches of time end. The processes and channels may be
+/// gone after the call.
 class TraceSink {
 public:
-    /// The process had its processor and computed.
+    /// The process computed on its executive.
     virtual void computed(const Process&, Time begin, Time end) = 0;
     /// The process waited, as its activity and awaited_channels() say.
     virtual void waited(const Process&, Time begin, Time end) = 0;

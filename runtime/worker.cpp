@@ -13,8 +13,8 @@ namespace placedpar {
 
 namespace {
 
-/// Only the pages that a process touches become memory. AddressSanitizer's red zones make frames several
-/// times larger.
+/// Only the pages that a process touches take memory. AddressSanitizer's red zones make stack frames several times
+/// larger.
 constexpr std::size_t stack_bytes = (SwitchedStack::watched ? 1024 : 256) * 1024;
 
 /// Boost's allocator of stacks, which also notes where the stack lies.

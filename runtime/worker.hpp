@@ -12,17 +12,18 @@ class Process;
 /// A fiber that runs the bodies of processes, one after the other.
 class Worker {
 public:
-    /// `guarded`: running over the end of the stack is a fault at once, at the price of two entries in the
-    /// operating system's table of this program's memory.
+    /// `guarded`: an overflow of the stack faults at once. This costs two of the memory mappings that the operating
+    /// system allows a program.
     Worker(Kernel&, bool guarded);
     void resume() { context_->resume(); }
 
-    Process* process = nullptr; ///< the one whose body it runs, or is to run next
-    bool dismissed = false;     ///< ends at its next turn
+    Process* process = nullptr; ///< whose body it runs, or will run next
+    bool dismissed = false;     ///< it ends when it is resumed next
     SwitchedStack stack;
 
 private:
     void work(Kernel&);
+
     boost::fibers::context* context_;
 };
 

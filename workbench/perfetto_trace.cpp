@@ -2,7 +2,7 @@
 
 #include "runtime/channel.hpp"
 #include "runtime/deadlock.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ void PerfettoTrace::add(const std::string& event) {
 }
 
 std::uint32_t PerfettoTrace::track(const Process& process) {
-    std::string group = process.processor() ? process.processor()->name() : "not on a processor";
+    std::string group = process.executive() ? process.executive()->name() : "not on a processor";
     auto [found, is_new] = groups_.try_emplace(group, static_cast<std::uint32_t>(groups_.size() + 1));
     if (is_new)
         add(fmt::format(R"({{"ph":"M","name":"process_name","pid":{},"args":{{"name":{}}}}})", found->second,

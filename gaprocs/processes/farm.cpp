@@ -1,6 +1,6 @@
 #include "gaprocs/processes/farm.hpp"
 
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 
 #include <utility>
 

@@ -4,8 +4,8 @@
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/window.hpp"
 #include "netlist/environment.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/fingerprint.hpp"
-#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 

@@ -5,7 +5,7 @@
 #include "gaprocs/processes/workload.hpp"
 #include "netlist/environment.hpp"
 #include "runtime/alternation.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"
 
 #include <memory>

@@ -1,31 +1,31 @@
 #pragma once
 
-#include "runtime/time.hpp"
+#include "runtime/executive.hpp"
 
-#include <cstdint>
-
-/// What the instructions of a T800 cost that a process's communications come to, in cycles, code and data in
-/// internal memory. Published: instruction table of the T4 notebook (pahihu/t4), checked there against INMOS's
-/// "Transputer instruction set: a compiler writer's guide".
+/// What a T800's instructions cost, in cycles, code and data in internal memory. Published: instruction table of the
+/// T4 notebook (pahihu/t4), checked there against INMOS's "Transputer instruction set: a compiler writer's guide".
 namespace placedpar::instructions {
 
-constexpr std::int64_t bytes_in_a_word = 4;
-
-constexpr Cycles input_or_output{19}; ///< in, out: 2w + 19 for w words
-constexpr Cycles copied_word{2};      ///< ... of which the second process to arrive pays for the copy
-constexpr Cycles start_process{12};   ///< startp
-constexpr Cycles end_process{13};     ///< endp
-constexpr Cycles load_timer{2};       ///< ldtimer
-constexpr Cycles timer_input{30};     ///< tin, when it has to wait
-constexpr Cycles timer_input_past{4}; ///< ... when the time has come already
-constexpr Cycles alt_start{2};        ///< alt
-constexpr Cycles enable_guard{7};     ///< enbc, enbs
-constexpr Cycles enable_timeout{8};   ///< enbt
-constexpr Cycles alt_wait_ready{5};   ///< altwt when a guard is ready
-constexpr Cycles alt_wait{17};        ///< altwt when none is
-constexpr Cycles disable_guard{8};    ///< disc, diss
-constexpr Cycles disable_timeout{23}; ///< dist
-constexpr Cycles alt_end{4};          ///< altend
+/// The operations of a program, compiled in line as occam's are. A communication of w words is 2w + 19.
+constexpr OperationCosts t800{
+    .soft_communication = Cycles{19},    // in, out
+    .hard_communication = Cycles{19},    // in, out
+    .copied_word = Cycles{2},            // in, out
+    .bytes_in_a_word = 4,                //
+    .start_component = Cycles{12},       // startp
+    .end_component = Cycles{13},         // endp
+    .timer_read = Cycles{2},             // ldtimer
+    .timer_wait = Cycles{30},            // tin
+    .timer_wait_past = Cycles{4},        // tin
+    .alternation_start = Cycles{2},      // alt
+    .enable_guard = Cycles{7},           // enbc, enbs
+    .enable_timeout = Cycles{8},         // enbt
+    .alternation_wait_ready = Cycles{5}, // altwt
+    .alternation_wait = Cycles{17},      // altwt
+    .disable_guard = Cycles{8},          // disc, diss
+    .disable_timeout = Cycles{23},       // dist
+    .alternation_end = Cycles{4},        // altend
+};
 
 /// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.
 constexpr Cycles preemption{19};

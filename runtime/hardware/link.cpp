@@ -1,8 +1,7 @@
 #include "runtime/hardware/link.hpp"
 
 #include "runtime/channel.hpp"
-#include "runtime/hardware/instructions.hpp"
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace placedpar {
 
 namespace {
 
-/// The part of a message that ends it on the wire; an empty part does not travel.
+/// The last part of a message that is not empty: empty parts do not travel.
 std::size_t last_travelling_part(const WireForm& form) {
     std::size_t part = form.parts() - 1;
     while (part > 0 && form[part] == 0)
@@ -33,7 +32,7 @@ LinkDirection::LinkDirection(Kernel& kernel, const LinkTiming& timing, Wire& out
     : kernel_(kernel), timing_(timing), out_(out), back_(back), opposite_(opposite) {}
 
 void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
-    kernel_.future().schedule(event, at, priority, events_of_a_wire * out_.rank() + number);
+    kernel_.future().schedule(event, at, priority, out_.first_rank() + number);
 }
 
 void LinkDirection::cancel(Event& event) { kernel_.future().cancel(event); }
@@ -53,7 +52,7 @@ void LinkDirection::output(AnyChannel& channel, const WireForm& form, const Sour
     std::size_t last = last_travelling_part(form);
     for (std::size_t part = 0; part <= last; ++part)
         if (form[part] > 0) {
-            charge_channel_call();
+            charge(kernel_.running(), &OperationCosts::hard_communication);
             send(form[part], part == last, where);
         }
 }
@@ -62,7 +61,7 @@ void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     serve(channel);
     bool last;
     do {
-        charge_channel_call();
+        charge(kernel_.running(), &OperationCosts::hard_communication);
         last = receive(where);
     } while (!last);
 }
@@ -94,8 +93,8 @@ bool LinkDirection::receive(const SourceLocation& where) {
     return took_last_part_;
 }
 
-/// Two moments end a part: its last byte arrives, and the acknowledge of that byte starts. At the first of
-/// them the receiver gets the message: it, or the sender, goes on with that moment or soon after.
+/// A part ends when both its last byte has arrived and that byte's acknowledge has started; this is called at each. The
+/// message is delivered at the earlier of the two, so that neither process goes on before it.
 void LinkDirection::take_part() {
     taken_ = !taken_;
     if (!taken_)
@@ -115,7 +114,7 @@ void LinkDirection::byte_started() {
     Time seen = later(kernel_.now(), timing_.wire_delay);
     byte_noticed_.schedule(later(seen, timing_.acknowledge_latency()));
     if (bytes_left_ == bytes_in_part_) {
-        cancel(first_byte_arrived_); // of a part that was taken: it changes nothing
+        cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
         first_byte_arrived_.schedule(later(seen, timing_.data()));
     }
     if (--bytes_left_ == 0)

@@ -12,9 +12,9 @@ class Kernel;
 class Process;
 
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
-/// `in` start at its ends. A sender goes on when the acknowledge of its last byte has come, a receiver when
-/// its last byte has. The first byte of a message that nobody has asked for waits, unacknowledged, at the
-/// receiving end. The times are exact to the bit.
+/// `in` start at its ends. A sender goes on when the acknowledge of its last byte has arrived, a receiver when
+/// the last byte has. If no process has asked for a message, its first byte waits, unacknowledged, at the receiving
+/// end. The times are exact to the bit.
 ///
 /// Throws std::logic_error when a second channel uses it, and for a message without bytes.
 class LinkDirection final : public Carrier, private WireUser {
@@ -26,7 +26,7 @@ public:
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return first_byte_waits_; }
 
-    /// Makes every byte a matter of events of its own: the model by which the closed form is tested.
+    /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
     std::uint64_t bytes_carried() const { return bytes_carried_; }
@@ -47,7 +47,7 @@ private:
     void take_part();
 
     // The closed form (link_closed_form.cpp).
-    /// It asks for neither wire before a process does something.
+    /// Whether it will use neither wire until a process acts.
     bool quiet() const { return !sender_ || acknowledge_owed_; }
     bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
     void skip_middle_bytes();
@@ -68,29 +68,29 @@ private:
     Wire& out_;
     Wire& back_;
     LinkDirection& opposite_;
-    AnyChannel* channel_ = nullptr;
+    AnyChannel* channel_ = nullptr; ///< whose messages it carries
 
     Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
     std::uint32_t bytes_in_part_ = 0;
     std::uint32_t bytes_left_ = 0; ///< not yet started
-    bool last_part_ = false;
-    Time may_start_{}; ///< no byte before this
+    bool last_part_ = false;       ///< the part under way ends its message
+    Time may_start_{};             ///< no byte before this
 
     Process* receiver_ = nullptr;
-    bool first_byte_waits_ = false; ///< arrived, and nobody has asked for it
-    bool acknowledge_owed_ = false; ///< to the first byte, once somebody asks for it
-    /// The receiver has the part, and either its last byte or that byte's acknowledge is still to come.
+    bool first_byte_waits_ = false; ///< it has arrived, and no process has asked for it
+    bool acknowledge_owed_ = false; ///< to the first byte, once a process asks for it
+    /// The receiver has been given the part, and either its last byte or that byte's acknowledge is still to come.
     bool taken_ = false;
-    bool took_last_part_ = false;
+    bool took_last_part_ = false; ///< the part that was taken last ended its message
 
     bool every_byte_ = false;
-    std::uint32_t skipped_bytes_ = 0; ///< of the part under way: those that the closed form stands for
+    std::uint32_t skipped_bytes_ = 0; ///< bytes of the part under way that the closed form stands for
     Time first_skipped_start_{};
 
     StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
-    StepEvent<&LinkDirection::byte_noticed, EventQueue::acknowledge, 1> byte_noticed_{*this};
+    StepEvent<&LinkDirection::byte_noticed, EventQueue::request, 1> byte_noticed_{*this};
     StepEvent<&LinkDirection::first_byte_arrived, EventQueue::arrival, 1> first_byte_arrived_{*this};
-    /// Two, for on a long wire the next part can start before the last byte of this one has arrived.
+    /// Two, since on a long wire the next part can start before the last byte of this one has arrived.
     StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
     StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
 
@@ -100,7 +100,7 @@ private:
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
 class Link {
 public:
-    Link(Kernel&, const LinkTiming&);
+    explicit Link(Kernel&, const LinkTiming& = {});
     Link(const Link&) = delete;
     Link& operator=(const Link&) = delete;
 

@@ -1,7 +1,7 @@
 // The closed form of a message on a link whose other direction is quiet. Its bytes follow each other at a
 // fixed period, so that those between the first and the last need no events: only the start of the last is
-// scheduled. When the other direction wants one of the wires after all, the state that the bytes would have
-// left is worked out, and from there on every byte is simulated again.
+// scheduled. If the other direction wants one of the wires before that, the state in which simulated bytes would have
+// left the link is computed, and from there on every byte is simulated again.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// The acknowledge of a byte has started, and the other direction will not want the wires for now.
+/// REQUIRES: the acknowledge of a byte has just started, and the other direction is quiet.
 void LinkDirection::skip_middle_bytes() {
     skipped_bytes_ = std::exchange(bytes_left_, 1) - 1;
     bytes_carried_ += skipped_bytes_;
@@ -19,9 +19,10 @@ void LinkDirection::skip_middle_bytes() {
     start_byte_.schedule(later(first_skipped_start_, times(skipped_bytes_, timing_.byte_period())));
 }
 
-/// Everything that bytes and acknowledges do up to and including this moment has happened (EventQueue sees to
-/// that: whoever asks for a wire comes after acknowledges, and starts of bytes on different wires do not
-/// concern each other); what comes later becomes events.
+/// Bytes that started and acknowledges that were requested up to and including this moment count as done; later ones
+/// become events. At this very moment that is right because of the order within an instant (EventQueue::Priority):
+/// acknowledges have been requested before another direction or process asks for a wire, and starts of bytes on
+/// different wires do not affect each other.
 void LinkDirection::simulate_bytes_again() {
     if (skipped_bytes_ == 0)
         return;

@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// What a link's bits take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
+/// How long the bits of a link take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
 /// acknowledge 2 (databook, 3rd ed. 1992, 1.4); with overlapped acknowledges one is sent 5 to 6 bit periods
 /// after the start of the byte, and the next byte starts 5 to 6 after the acknowledge (D. Jeffery,
 /// comp.sys.transputer, 13 March 1989). Within those ranges the values below give the databook's table 8.1
@@ -35,7 +35,7 @@ struct LinkTiming {
         Time latency = duration_of(32, 10 * bits_per_second) + std::chrono::nanoseconds{140};
         return overlapped_acknowledge ? latency : acknowledge() + latency;
     }
-    /// From byte to byte when the other direction is quiet and the receiver ready.
+    /// From the start of a byte to the start of the next when the other direction is quiet and the receiver ready.
     constexpr Time byte_period() const {
         return std::max(data(), 2 * wire_delay + acknowledge_latency() + restart_latency());
     }

@@ -1,13 +1,14 @@
 #include "runtime/hardware/multiplexer.hpp"
 
-#include "runtime/hardware/processor.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
+#include <functional>
 #include <utility>
 
 namespace placedpar {
 
-Multiplexer::Multiplexer(Kernel& kernel, const std::string& name, Link& link, Processor* a, Processor* b)
+Multiplexer::Multiplexer(Kernel& kernel, const std::string& name, Link& link, Executive* a, Executive* b)
     : a_to_b_(name + " packets from a to b"), b_to_a_(name + " packets from b to a"),
       a_(kernel, name + " multiplexer a", a, a_to_b_, b_to_a_),
       b_(kernel, name + " multiplexer b", b, b_to_a_, a_to_b_) {
@@ -19,12 +20,11 @@ Carrier& Multiplexer::add_channel(bool from_a_to_b) {
     return from_a_to_b ? lanes_.emplace_back(a_, b_) : lanes_.emplace_back(b_, a_);
 }
 
-Multiplexer::End::End(Kernel& kernel, const std::string& name, Processor* processor, Channel<Packet>& out,
+Multiplexer::End::End(Kernel& kernel, const std::string& name, Executive* executive, Channel<Packet>& out,
                       Channel<Packet>& in)
-    : out_(out), in_(in), sender_(
-                              kernel, name + " sender", [this] { send_packets(); }, processor, Priority::high),
-      receiver_(
-          kernel, name + " receiver", [this] { receive_packets(); }, processor, Priority::high) {
+    : out_(out), in_(in),
+      sender_(kernel, name + " sender", std::bind_front(&End::send_packets, this), executive, Priority::high),
+      receiver_(kernel, name + " receiver", std::bind_front(&End::receive_packets, this), executive, Priority::high) {
     for (Process* process : {&sender_, &receiver_}) {
         process->serve_machine();
         kernel.make_ready(*process);
@@ -59,21 +59,23 @@ void Multiplexer::End::receive_packets() {
 }
 
 void Multiplexer::Lane::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
-    charge_channel_call();
+    Process& self = Kernel::current()->running();
+    charge(self, &OperationCosts::hard_communication);
     channel_ = &channel;
-    outputter_ = &Kernel::current()->running();
+    outputter_ = &self;
     near_.post({this, false, form.total()});
-    outputter_->wait_for(Activity::outputting, &channel, where);
+    self.wait_for(Activity::outputting, &channel, where);
 }
 
 void Multiplexer::Lane::input(AnyChannel& channel, const SourceLocation& where) {
-    charge_channel_call();
+    Process& self = Kernel::current()->running();
+    charge(self, &OperationCosts::hard_communication);
     if (std::exchange(message_here_, false)) {
         take_message();
         return;
     }
-    inputter_ = &Kernel::current()->running();
-    inputter_->wait_for(Activity::inputting, &channel, where);
+    inputter_ = &self;
+    self.wait_for(Activity::inputting, &channel, where);
 }
 
 void Multiplexer::Lane::packet_came(const Packet& packet) {

@@ -6,28 +6,29 @@
 #include "runtime/process.hpp"
 #include "runtime/source_location.hpp"
 
+#include <cstdint>
 #include <deque>
 #include <list>
 #include <string>
 
 namespace placedpar {
 
-class Processor;
+class Executive;
+class Kernel;
 
 /// Several channels over one link, by virtual channels: at each end of the link two high-priority processes
 /// send and receive packets. A message is one packet; it waits at the receiving end until the inputting
 /// process takes it, then an acknowledge packet goes back and the outputting process goes on. So a channel
-/// whose receiver is late does not stop the others, and the rendezvous stays one.
+/// whose receiver is late does not stop the others, and a communication is still a rendezvous.
 ///
-/// Its price is paid by the link (a header on each packet) and by the two processors (cycles for each packet
-/// sent and received); it is stated here, not hidden.
+/// This costs the link a header on each packet, and the two executives cycles for each packet sent and received.
 class Multiplexer {
 public:
     static constexpr std::uint32_t header_bytes = 4; ///< ours: one word names the channel and the kind of packet
     static constexpr Cycles packet_handling{200};    ///< ours: queueing, looking up the channel, rescheduling
 
-    /// Null processors are infinitely fast. REQUIRES: nothing else uses the link.
-    Multiplexer(Kernel&, const std::string& name, Link&, Processor* a, Processor* b);
+    /// `a` and `b` execute its processes; null ones are infinitely fast. REQUIRES: nothing else uses the link.
+    Multiplexer(Kernel&, const std::string& name, Link&, Executive* a, Executive* b);
     /// A carrier for one more channel.
     Carrier& add_channel(bool from_a_to_b);
 
@@ -40,10 +41,10 @@ private:
         WireForm wire_form() const { return WireForm(header_bytes + bytes); }
     };
 
-    /// The two processes at one end, and what they have to send.
+    /// The two processes at one end, and the packets that wait to be sent.
     class End {
     public:
-        End(Kernel&, const std::string& name, Processor*, Channel<Packet>& out, Channel<Packet>& in);
+        End(Kernel&, const std::string& name, Executive*, Channel<Packet>& out, Channel<Packet>& in);
         void post(const Packet&);
 
     private:
@@ -53,7 +54,7 @@ private:
         Channel<Packet>& out_;
         Channel<Packet>& in_;
         std::deque<Packet> queue_;
-        bool sender_idle_ = false;
+        bool sender_idle_ = false; ///< it waits for a packet to send
         Process sender_, receiver_;
     };
 
@@ -69,12 +70,12 @@ private:
     private:
         void take_message();
 
-        End& near_; ///< on the outputting processor
-        End& far_;
+        End& near_; ///< where the outputting process is
+        End& far_;  ///< where the inputting process is
         AnyChannel* channel_ = nullptr;
-        Process* outputter_ = nullptr;
-        Process* inputter_ = nullptr; ///< while it waits
-        bool message_here_ = false;
+        Process* outputter_ = nullptr; ///< of the message under way
+        Process* inputter_ = nullptr;  ///< while it waits
+        bool message_here_ = false;    ///< it has arrived, and no process has taken it
     };
 
     Channel<Packet> a_to_b_, b_to_a_;

@@ -11,10 +11,21 @@
 
 namespace placedpar {
 
+namespace {
+
+/// occam's costs, and on hard channels what the program's communication library adds.
+OperationCosts costs_with(Cycles channel_call) {
+    OperationCosts costs = instructions::t800;
+    costs.hard_communication = channel_call + costs.hard_communication;
+    return costs;
+}
+
+} // namespace
+
 Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call)
-    : kernel_(kernel), name_(std::move(name)), clock_hz_(clock_hz), channel_call_(channel_call) {
+    : Executive(std::move(name), costs_with(channel_call)), kernel_(kernel), clock_hz_(clock_hz) {
     if (clock_hz <= 0)
-        throw std::logic_error("processor " + name_ + ": its clock must run");
+        throw std::logic_error("processor " + this->name() + ": its clock frequency must be positive");
 }
 
 Time Processor::time_busy() const { return turn_.scheduled() ? busy_ + (kernel_.now() - turn_began_) : busy_; }
@@ -26,7 +37,7 @@ void Processor::make_ready(Process& p) {
     } else if (turn_.scheduled() && current_->priority() == Priority::low) {
         if (p.priority() == Priority::high) {
             preempt();
-        } else { // if the current one had no rival so far: now its timeslice counts
+        } else { // the current one may have had no rival so far: now its timeslice counts
             stop_turn();
             begin_turn();
         }
@@ -62,7 +73,7 @@ void Processor::dispatch() {
     } else {
         return;
     }
-    if (current_->work_left_ > Time{0})
+    if (work_left(*current_) > Time{0})
         begin_turn();
     else
         kernel_.enqueue(*current_);
@@ -72,22 +83,29 @@ void Processor::compute(Cycles cycles) {
     Process& self = kernel_.running();
     kernel_.throw_if_unwinding();
     assert(current_ == &self);
-    if (static_cast<std::int64_t>(cycles) < 0)
-        throw std::logic_error("process " + self.path() + " computes for less than no time");
-    self.work_left_ = later(self.work_left_, duration_of(static_cast<std::int64_t>(cycles), clock_hz_));
-    if (self.priority() == Priority::low && !high_.empty()) {
+    if (cycles < Cycles{0})
+        throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
+    work_left(self) = later(work_left(self), duration(cycles));
+    if (self.priority() == Priority::low && !high_.empty())
         preempt();
-    } else {
-        bool alone = self.priority() == Priority::high || low_.empty();
-        if (alone && kernel_.pass_time(later(kernel_.now(), self.work_left_))) {
-            turn_began_ = kernel_.now() - self.work_left_;
-            account(self, std::exchange(self.work_left_, Time{0}));
-            return;
-        }
+    else if (compute_undisturbed(self))
+        return;
+    else
         begin_turn();
-    }
     kernel_.give_way();
 }
+
+/// Passes the time of the whole computation at once if nothing else can happen during it; returns whether it did.
+bool Processor::compute_undisturbed(Process& self) {
+    bool alone = self.priority() == Priority::high || low_.empty();
+    if (!alone || !kernel_.pass_time(later(kernel_.now(), work_left(self))))
+        return false;
+    turn_began_ = kernel_.now() - work_left(self);
+    account(self, std::exchange(work_left(self), Time{0}));
+    return true;
+}
+
+Time Processor::duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), clock_hz_); }
 
 /// The end of the first timeslice period that ends with the current process having run for a whole one.
 Time Processor::slice_end() const {
@@ -98,15 +116,15 @@ Time Processor::slice_end() const {
 
 void Processor::begin_turn() {
     turn_began_ = kernel_.now();
-    Time end = later(turn_began_, current_->work_left_);
+    Time end = later(turn_began_, work_left(*current_));
     if (current_->priority() == Priority::low && !low_.empty())
         end = std::min(end, slice_end());
-    kernel_.future().schedule(turn_, end, EventQueue::processor);
+    kernel_.future().schedule(turn_, end, EventQueue::turn);
 }
 
 void Processor::stop_turn() {
     Time worked = kernel_.now() - turn_began_;
-    current_->work_left_ -= worked;
+    work_left(*current_) -= worked;
     account(*current_, worked);
     kernel_.future().cancel(turn_);
 }
@@ -119,7 +137,7 @@ void Processor::account(const Process& process, Time worked) {
 
 void Processor::end_turn() {
     stop_turn();
-    if (current_->work_left_ > Time{0}) {
+    if (work_left(*current_) > Time{0}) {
         low_.push_back(*std::exchange(current_, nullptr));
         dispatch();
     } else {
@@ -133,20 +151,9 @@ void Processor::preempt() {
         stop_turn();
     preempted_ = std::exchange(current_, nullptr);
     Process* high = high_.pop_front();
-    Time latency = duration_of(static_cast<std::int64_t>(instructions::preemption), clock_hz_);
-    high->work_left_ = later(high->work_left_, latency);
+    work_left(*high) = later(work_left(*high), duration(instructions::preemption));
     current_ = high;
     begin_turn();
-}
-
-void compute(Cycles cycles) {
-    if (Processor* processor = Kernel::current()->running().processor())
-        processor->compute(cycles);
-}
-
-void charge_channel_call() {
-    if (Processor* processor = Kernel::current()->running().processor())
-        processor->compute(processor->channel_call() + instructions::input_or_output);
 }
 
 } // namespace placedpar

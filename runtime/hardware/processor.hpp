@@ -1,59 +1,60 @@
 #pragma once
 
 #include "runtime/event.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/process.hpp"
 #include "runtime/time.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace placedpar {
 
+class Kernel;
+
 /// A transputer's processor: it shares itself out between its processes by the rules of the hardware
 /// scheduler (Transputer Databook, 3rd ed. 1992, architecture 1.3).
 ///
-/// - A high-priority process runs until it waits or ends. One that becomes ready pre-empts a low one.
-/// - Low-priority processes run when no high one can, first in, first out. One that has run for a whole
-///   timeslice period goes to the back of the queue when the period ends, if others wait.
-/// - A pre-empted process goes on before the others of its queue.
-///
-/// The program between two computations and communications takes no time, but only the process that has the
-/// processor executes it.
-class Processor {
+/// 1. A high-priority process runs until it waits or ends. When one becomes ready, it pre-empts a low one.
+/// 2. Low-priority processes run when no high one can, first in, first out. One that has run for a whole
+///    timeslice period goes to the back of the queue when the period ends, if others wait.
+/// 3. A pre-empted process goes on before the others of its queue.
+/// 4. Between two computations or communications a program takes no time, but only the process that has the
+///    processor executes it.
+class Processor final : public Executive {
 public:
-    /// 5120 cycles of the 5 MHz input clock (databook), whatever the processor's own clock.
+    /// 5120 cycles of the 5 MHz input clock (databook), at every clock frequency of the processor.
     static constexpr Time timeslice = std::chrono::nanoseconds{1'024'000};
+    /// The periods of the two clocks (INMOS ticks.inc).
+    static constexpr Time high_tick = std::chrono::microseconds{1};
+    static constexpr Time low_tick = std::chrono::microseconds{64};
 
-    /// `channel_call`: what the program's communication library charges for each operation on a hard channel,
-    /// on top of the instructions; none for occam, which compiles them in line. Throws std::logic_error unless
-    /// clock_hz > 0.
-    Processor(Kernel&, std::string name, std::int64_t clock_hz, Cycles channel_call = Cycles{0});
+    /// `channel_call`: what the program's communication library adds to each operation on a hard channel; nothing for
+    /// occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0.
+    Processor(Kernel&, std::string name, std::int64_t clock_hz = 20'000'000, Cycles channel_call = Cycles{0});
 
-    const std::string& name() const { return name_; }
     std::int64_t clock_hz() const { return clock_hz_; }
-    Cycles channel_call() const { return channel_call_; }
-    /// Time for which it has computed so far.
+    /// How long it has computed so far.
     Time time_busy() const;
 
-    /// The running process computes. REQUIRES: it is the one that has this processor.
-    /// Throws std::logic_error when cycles < 0.
-    void compute(Cycles);
-
-    // For the kernel.
-    void make_ready(Process&);
-    /// The process that has the processor waits.
-    void release(Process&);
-    /// The process that has the processor ends. `parent`, if not null, waited in a PAR for it as the last
-    /// component: at the same priority it goes on in its place, as the instruction endp has it.
-    void end(Process&, Process* parent);
+    Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
+    void compute(Cycles) override;
+    void make_ready(Process&) override;
+    void release(Process&) override;
+    /// A parent of the same priority goes on in the component's place, as by the instruction endp.
+    void end(Process&, Process* parent) override;
 
 private:
+    /// A stretch of time in which one process computes.
     struct Turn final : Event {
         explicit Turn(Processor& p) : processor(p) {}
         void happen() noexcept override { processor.end_turn(); }
         Processor& processor;
     };
 
+    Time duration(Cycles) const;
     void dispatch();
+    bool compute_undisturbed(Process&);
     void begin_turn();
     void stop_turn();
     void end_turn();
@@ -62,25 +63,15 @@ private:
     Time slice_end() const;
 
     Kernel& kernel_;
-    std::string name_;
     std::int64_t clock_hz_;
-    Cycles channel_call_;
 
-    ProcessQueue high_, low_;
-    Process* current_ = nullptr;
-    Process* preempted_ = nullptr;
-    Time dispatched_at_{}; ///< when the current low-priority process got the processor
+    ProcessQueue high_, low_;      ///< the processes that wait for the processor
+    Process* current_ = nullptr;   ///< the process that has it
+    Process* preempted_ = nullptr; ///< the low-priority process that lost it to a high one
+    Time dispatched_at_{};         ///< when the current low-priority process got it
     Time turn_began_{};
-    Time busy_{};
+    Time busy_{}; ///< without the turn under way
     Turn turn_{*this};
 };
-
-/// The running process computes for so many cycles of its processor. A process that is not placed is
-/// infinitely fast.
-void compute(Cycles);
-
-/// What one operation on a hard channel costs the running process before its message moves: the call of
-/// its communication library, and the instruction `in` or `out`.
-void charge_channel_call();
 
 } // namespace placedpar

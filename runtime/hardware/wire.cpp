@@ -7,7 +7,7 @@
 namespace placedpar {
 
 Wire::Wire(Kernel& kernel, const LinkTiming& timing)
-    : kernel_(kernel), timing_(timing), rank_(kernel.rank_of_new_wire()) {}
+    : kernel_(kernel), timing_(timing), first_rank_(kernel.new_ranks(ranks_of_a_wire)) {}
 
 void Wire::serve() {
     Time now = kernel_.now();
@@ -21,7 +21,7 @@ void Wire::serve() {
         }
     }
     if ((acknowledge_for_ || byte_for_) && !freed_.scheduled())
-        kernel_.future().schedule(freed_, free_at_, EventQueue::start, events_of_a_wire * rank_);
+        kernel_.future().schedule(freed_, free_at_, EventQueue::start, first_rank_);
 }
 
 } // namespace placedpar

@@ -7,8 +7,8 @@ namespace placedpar {
 
 class Kernel;
 
-/// How many kinds of events share the rank of a wire: its own, and those of the bytes that it carries.
-constexpr std::uint64_t events_of_a_wire = 4;
+/// How many ranks a wire needs for its events: one for its own, and three for those of the bytes that it carries.
+constexpr std::uint64_t ranks_of_a_wire = 4;
 
 /// A direction of a link, as one of the two users of a wire.
 class WireUser {
@@ -22,15 +22,16 @@ protected:
 };
 
 /// One wire of a link: it carries the bytes of one direction and the acknowledges of the other, one packet
-/// after the other. An acknowledge goes before a byte that waits as well.
+/// after the other. If both wait, the acknowledge goes first.
 class Wire {
 public:
     Wire(Kernel&, const LinkTiming&);
 
-    std::uint64_t rank() const { return rank_; }
+    /// Of its events. The three ranks after it are for the direction whose bytes it carries.
+    std::uint64_t first_rank() const { return first_rank_; }
     /// The end of the packet that it carries or carried last.
     Time free_at() const { return free_at_; }
-    /// For packets that were not simulated one by one.
+    /// Notes packets that were not simulated one by one.
     void occupied_until(Time time) { free_at_ = std::max(free_at_, time); }
 
     void ask_for_byte(WireUser& user) {
@@ -52,10 +53,10 @@ private:
 
     Kernel& kernel_;
     const LinkTiming& timing_;
-    std::uint64_t rank_;
+    std::uint64_t first_rank_;
     Time free_at_{};
-    WireUser* byte_for_ = nullptr;
-    WireUser* acknowledge_for_ = nullptr;
+    WireUser* byte_for_ = nullptr;        ///< the direction that waits to send a byte
+    WireUser* acknowledge_for_ = nullptr; ///< the direction that waits to send an acknowledge
     Freed freed_{*this};
 };
 

@@ -3,7 +3,7 @@
 #include "gaprocs/genome.hpp"
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "netlist/catalogue.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/simulation.hpp"
 
 #include <cstdio>
 

@@ -1,8 +1,10 @@
 // occam's rules of alternation.
 
 #include "runtime/alternation.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -138,7 +140,7 @@ TEST_CASE("an alternation none of whose guards can be ready is an error that nam
     Simulation simulation;
     Channel<int> c("c");
     simulation.process("hopeless", [&] { alt(when(false, on(c.in(), [](int) {}))); });
-    CHECK_THROWS_WITH_AS(simulation.run(), "process hopeless: an alternation none of whose guards can be ready",
+    CHECK_THROWS_WITH_AS(simulation.run(), "process hopeless: no guard of its alternation can ever become ready",
                          std::logic_error);
 }
 
@@ -169,7 +171,7 @@ TEST_CASE("over a link an alternation is woken by the first byte of a message") 
     Simulation simulation;
     Channel<std::array<char, 100>> c("c");
     Channel<int> local("local");
-    c.put_on(simulation.link().from_a_to_b());
+    c.put_on(simulation.add<Link>().from_a_to_b());
     simulation.process("sender", [&] { c.out().output({}); });
     Time woken{}, received{};
     simulation.process("receiver", [&] {
@@ -215,7 +217,7 @@ TEST_CASE("time passes while a placed process polls: its own timeout comes, and 
                 alt(on(c.in(), [&](int) { got = now(); }), after(microseconds{300}, [&] { timed_out = now(); }),
                     skip([] {}));
         },
-        &simulation.processor("t800"));
+        &simulation.add<Processor>("t800"));
     simulation.process("outputs", [&] { wait_until(microseconds{100}), c.out().output(1); });
     CHECK(simulation.run().ending == Ending::completed);
     constexpr microseconds longest_poll{10};
@@ -245,7 +247,7 @@ TEST_CASE("enabling is paid before the wait, disabling after it: a wake costs mo
                         wait_until(late);
                     alt(std::span<const Input<int>>(inputs), [&](std::size_t, int) { received = now(); });
                 },
-                &simulation.processor("t800"));
+                &simulation.add<Processor>("t800"));
             simulation.process("outputs", [&] {
                 if (!message_first)
                     wait_until(late);
@@ -262,7 +264,7 @@ TEST_CASE("a timeout costs what its own instructions do") {
     Simulation simulation;
     Time taken{};
     simulation.process(
-        "waits", [&] { alt(after(microseconds{50}, [&] { taken = now(); })); }, &simulation.processor("t800"));
+        "waits", [&] { alt(after(microseconds{50}, [&] { taken = now(); })); }, &simulation.add<Processor>("t800"));
     simulation.run();
     CHECK(taken == microseconds{50} + (23 + 4) * std::chrono::nanoseconds{50});
 }

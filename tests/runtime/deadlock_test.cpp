@@ -1,8 +1,8 @@
 // The report of a deadlock.
 
 #include "runtime/alternation.hpp"
-#include "runtime/hardware/simulation.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

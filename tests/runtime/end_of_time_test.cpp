@@ -1,7 +1,9 @@
 // Virtual time lasts for 106 days. What would come later ends the run with an error, and overflows nowhere.
 
 #include "runtime/alternation.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +35,7 @@ std::string error_of(Simulation& simulation) {
 
 TEST_CASE("a computation that goes beyond the end of time ends the run, and names its process") {
     Simulation simulation;
-    Processor& slow = simulation.processor("slow", 1);
+    Processor& slow = simulation.add<Processor>("slow", 1);
     int rounds = 0;
     simulation.process(
         "patient",
@@ -59,7 +61,8 @@ TEST_CASE("so does a delay, but only when everything before it has happened") {
 TEST_CASE("so does a message over a link that is too slow for it") {
     Simulation simulation;
     Channel<LongMessage> c("c");
-    c.put_on(simulation.link({.bits_per_second = 1, .wire_delay = std::chrono::microseconds{5}}).from_a_to_b());
+    c.put_on(simulation.add<Link>(LinkTiming{.bits_per_second = 1, .wire_delay = std::chrono::microseconds{5}})
+                 .from_a_to_b());
     simulation.process("sender", [&] { c.out().output({}); });
     simulation.process("receiver", [&] { c.in().input(); });
     CHECK(error_of(simulation).find("a message on a link would go on") != std::string::npos);
@@ -67,10 +70,10 @@ TEST_CASE("so does a message over a link that is too slow for it") {
 
 TEST_CASE("processes of both priorities, timeslices, timers and links just before the end") {
     Simulation simulation;
-    Processor& slow = simulation.processor("slow", 1);
-    Processor& t800 = simulation.processor("t800");
+    Processor& slow = simulation.add<Processor>("slow", 1);
+    Processor& t800 = simulation.add<Processor>("t800");
     Channel<int> c("c"), d("d");
-    Link& link = simulation.link();
+    Link& link = simulation.add<Link>();
     c.put_on(link.from_a_to_b()), d.put_on(link.from_b_to_a());
     constexpr Time late = Time::max() - std::chrono::microseconds{1};
     simulation.process(

@@ -1,8 +1,11 @@
 // However a simulation ends, every process's stack is unwound, and another can follow.
 
 #include "runtime/alternation.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/multiplexer.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -28,9 +31,9 @@ struct Counted {
 class Waiters {
 public:
     explicit Waiters(std::function<void()> last) {
-        Processor& t800 = simulation.processor("t800");
-        hard.put_on(simulation.link().from_a_to_b());
-        virtual_one.put_on(simulation.multiplexer("m", simulation.link(), &t800, nullptr).add_channel(true));
+        Processor& t800 = simulation.add<Processor>("t800");
+        hard.put_on(simulation.add<Link>().from_a_to_b());
+        virtual_one.put_on(simulation.add<Multiplexer>("m", simulation.add<Link>(), &t800, nullptr).add_channel(true));
         add([this] { soft.in().input(); });
         add([this] { other.out().output(1); });
         add([this] { hard.out().output(1); });
@@ -126,7 +129,7 @@ TEST_CASE("unwound when the report at the end throws") {
 
 TEST_CASE("a run of a process that only computes can be interrupted from another thread") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     std::atomic<bool> computing = false;
     simulation.process(
         "computes forever",
@@ -146,7 +149,7 @@ TEST_CASE("a run of a process that only computes can be interrupted from another
 
 TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Channel<int> c("c");
     int swallowed = 0;
     simulation.process(

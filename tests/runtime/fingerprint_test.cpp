@@ -1,6 +1,6 @@
 // The fingerprint tells runs apart that differ in who met whom, when, or in which order.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>

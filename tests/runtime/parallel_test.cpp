@@ -1,7 +1,8 @@
 // PAR and PRI PAR.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 
@@ -50,7 +51,7 @@ TEST_CASE("a PAR of nothing ends at once") {
 
 TEST_CASE("PRI PAR: the high component computes first, the low one when it waits") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Time high_done{}, low_done{}, high_again{};
     simulation.process(
         "parent",
@@ -74,7 +75,7 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
 
 TEST_CASE("the last component of a PAR goes on as its parent, before others that are ready") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     std::string order;
     simulation.process(
         "parent",

@@ -1,8 +1,9 @@
 // The rules by which two processes meet in a channel.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/random.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 
@@ -98,8 +99,8 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
     for (bool placed : {false, true}) {
         CAPTURE(placed);
         Simulation simulation;
-        Processor* p = placed ? &simulation.processor("p") : nullptr;
-        Processor* q = placed ? &simulation.processor("q") : nullptr;
+        Processor* p = placed ? &simulation.add<Processor>("p") : nullptr;
+        Processor* q = placed ? &simulation.add<Processor>("q") : nullptr;
         Channel<int> c("busy");
         simulation.process(
             "first", [&] { c.out().output(1); }, p);
@@ -118,7 +119,7 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
 
 TEST_CASE("the first to arrive goes to the back of the queue when the copy is done, not before") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Channel<std::array<char, 4000>> c("c"); // 2000 cycles, 100 us
     std::string order;
     simulation.process(
@@ -133,7 +134,7 @@ TEST_CASE("the first to arrive goes to the back of the queue when the copy is do
 
 TEST_CASE("on a processor the second to arrive pays 2 cycles a word for the copy, both pay 19 for the instruction") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Channel<std::array<char, 10>> c("c"); // three words
     Time first_done{}, second_done{};
     simulation.process(

@@ -3,7 +3,7 @@
 #include "small_world.hpp"
 
 #include "runtime/alternation.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/simulation.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,7 @@
 // TIMERs: a microsecond a tick at high priority, 64 at low.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +13,7 @@ using std::chrono::nanoseconds;
 TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one every 64") {
     for (Priority priority : {Priority::high, Priority::low}) {
         Simulation simulation;
-        Processor& t800 = simulation.processor("t800");
+        Processor& t800 = simulation.add<Processor>("t800");
         std::int64_t early = 0, late = 0;
         simulation.process(
             "reader",
@@ -32,7 +33,7 @@ TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one eve
 
 TEST_CASE("AFTER waits until the clock reads more than the time given") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Time high{}, low{}, past{};
     std::int64_t reading = 0;
     simulation.process(
@@ -104,7 +105,7 @@ TEST_CASE("who waits for no time at all lets happen first what is to happen at t
 
 TEST_CASE("a placed process that waits for no time uses its processor's: it is timesliced") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Time stopped{};
     bool flag = false;
     simulation.process(
@@ -135,7 +136,7 @@ TEST_CASE("who polls for ever can be interrupted") {
                     wait_for(Time{0});
                 }
             },
-            placed ? &simulation.processor("t800") : nullptr);
+            placed ? &simulation.add<Processor>("t800") : nullptr);
         CHECK(simulation.run().ending == Ending::interrupted);
         CHECK(polls == 100);
     }

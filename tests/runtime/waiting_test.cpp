@@ -1,7 +1,8 @@
 // How long a process has waited, for the report.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -13,10 +14,10 @@ TEST_CASE("a process whose components compute does not wait; it does when all of
     Simulation simulation;
     constexpr Cycles one_millisecond{20'000};
     Process& works = simulation.process(
-        "works", [=] { par([=] { compute(one_millisecond); }); }, &simulation.processor("a"));
+        "works", [=] { par([=] { compute(one_millisecond); }); }, &simulation.add<Processor>("a"));
     Process& both = simulation.process(
         "both", [=] { par([] { wait_for(milliseconds{3}); }, [=] { compute(one_millisecond); }); },
-        &simulation.processor("b"));
+        &simulation.add<Processor>("b"));
     Process& sleeps = simulation.process("sleeps", [] {
         par([] { par([] { wait_for(milliseconds{2}); }); }, [] { wait_for(milliseconds{5}); });
         wait_for(milliseconds{1});

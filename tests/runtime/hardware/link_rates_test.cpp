@@ -1,8 +1,10 @@
 // Links against published figures.
 
 #include "runtime/hardware/instructions.hpp"
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -22,7 +24,7 @@ struct Block {
 double rate(const LinkTiming& timing, bool both_ways) {
     constexpr std::uint32_t bytes = 100'000;
     Simulation simulation;
-    Link& link = simulation.link(timing);
+    Link& link = simulation.add<Link>(timing);
     Channel<Block> there("there"), back("back");
     there.put_on(link.from_a_to_b());
     back.put_on(link.from_b_to_a());
@@ -46,9 +48,9 @@ void check_within(double percent, double value, double published) {
 double half_round_trip(std::uint32_t words) {
     constexpr int rounds = 10;
     Simulation simulation;
-    Processor& near = simulation.processor("near", 20'000'000, instructions::toolset_channel_call);
-    Processor& far = simulation.processor("far", 20'000'000, instructions::toolset_channel_call);
-    Link& link = simulation.link();
+    Processor& near = simulation.add<Processor>("near", 20'000'000, instructions::toolset_channel_call);
+    Processor& far = simulation.add<Processor>("far", 20'000'000, instructions::toolset_channel_call);
+    Link& link = simulation.add<Link>();
     Channel<Block> ping("ping"), pong("pong");
     ping.put_on(link.from_a_to_b());
     pong.put_on(link.from_b_to_a());

@@ -2,8 +2,9 @@
 
 #include "bit_model.hpp"
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
 #include "runtime/random.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
@@ -41,7 +42,7 @@ struct Outcome {
 /// The same traffic over the runtime's link.
 Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, bool every_byte) {
     Simulation simulation;
-    Link& link = simulation.link(timing);
+    Link& link = simulation.add<Link>(timing);
     LinkDirection* directions[2] = {&link.from_a_to_b(), &link.from_b_to_a()};
     Channel<Parts> channels[2] = {Channel<Parts>("there"), Channel<Parts>("back")};
     std::array<Course, 2> course;

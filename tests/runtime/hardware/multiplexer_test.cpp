@@ -1,6 +1,9 @@
 // Virtual channels over a link.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/multiplexer.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 
@@ -17,10 +20,10 @@ namespace {
 
 struct TwoNodes {
     Simulation simulation;
-    Processor& a = simulation.processor("a");
-    Processor& b = simulation.processor("b");
-    Link& link = simulation.link();
-    Multiplexer& multiplexer = simulation.multiplexer("m", link, &a, &b);
+    Processor& a = simulation.add<Processor>("a");
+    Processor& b = simulation.add<Processor>("b");
+    Link& link = simulation.add<Link>();
+    Multiplexer& multiplexer = simulation.add<Multiplexer>("m", link, &a, &b);
 };
 
 } // namespace

@@ -2,8 +2,9 @@
 
 #include "processor_model.hpp"
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/random.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 
@@ -44,7 +45,7 @@ TEST_CASE("random loads take the cycles that a clocked processor takes, each and
         RandomStream random(seed, "processor");
         auto loads = random_loads(random);
         Simulation simulation;
-        Processor& t800 = simulation.processor("t800");
+        Processor& t800 = simulation.add<Processor>("t800");
         std::vector<std::vector<std::int64_t>> ended(loads.size());
         for (std::size_t p = 0; p < loads.size(); ++p)
             simulation.process(

@@ -1,7 +1,8 @@
 // How a processor shares itself out, in cases worked by hand. At random against a model: processor_model_test.cpp.
 
-#include "runtime/hardware/simulation.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 
@@ -24,7 +25,7 @@ TEST_CASE("cycles take their time at 20, 25 and 17.5 MHz") {
     for (auto [hertz, picoseconds] :
          {std::pair{20'000'000, 50'000'000}, {25'000'000, 40'000'000}, {17'500'000, 57'142'857}}) {
         Simulation simulation;
-        Processor& processor = simulation.processor("p", hertz);
+        Processor& processor = simulation.add<Processor>("p", hertz);
         simulation.process(
             "computes", [] { compute(Cycles{1000}); }, &processor);
         RunResult result = simulation.run();
@@ -41,8 +42,8 @@ TEST_CASE("a process that is not placed computes in no time") {
 
 TEST_CASE("processors compute at the same time, processes of one processor one after the other") {
     Simulation simulation;
-    Processor& p = simulation.processor("p");
-    Processor& q = simulation.processor("q");
+    Processor& p = simulation.add<Processor>("p");
+    Processor& q = simulation.add<Processor>("q");
     std::vector<Time> done(3);
     simulation.process(
         "p0", [&] { compute(Cycles{100}), done[0] = now(); }, &p);
@@ -57,7 +58,7 @@ TEST_CASE("processors compute at the same time, processes of one processor one a
 TEST_CASE(
     "a high-priority process interrupts a low one at a cost of 19 cycles, and the low one goes on before its rivals") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Time high{}, interrupted{}, rival{};
     simulation.process(
         "interrupted", [&] { compute(Cycles{1000}), interrupted = now(); }, &t800);
@@ -75,7 +76,7 @@ TEST_CASE(
 
 TEST_CASE("a high-priority process is not interrupted by another, nor timesliced") {
     Simulation simulation;
-    Processor& t800 = simulation.processor("t800");
+    Processor& t800 = simulation.add<Processor>("t800");
     Time first{}, second{};
     simulation.process(
         "first", [&] { compute(5 * one_slice), first = now(); }, &t800, Priority::high);
@@ -92,7 +93,7 @@ TEST_CASE("a low-priority process with rivals loses the processor after one to t
     for (std::int64_t start = 1; start < 20'480; start += 1024) {
         CAPTURE(start);
         Simulation simulation;
-        Processor& t800 = simulation.processor("t800");
+        Processor& t800 = simulation.add<Processor>("t800");
         Time rival_began{};
         simulation.process(
             "long", [&] { wait_until(start * cycle), compute(10 * one_slice); }, &t800);
@@ -115,7 +116,7 @@ TEST_CASE("with n low-priority processes none waits longer than 2n - 2 timeslice
     for (int n = 2; n <= 6; ++n) {
         CAPTURE(n);
         Simulation simulation;
-        Processor& t800 = simulation.processor("t800");
+        Processor& t800 = simulation.add<Processor>("t800");
         Time longest{};
         for (int i = 1; i < n; ++i)
             simulation.process(
@@ -140,9 +141,10 @@ TEST_CASE("with n low-priority processes none waits longer than 2n - 2 timeslice
 
 TEST_CASE("misuse is refused") {
     Simulation simulation;
-    CHECK_THROWS_AS(simulation.processor("stopped", 0), std::logic_error);
-    Processor& t800 = simulation.processor("t800");
+    CHECK_THROWS_AS(simulation.add<Processor>("stopped", 0), std::logic_error);
+    Processor& t800 = simulation.add<Processor>("t800");
     simulation.process(
         "backwards", [] { compute(Cycles{-1}); }, &t800);
-    CHECK_THROWS_WITH_AS(simulation.run(), "process backwards computes for less than no time", std::logic_error);
+    CHECK_THROWS_WITH_AS(simulation.run(), "process backwards computes for a negative number of cycles",
+                         std::logic_error);
 }

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "runtime/process.hpp"
+#include "runtime/time.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace placedpar {
+
+/// What the operations of a program cost on an executive, in cycles of its clock. The program's own work is not
+/// among them: it states that by compute().
+struct OperationCosts {
+    Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
+    Cycles hard_communication{}; ///< the same on a hard channel, for each part of the message
+    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second
+    std::int64_t bytes_in_a_word = 4;
+
+    Cycles start_component{}; ///< of a PAR
+    Cycles end_component{};
+
+    Cycles timer_read{};
+    Cycles timer_wait{};      ///< for a time that is still to come
+    Cycles timer_wait_past{}; ///< for a time that has come already
+
+    Cycles alternation_start{};
+    Cycles enable_guard{}; ///< an input or SKIP guard
+    Cycles enable_timeout{};
+    Cycles alternation_wait_ready{}; ///< when a guard is ready
+    Cycles alternation_wait{};       ///< when none is
+    Cycles disable_guard{};
+    Cycles disable_timeout{};
+    Cycles alternation_end{};
+
+    /// Copying a message, rounded up to whole words.
+    constexpr Cycles copy(std::int64_t bytes) const {
+        return (bytes + bytes_in_a_word - 1) / bytes_in_a_word * copied_word;
+    }
+};
+
+/// Executes processes and shares itself out between them: a transputer's processor, a bus master, a workstation.
+/// It stands between occam's words (channels, PAR, ALT, timers), which only know this interface, and the hardware.
+/// A process without an executive is infinitely fast.
+///
+/// What an implementation must keep to:
+/// 1. make_ready(p) tells it that p's program can go on. It answers with one Kernel::enqueue(p), at once or when p's
+///    turn comes. From that call on p has the executive; p's program runs at that same moment of virtual time.
+/// 2. p keeps the executive until p waits (release) or ends (end). While it has it, p may compute.
+/// 3. compute() begins with Kernel::throw_if_unwinding(), lets others run by Kernel::give_way() and calls
+///    Kernel::enqueue(p) when the work is done; it may take the executive from p in the meantime.
+/// 4. make_ready, release and end neither wait nor throw: events call them, and processes that are ending.
+/// 5. A program may poll, by SKIP guards or by waiting for a past time. The operations that it repeats must take
+///    time, or virtual time stands still for as long as it polls.
+class Executive {
+public:
+    virtual ~Executive() = default;
+    Executive(const Executive&) = delete;
+    Executive& operator=(const Executive&) = delete;
+
+    const std::string& name() const { return name_; }
+    const OperationCosts& costs() const { return costs_; }
+    /// The period of the clock that processes of this priority read.
+    virtual Time tick(Priority) const = 0;
+
+    /// The running process computes for so many cycles. REQUIRES: it has this executive. Throws std::logic_error when
+    /// cycles < 0.
+    virtual void compute(Cycles) = 0;
+
+    // For the kernel.
+    virtual void make_ready(Process&) = 0;
+    /// The process, which has the executive, waits.
+    virtual void release(Process&) = 0;
+    /// The process, which has the executive, ends. `parent` is the process that waited in a PAR for it as the last
+    /// component, and is now to be made ready; else null.
+    virtual void end(Process&, Process* parent) = 0;
+
+protected:
+    Executive(std::string name, const OperationCosts& costs) : name_(std::move(name)), costs_(costs) {}
+
+    /// How much longer the process must compute before its program goes on: a note kept with the process, which only
+    /// its executive reads and writes.
+    static Time& work_left(Process& p) { return p.work_left_; }
+
+private:
+    std::string name_;
+    OperationCosts costs_;
+};
+
+/// The running process computes for so many cycles of its executive; without one, for no time.
+void compute(Cycles);
+
+/// The running process pays for an operation: `cost`, called with its executive's costs, says how much. For example
+/// `charge(self, &OperationCosts::timer_read)`.
+template <class Cost>
+void charge(const Process& self, Cost cost) {
+    if (Executive* executive = self.executive())
+        executive->compute(std::invoke(cost, executive->costs()));
+}
+
+} // namespace placedpar

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "runtime/channel.hpp"
+#include "runtime/deadlock.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/process.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// How a run ended, and when.
+struct RunResult {
+    Ending ending;
+    Time time; ///< virtual time at the end
+    std::uint64_t fingerprint;
+    std::optional<Deadlock> deadlock; ///< only if the run ended stuck
+};
+
+/// Processes and the devices that they run on, to be run once. Where a program that uses PlacedPar as a library begins.
+///
+///     Simulation simulation;
+///     auto& t800 = simulation.add<Processor>("t800");
+///     Channel<int> c("c");
+///     simulation.process("sender", [&] { c.out().output(42); }, &t800);
+///     simulation.process("receiver", [&] { c.in().input(); });
+///     RunResult result = simulation.run();
+///
+/// 1. Devices, channels and processes are made before run(); run() is called once.
+/// 2. A device may refer to those that were added before it. When the simulation is destroyed, the processes go first,
+///    then the devices, the last one first.
+/// 3. Channels and whatever else the processes refer to must outlive run().
+/// 4. All of this happens on one thread; only interrupt() may be called from elsewhere.
+class Simulation {
+public:
+    Simulation() = default;
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+    ~Simulation();
+
+    /// Makes a device, Device(kernel, arguments...), and owns it. A device is any class that works on a kernel: an
+    /// executive, a link, a multiplexer, or one of the caller's own.
+    template <class Device, class... Arguments>
+    requires std::constructible_from<Device, Kernel&, Arguments...> Device& add(Arguments&&... arguments) {
+        auto device = std::make_shared<Device>(kernel_, std::forward<Arguments>(arguments)...);
+        devices_.push_back(device);
+        return *device;
+    }
+    /// A process that starts when the simulation does. Without an executive its program takes no time.
+    Process& process(std::string name, Process::Body, Executive* on = nullptr, Priority = Priority::low);
+    /// In the order in which they were made.
+    const std::list<Process>& processes() const { return processes_; }
+
+    /// Another of the program's possible courses: see Kernel::shuffle.
+    void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
+    /// The sink must outlive run().
+    void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }
+
+    /// Runs until every process has ended, none can go on, or the limit is reached. Rethrows what a process threw;
+    /// throws std::overflow_error when the next thing to happen lies beyond the end of virtual time, and
+    /// std::logic_error when another simulation is running on this thread or this one has run before.
+    RunResult run(Time limit = Time::max());
+    /// Ends a run that is under way. May be called from a signal handler or another thread.
+    void interrupt() { kernel_.interrupt(); }
+
+private:
+    Kernel kernel_;
+    std::vector<std::shared_ptr<void>> devices_; ///< each destroyed as what it was made
+    std::list<Process> processes_;
+};
+
+} // namespace placedpar
