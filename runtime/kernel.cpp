@@ -100,15 +100,7 @@ void Kernel::pass_to(Time next) {
 /// The process to run next, with a fiber to run on; null when the run is over.
 Process* Kernel::next_with_worker() {
     Process* next = choose_next();
-    if (next && !next->worker_) {
-        try {
-            employ(*next);
-        } catch (...) { // no memory for one more stack
-            failure_ = std::current_exception();
-            return nullptr;
-        }
-    }
-    return next;
+    return !next || next->worker_ || employ(*next) ? next : nullptr;
 }
 
 bool Kernel::pass_time(Time until) {
@@ -135,15 +127,21 @@ void Kernel::switch_to(Process* p) {
     from.arrive();
 }
 
-/// Gives a process that runs for the first time a fiber.
-void Kernel::employ(Process& p) {
-    if (idle_.empty()) {
-        workers_.push_back(std::make_unique<Worker>(*this, workers_.size() < guarded_workers));
-        idle_.push_back(workers_.back().get());
+/// Gives a process that runs for the first time a fiber; returns whether there was memory for it. If not, the run ends.
+bool Kernel::employ(Process& p) {
+    try {
+        if (idle_.empty()) {
+            workers_.push_back(std::make_unique<Worker>(*this, workers_.size() < guarded_workers));
+            idle_.push_back(workers_.back().get());
+        }
+    } catch (...) {
+        failure_ = std::current_exception();
+        return false;
     }
     p.worker_ = idle_.back();
     p.worker_->process = &p;
     idle_.pop_back();
+    return true;
 }
 
 void Kernel::wait() {

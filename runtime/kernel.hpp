@@ -115,7 +115,7 @@ private:
     void pass_to(Time next);
     Process* next_with_worker();
     void switch_to(Process*);
-    void employ(Process&);
+    bool employ(Process&);
     void finish(Process&) noexcept;
     Ending ending() const;
     void unwind_all();
