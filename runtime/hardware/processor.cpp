@@ -86,23 +86,18 @@ void Processor::compute(Cycles cycles) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     work_left(self) = later(work_left(self), duration(cycles));
-    if (self.priority() == Priority::low && !high_.empty())
+    if (self.priority() == Priority::low && !high_.empty()) {
         preempt();
-    else if (compute_undisturbed(self))
-        return;
-    else
+    } else {
+        bool alone = self.priority() == Priority::high || low_.empty();
+        if (alone && kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
+            turn_began_ = kernel_.now() - work_left(self);
+            account(self, std::exchange(work_left(self), Time{0}));
+            return;
+        }
         begin_turn();
+    }
     kernel_.give_way();
-}
-
-/// Passes the time of the whole computation at once if nothing else can happen during it; returns whether it did.
-bool Processor::compute_undisturbed(Process& self) {
-    bool alone = self.priority() == Priority::high || low_.empty();
-    if (!alone || !kernel_.pass_time(later(kernel_.now(), work_left(self))))
-        return false;
-    turn_began_ = kernel_.now() - work_left(self);
-    account(self, std::exchange(work_left(self), Time{0}));
-    return true;
 }
 
 Time Processor::duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), clock_hz_); }

@@ -54,7 +54,6 @@ private:
 
     Time duration(Cycles) const;
     void dispatch();
-    bool compute_undisturbed(Process&);
     void begin_turn();
     void stop_turn();
     void end_turn();

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <memory>
+#include <string>
 #include <vector>
 
 using namespace placedpar;
@@ -43,4 +45,23 @@ TEST_CASE("a message over a link takes its time on the wire") {
     simulation.process("receiver", [&] { c.in().input(), at = now(); });
     CHECK(simulation.run().ending == Ending::completed);
     CHECK(at == 3 * std::chrono::nanoseconds{575} + std::chrono::nanoseconds{550});
+}
+
+TEST_CASE("devices of any class are destroyed after the processes, the last one first") {
+    struct Recorder {
+        Recorder(Kernel&, std::string& l, std::string n) : log(l), name(std::move(n)) {}
+        ~Recorder() { log += name; }
+        std::string& log;
+        std::string name;
+    };
+    std::string log;
+    {
+        Simulation simulation;
+        simulation.add<Recorder>(log, "a");
+        auto in_body = std::make_shared<Recorder>(simulation.add<Recorder>(log, "b"));
+        in_body->name = "process ";
+        simulation.process("holds", [held = std::move(in_body)] {});
+        simulation.run();
+    }
+    CHECK(log == "process ba");
 }

@@ -1,0 +1,180 @@
+// Processes on an executive that is no transputer: the words work with any that keeps to executive.hpp.
+
+#include "runtime/executive.hpp"
+
+#include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+using std::chrono::microseconds;
+
+namespace {
+
+/// Executes one process at a time, in the order in which they become ready, each until it waits. A cycle takes a
+/// microsecond, priorities make no difference, and its clock ticks every millisecond.
+class Clerk final : public Executive {
+public:
+    Clerk(Kernel& kernel, std::string name, const OperationCosts& costs)
+        : Executive(std::move(name), costs), kernel_(kernel) {}
+
+    Time tick(Priority) const override { return std::chrono::milliseconds{1}; }
+
+    void compute(Cycles cycles) override {
+        kernel_.throw_if_unwinding();
+        spent_.push_back(static_cast<std::int64_t>(cycles));
+        kernel_.future().schedule(work_, kernel_.now() + spent_.back() * microseconds{1}, EventQueue::turn);
+        kernel_.give_way();
+    }
+    void make_ready(Process& p) override {
+        waiting_.push_back(p);
+        if (!current_)
+            take_next();
+    }
+    void release(Process&) override { take_next(); }
+    void end(Process& p, Process* parent) override {
+        if (parent)
+            waiting_.push_back(*parent);
+        release(p);
+    }
+
+    /// The cycles of each computation, in order.
+    const std::vector<std::int64_t>& spent() const { return spent_; }
+
+private:
+    struct Work final : Event {
+        explicit Work(Clerk& c) : clerk(c) {}
+        void happen() noexcept override { clerk.kernel_.enqueue(*clerk.current_); }
+        Clerk& clerk;
+    };
+    void take_next() {
+        current_ = waiting_.pop_front();
+        if (current_)
+            kernel_.enqueue(*current_);
+    }
+
+    Kernel& kernel_;
+    ProcessQueue waiting_;
+    Process* current_ = nullptr;
+    std::vector<std::int64_t> spent_;
+    Work work_{*this};
+};
+
+/// Every operation costs another number of cycles.
+constexpr OperationCosts costs_of_a_clerk{
+    .soft_communication = Cycles{1},
+    .hard_communication = Cycles{2},
+    .copied_word = Cycles{100},
+    .bytes_in_a_word = 2,
+    .start_component = Cycles{3},
+    .end_component = Cycles{4},
+    .timer_read = Cycles{5},
+    .timer_wait = Cycles{6},
+    .timer_wait_past = Cycles{7},
+    .alternation_start = Cycles{10},
+    .enable_guard = Cycles{20},
+    .enable_timeout = Cycles{30},
+    .alternation_wait_ready = Cycles{8},
+    .alternation_wait = Cycles{9},
+    .disable_guard = Cycles{200},
+    .disable_timeout = Cycles{300},
+    .alternation_end = Cycles{1000},
+};
+
+using Spent = std::vector<std::int64_t>;
+
+/// The computations of a process alone on a clerk, and of what it calls.
+Spent spent_by(Process::Body body) {
+    Simulation simulation;
+    auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
+    simulation.process("process", std::move(body), &clerk);
+    CHECK(simulation.run().ending == Ending::completed);
+    return clerk.spent();
+}
+
+} // namespace
+
+TEST_CASE("an executive shares itself out by its own rules, in cycles of its own length") {
+    Simulation simulation;
+    auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
+    std::string order;
+    auto work = [&](char name) {
+        return [&order, name] {
+            for (int i = 0; i < 2; ++i)
+                compute(Cycles{5}), order += name;
+        };
+    };
+    simulation.process("a", work('a'), &clerk, Priority::low);
+    simulation.process("b", work('b'), &clerk, Priority::high);
+    CHECK(simulation.run().time == microseconds{20});
+    CHECK(order == "aabb");
+}
+
+TEST_CASE("each operation costs what the executive says") {
+    CHECK(spent_by([] { compute(Cycles{42}); }) == Spent{42});
+    CHECK(spent_by([] { par([] {}, [] {}); }) == Spent{2 * (3 + 4)});
+    CHECK(spent_by([] { Timer().read(); }) == Spent{5});
+    CHECK(spent_by([] { Timer().wait_after(0); }) == Spent{6});
+    CHECK(spent_by([] { wait_until(Time{0}); }) == Spent{7});
+    CHECK(spent_by([] { alt(after(Time{0}, [] {}), skip([] {})); }) == Spent{10 + 30 + 20, 8, 300 + 200 + 1000});
+}
+
+TEST_CASE("both ends of a soft channel pay, and the second to arrive for the copy in words of the executive") {
+    struct FiveBytes {
+        char bytes[5];
+    };
+    Channel<FiveBytes> c("c");
+    CHECK(spent_by([&] { par([&] { c.out().output({}); }, [&] { c.in().input(); }); }) == Spent{14, 1, 1, 3 * 100});
+}
+
+TEST_CASE("its clock is its own") {
+    Time woken{};
+    spent_by([&] { Timer().wait_after(2), woken = now(); });
+    CHECK(woken == std::chrono::milliseconds{3});
+}
+
+TEST_CASE("it communicates with a transputer over a link") {
+    Simulation simulation;
+    auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
+    auto& t800 = simulation.add<Processor>("t800");
+    Channel<int> there("there"), back("back");
+    auto& link = simulation.add<Link>();
+    there.put_on(link.from_a_to_b());
+    back.put_on(link.from_b_to_a());
+    int answer = 0;
+    simulation.process(
+        "asks", [&] { there.out().output(20), answer = back.in().input(); }, &clerk);
+    simulation.process(
+        "answers", [&] { back.out().output(there.in().input() + 1); }, &t800);
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(answer == 21);
+    CHECK(clerk.spent() == Spent{2, 2});
+}
+
+TEST_CASE("a simulation that ends stuck unwinds its processes too") {
+    Simulation simulation;
+    auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
+    Channel<int> c("c");
+    bool unwound = false;
+    struct Note {
+        bool& set;
+        ~Note() { set = true; }
+    };
+    simulation.process(
+        "waits",
+        [&] {
+            Note note{unwound};
+            c.in().input();
+        },
+        &clerk);
+    CHECK(simulation.run().ending == Ending::stuck);
+    CHECK(unwound);
+}
