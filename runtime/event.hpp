@@ -35,7 +35,7 @@ private:
 class EventQueue {
 public:
     /// Order within an instant: requests for a wire, starts of packets on it, arrivals that wake processes, turns of
-    /// executives, timers. The events of the first three have ranks, those of the others go by insertion.
+    /// executives, timers. Events of the first three kinds have ranks, the others go by insertion.
     enum Priority : std::uint64_t { request, start, arrival, turn, timer };
 
     ~EventQueue();

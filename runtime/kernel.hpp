@@ -91,7 +91,7 @@ public:
     /// std::overflow_error when nothing is left to happen before the end of virtual time, but something beyond it.
     ///
     /// It may be called from a Boost fiber. The thread's other fibers rest meanwhile; afterwards they are scheduled
-    /// round robin, whatever the algorithm was before.
+    /// round robin, even if another algorithm was in use before.
     Ending run(Time limit, const std::function<void(Ending)>& at_end);
     /// Runs ready processes in an order drawn from the seed instead of the order in which they became ready: another of
     /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
@@ -134,7 +134,7 @@ private:
     std::uint64_t ranks_ = 0; ///< how many were given out
 
     std::vector<std::unique_ptr<Worker>> workers_;
-    std::vector<Worker*> idle_; ///< those of the workers without a process
+    std::vector<Worker*> idle_; ///< workers without a process
     FiberScheduler* scheduler_ = nullptr;
     bool unwinding_ = false;
     bool limit_reached_ = false;

@@ -37,7 +37,7 @@ struct RunResult {
 /// 1. Devices, channels and processes are made before run(); run() is called once.
 /// 2. A device may refer to those that were added before it. When the simulation is destroyed, the processes go first,
 ///    then the devices, the last one first.
-/// 3. Channels and whatever else the processes refer to must outlive run().
+/// 3. Channels, and everything else that the processes refer to, must outlive run().
 /// 4. All of this happens on one thread; only interrupt() may be called from elsewhere.
 class Simulation {
 public:
@@ -73,7 +73,7 @@ public:
 
 private:
     Kernel kernel_;
-    std::vector<std::shared_ptr<void>> devices_; ///< each destroyed as what it was made
+    std::vector<std::shared_ptr<void>> devices_; ///< each destroyed as the class that was added
     std::list<Process> processes_;
 };
 
