@@ -29,8 +29,8 @@ public:
     static constexpr Time high_tick = std::chrono::microseconds{1};
     static constexpr Time low_tick = std::chrono::microseconds{64};
 
-    /// `channel_call`: cycles that the program's communication library adds to each operation on a hard channel; none for
-    /// occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0.
+    /// `channel_call`: cycles that the program's communication library adds to each operation on a hard channel; none
+    /// for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0.
     Processor(Kernel&, std::string name, std::int64_t clock_hz = 20'000'000, Cycles channel_call = Cycles{0});
 
     std::int64_t clock_hz() const { return clock_hz_; }

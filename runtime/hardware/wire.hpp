@@ -7,7 +7,8 @@ namespace placedpar {
 
 class Kernel;
 
-/// How many ranks a wire needs for its events: one for its own event, three for the events of the bytes that it carries.
+/// How many ranks a wire needs for its events: one for its own event, three for the events of the bytes that it
+/// carries.
 constexpr std::uint64_t ranks_of_a_wire = 4;
 
 /// A direction of a link, as one of the two users of a wire.
