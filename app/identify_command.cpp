@@ -66,7 +66,7 @@ double inches_of(const std::string& text) {
 
 /// Do the boom's areas come from its spool, as it is read or by A.1?
 bool uses_spool(const Record& record, const Question& question) {
-    LinkReading boom;
+    LinkCalibration boom;
     boom.from = question.areas_from;
     return question.links.contains(hydraulics::Link::boom) &&
            areas_from(record, hydraulics::Link::boom, boom) != AreasFrom::areas;
@@ -95,7 +95,7 @@ void calibrate(Case& asked) {
     asked.calibrates = asked.record.has(hydraulics::Link::boom, Sensor::spool);
     if (asked.calibrates)
         asked.calibration =
-            calibrate_spool_offset(asked.record, link_readings(asked.machine), flow_constants(asked.machine));
+            calibrate_spool_offset(asked.record, link_calibrations(asked.machine), flow_constants(asked.machine));
     if (asked.calibration)
         asked.question.spool_offset_in = asked.calibration->offset_in;
 }

@@ -24,11 +24,11 @@ struct SteadySample {
 /// smaller spool opens the bypass wider.
 double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
     OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
-    double k = flow.orifice_in3_per_s_in2_sqrt_psi;
-    double root = sample.piston_flow_in3_per_s / (k * areas.inlet_in2);
-    double pump_psi = std::min(sample.inlet_psi + root * root, flow.relief_psi);
+    double pump_psi =
+        junction_pressure(flow.conductance(areas.inlet_in2), sample.inlet_psi, sample.piston_flow_in3_per_s);
+    double drop_psi = std::min(pump_psi, flow.relief_psi) - flow.tank_psi;
     return flow.pump_in3_per_s - sample.piston_flow_in3_per_s -
-           k * areas.bypass_in2 * std::sqrt(std::max(pump_psi - flow.tank_psi, 0.0));
+           bypass_flow(flow.conductance(areas.bypass_in2), drop_psi);
 }
 
 double mean_missing(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
@@ -54,9 +54,9 @@ double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMoti
     return unrest > steady.slope_psi_per_s || std::abs(2 * halves_psi / count) > steady.drift_psi ? never : unrest;
 }
 
-std::vector<SteadySample> steadiest_motion(const Record& record, const LinkReadings& readings,
+std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalibrations& calibrations,
                                            const SteadyMotion& steady) {
-    auto samples = circuit_samples(record, circuit_of(Configuration::a, {hydraulics::Link::boom}), readings);
+    auto samples = circuit_samples(record, boom_circuit(), calibrations);
     auto length = 2 * static_cast<std::size_t>(std::lround(steady.duration_s / record.period_s / 2));
     double least = std::numeric_limits<double>::infinity();
     std::span<const CircuitSample> best;
@@ -93,9 +93,9 @@ double standard_error(std::span<const SteadySample> samples, double offset_in, c
 
 } // namespace
 
-std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const LinkReadings& readings,
+std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const LinkCalibrations& calibrations,
                                                   const FlowConstants& flow, const SteadyMotion& steady) {
-    LinkReadings as_read = readings;
+    LinkCalibrations as_read = calibrations;
     as_read[index_of(hydraulics::Link::boom)].spool_offset_in = 0;
     auto samples = steadiest_motion(record, as_read, steady);
     if (samples.empty())

@@ -31,7 +31,7 @@ struct SpoolOffset {
 /// balances the flow.
 /// It cannot tell an offset from a wrong k or Q: 1 % of either moves it by 0.0011 to 0.0016 in.
 std::optional<SpoolOffset> calibrate_spool_offset(const hydraulics::Record& record,
-                                                  const hydraulics::LinkReadings& readings,
+                                                  const hydraulics::LinkCalibrations& calibrations,
                                                   const hydraulics::FlowConstants& flow,
                                                   const SteadyMotion& steady = {});
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 
 namespace placedpar {
@@ -33,17 +32,6 @@ void require_one_group(const Question& question) {
 
 } // namespace
 
-LinkReadings link_readings(const Parameters& machine) {
-    LinkReadings readings;
-    for (hydraulics::Link link : all_links) {
-        auto value = [&](std::string_view what) { return machine[fmt::format("{}.{}", name_of(link), what)]; };
-        LinkReading& reading = readings[index_of(link)];
-        reading.piston_flow_in3_per_deg = value("inlet_area") * value("moment_arm") * std::numbers::pi / 180;
-        reading.spool_lag_per_s = value("spool_lag");
-    }
-    return readings;
-}
-
 double spool_sensor_step_in(const Parameters& machine) {
     return Converter{machine["sensors.spool_range"], bits_of(machine, "sensors.spool_bits")}.step();
 }
@@ -53,12 +41,12 @@ RecordProblem prepare(const Record& record, const Parameters& machine, const Que
     require_one_group(question);
     Circuit circuit = circuit_of(question.configuration, question.links);
     FlowConstants flow = flow_constants(machine);
-    LinkReadings readings = link_readings(machine);
-    readings[index_of(hydraulics::Link::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
-    for (LinkReading& reading : readings)
-        reading.from = question.areas_from;
-    auto samples = usable_samples(circuit_samples(record, circuit, readings), circuit, flow, way.usable);
-    return {CircuitProblem(circuit, flow, way.bits), flow, readings, std::move(samples)};
+    LinkCalibrations calibrations = link_calibrations(machine);
+    calibrations[index_of(hydraulics::Link::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
+    for (LinkCalibration& calibration : calibrations)
+        calibration.from = question.areas_from;
+    auto samples = usable_samples(circuit_samples(record, circuit, calibrations), circuit, flow, way.usable);
+    return {CircuitProblem(circuit, flow, way.bits), flow, calibrations, std::move(samples)};
 }
 
 } // namespace placedpar

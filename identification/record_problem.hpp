@@ -21,12 +21,9 @@ struct Question {
 struct RecordProblem {
     hydraulics::CircuitProblem problem;
     hydraulics::FlowConstants flow;
-    hydraulics::LinkReadings readings;
+    hydraulics::LinkCalibrations calibrations;
     std::vector<hydraulics::CircuitSample> samples; ///< the usable ones
 };
-
-/// What the readings of every link mean on a machine.
-hydraulics::LinkReadings link_readings(const hydraulics::Parameters& machine);
 
 /// The least difference of spool that the machine's sensor tells.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);

@@ -42,7 +42,7 @@ std::string print_identified(const Identified& identified, const RecordProblem& 
                     way.searches, way.searches == 1 ? "" : "es", way.search.population, identified.generations);
     if (std::size_t frozen = frozen_samples(identified))
         text += fmt::format("frozen for want of excitation after {} of them\n", frozen);
-    double offset = prepared.readings[index_of(hydraulics::Link::boom)].spool_offset_in;
+    double offset = prepared.calibrations[index_of(hydraulics::Link::boom)].spool_offset_in;
     if (offset != 0)
         text += fmt::format("spool offset taken off the readings: {:+.5f} in\n", offset);
     text += "\nin^3/psi  median  searches: 5 %      95 %  std.error    optimum  codes off\n";
@@ -83,7 +83,7 @@ boost::json::object identified_json(const Identified& identified, const RecordPr
                              {"compliance", boost::json::array(estimate.compliance_in3_per_psi.begin(),
                                                                estimate.compliance_in3_per_psi.end())}});
     return {{"links", std::move(links)},
-            {"spool_offset_in", prepared.readings[index_of(hydraulics::Link::boom)].spool_offset_in},
+            {"spool_offset_in", prepared.calibrations[index_of(hydraulics::Link::boom)].spool_offset_in},
             {"searches", way.searches},
             {"generations", identified.generations},
             {"estimates", std::move(estimates)}};

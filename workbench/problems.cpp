@@ -3,7 +3,8 @@
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "netlist/csp_kinds.hpp"
 #include "runtime/random.hpp"
 
@@ -22,11 +23,11 @@ struct SimulatedCircuit : CircuitProblem {
 
 /// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied.
 void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     RandomStream noise(seed, "record of the boom");
     auto record = boom_record(scenario, low_noise, [&] { return noise.uniform(); });
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
-                          {scenario.machine.inlet_compliance_in3_per_psi}};
+                          {scenario.links.front().mechanics.inlet_compliance_in3_per_psi}};
     problems.add("boom", make_search_problem(std::move(boom)), std::move(record));
 }
 

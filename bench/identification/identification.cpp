@@ -6,7 +6,8 @@
 #include "bench/identification/contest.hpp"
 #include "gaprocs/operators.hpp"
 #include "gaprocs/search_problem.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/random.hpp"
 
@@ -28,7 +29,7 @@ namespace {
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Transient transient_of(std::uint64_t seed) {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     RandomStream sensors(seed, "sensors");
     Transient transient{{}, scenario.flow, seed};
     for (const auto& values : boom_record(scenario, low_noise, [&] { return sensors.uniform(); }))
@@ -92,7 +93,7 @@ void print_head() {
 }
 
 void print(const Result& result, std::span<const Transient> transients, std::span<const double> optima) {
-    std::vector<double> truth(transients.size(), BoomScenario{}.machine.inlet_compliance_in3_per_psi);
+    std::vector<double> truth(transients.size(), single_boom_mechanics().inlet_compliance_in3_per_psi);
     auto errors = percent_missed(result.compliances, truth), distances = percent_missed(result.compliances, optima);
     std::size_t generations = 0;
     for (const Transient& transient : transients)
@@ -188,7 +189,7 @@ int main(int argc, char** argv) {
     fmt::print(
         "* all of a transient's time over its error evaluations. The optimum is that of the last window; codes of 10 "
         "bits are {:.2f} % apart.\n",
-        100 * Transient::largest / 1024 / BoomScenario{}.machine.inlet_compliance_in3_per_psi);
+        100 * Transient::largest / 1024 / single_boom_mechanics().inlet_compliance_in3_per_psi);
     for (auto [rival, missing] : {std::pair("GAlib", galib().empty()), std::pair("pagmo", pagmo().empty())})
         if (missing)
             fmt::print("{} is missing: tools/rivals.sh fetches it, then configure again\n", rival);

@@ -2,7 +2,7 @@
 
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 
 #include <algorithm>
 #include <array>

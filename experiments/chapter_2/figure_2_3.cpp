@@ -1,7 +1,7 @@
 #include "experiments/kit/experiment.hpp"
 
-#include "hydraulics/plant/boom_scenario.hpp"
 #include "hydraulics/plant/bulk_modulus.hpp"
+#include "hydraulics/plant/link_mechanics.hpp"
 
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ std::string psia_column(double psia) { return fmt::format("{} psia", psia); }
 void add_moduli(Reading& reading) {
     for (const ModulusRow& row : known_moduli)
         for (std::size_t i = 0; i < pressures_psia.size(); ++i) {
-            double modulus = bulk_modulus_psi({row.air_fraction, row.exponent}, pressures_psia[i]);
+            double modulus = bulk_modulus_psi(air_oil_mixture(row.air_fraction, row.exponent), pressures_psia[i]);
             reading.cells.push_back(
                 judged(fmt::format("{}, {}", percent(row.air_fraction), row.exponent == 1 ? "isothermal" : "N = 1.4"),
                        psia_column(pressures_psia[i]), "1e3 psi", row.modulus_kpsi[i], modulus / 1000, 0.051, 1));
@@ -71,22 +71,23 @@ void add_moduli(Reading& reading) {
 void add_compliances(Reading& reading) {
     for (double air : air_fractions)
         for (double psia : pressures_psia)
-            reading.cells.push_back(unjudged("C over that of oil, " + percent(air), psia_column(psia), "",
-                                             bulk_modulus_psi({0}, psia) / bulk_modulus_psi({air}, psia), 3));
+            reading.cells.push_back(
+                unjudged("C over that of oil, " + percent(air), psia_column(psia), "",
+                         bulk_modulus_psi(air_oil_mixture(0), psia) / bulk_modulus_psi(air_oil_mixture(air), psia), 3));
 }
 
 void add_softer(Reading& reading) {
     for (const SofterRow& row : known_softer)
         for (std::size_t i = 0; i < air_fractions.size(); ++i)
             reading.cells.push_back(judged(row.name, percent(air_fractions[i]), "psia", row.psia[i],
-                                           psia_at_modulus({air_fractions[i]}, row.share), 0.51, 1));
+                                           psia_at_modulus(air_oil_mixture(air_fractions[i]), row.share), 0.51, 1));
 }
 
 /// The oil that alone would have the boom's compliance.
 void add_volume(Reading& reading) {
-    double compliance = BoomMachine().inlet_compliance_in3_per_psi;
+    double compliance = single_boom_mechanics().inlet_compliance_in3_per_psi;
     reading.cells.push_back(judged(fmt::format("oil that alone has C = {}", compliance), "no air", "in^3", 1892,
-                                   compliance * bulk_modulus_psi({0}, 1800), 0.51, 1));
+                                   compliance * bulk_modulus_psi(air_oil_mixture(0), 1800), 0.51, 1));
 }
 
 constexpr std::array plotted_fractions{0.0, .001, .01, .02, .05, .10};
@@ -107,8 +108,10 @@ std::vector<Series> over_pressure(double from_psia, double to_psia, Value value)
 }
 
 Plot plot_of_air() {
-    auto modulus = [](double air, double psia) { return bulk_modulus_psi({air}, psia) / 1000; };
-    auto softer = [](double air, double psia) { return bulk_modulus_psi({0}, psia) / bulk_modulus_psi({air}, psia); };
+    auto modulus = [](double air, double psia) { return bulk_modulus_psi(air_oil_mixture(air), psia) / 1000; };
+    auto softer = [](double air, double psia) {
+        return bulk_modulus_psi(air_oil_mixture(0), psia) / bulk_modulus_psi(air_oil_mixture(air), psia);
+    };
     Plot plot{"Figure 2.3: what free air does to oil", {}};
     plot.panels.push_back({"Bulk modulus of an air-oil mixture (isothermal; the air is free)",
                            {"absolute pressure [psi]", 0, 3000},

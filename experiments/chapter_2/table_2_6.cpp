@@ -137,8 +137,8 @@ Reading fit_reading() {
     Reading reading{"k, Q and P_e fitted to the spools of the table, and the residuals", {}, "", "known", true};
     std::vector<SteadyFlowPoint> eight(table_2_6().begin(), table_2_6().end());
     eight.erase(eight.begin() + 4);
-    FlowConstantsFit of_all = fit_flow_constants(table_2_6(), rounded_flow_constants);
-    FlowConstantsFit of_eight = fit_flow_constants(eight, rounded_flow_constants);
+    FlowConstantsFit of_all = fit_flow_constants(table_2_6(), rounded_flow_constants());
+    FlowConstantsFit of_eight = fit_flow_constants(eight, rounded_flow_constants());
     for (const FitFigure& figure : fit_figures()) {
         auto add = [&](const char* column, const FlowConstantsFit& fit, std::optional<double> known) {
             Cell cell{figure.name, column, figure.unit, known, figure.value(fit), {}};
@@ -149,8 +149,8 @@ Reading fit_reading() {
         add("all nine", of_all, figure.of_all);
         add("without 50 at 1830 psi", of_eight, figure.of_eight);
     }
-    add_residuals(reading, "residual, fitted,", fitted_flow_constants, known_fitted);
-    add_residuals(reading, "residual, rounded,", rounded_flow_constants, known_rounded);
+    add_residuals(reading, "residual, fitted,", fitted_flow_constants(), known_fitted);
+    add_residuals(reading, "residual, rounded,", rounded_flow_constants(), known_rounded);
     return reading;
 }
 
@@ -166,7 +166,7 @@ Panel flow_panel() {
         for (int i = 0; i <= 224; ++i) {
             double spool = boom_dead_band_in + i * 0.0005; // to 0.3 in
             SteadyFlowPoint point{0, static_cast<double>(psi), spool};
-            line.points.push_back({spool, flow_in3_per_s(point, 0, rounded_flow_constants)});
+            line.points.push_back({spool, flow_in3_per_s(point, 0, rounded_flow_constants())});
         }
         Series points{fmt::format("thesis, {} psi", psi), {}, Stroke::points, colour};
         for (const SteadyFlowPoint& point : table_2_6())
@@ -190,7 +190,7 @@ Panel error_panel() {
             continue;
         Series line{fmt::format("{} in³/s", point.inlet_in3_per_s), {}};
         for (int i = -60; i <= 60; ++i)
-            line.points.push_back({i * 0.0005, more_flow_percent(point, i * 0.0005, rounded_flow_constants)});
+            line.points.push_back({i * 0.0005, more_flow_percent(point, i * 0.0005, rounded_flow_constants())});
         panel.series.push_back(line);
     }
     return panel;
@@ -201,10 +201,10 @@ Panel error_panel() {
 Replay replay_table_2_6(const ReplayContext&) {
     Replay replay;
     replay.readings.push_back({"Table 2.6, with k 100, Q 175, P_e 25", {}, ""});
-    add_table(replay.readings.back(), rounded_flow_constants);
-    add_claims(replay.readings.back(), rounded_flow_constants);
+    add_table(replay.readings.back(), rounded_flow_constants());
+    add_claims(replay.readings.back(), rounded_flow_constants());
     replay.readings.push_back({"Table 2.6, with k 99.83, Q 175.08, P_e 16.2", {}, ""});
-    add_table(replay.readings.back(), fitted_flow_constants);
+    add_table(replay.readings.back(), fitted_flow_constants());
     replay.readings.push_back(fit_reading());
     replay.fingerprint = fingerprint_of(replay.readings);
     replay.plots = {{"table-2-6", {"Table 2.6: flow over spool and pressure", {flow_panel(), error_panel()}}}};

@@ -1,9 +1,10 @@
 #include "experiments/chapter_3/boom_data.hpp"
 
 #include "hydraulics/circuit/voltage_spool.hpp"
-#include "hydraulics/plant/boom_record.hpp"
 #include "hydraulics/plant/boom_sensors.hpp"
-#include "hydraulics/plant/measured_machine.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
+#include "hydraulics/plant/measured_excavator.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "runtime/random.hpp"
 
@@ -42,53 +43,55 @@ Parameters parameters_of(const BoomMotion& motion) {
 
 /// The drain side's pressure at the instants of the record, with noise of its own stream, so that the other channels
 /// are those of every other user of the seed.
-void add_outlet_pressure(Record& record, std::span<const BoomState> states, double noise_psi, std::uint64_t seed) {
+void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states, double noise_psi, std::uint64_t seed) {
     RandomStream random(seed, "outlet sensor");
     std::size_t stride = (states.size() - 1) / (record.size() - 1);
     for (std::size_t i = 0; i < record.size(); ++i) {
         double noise = noise_psi * standard_normal([&] { return random.uniform(); });
-        double steps = std::nearbyint((states[i * stride].outlet_psi + noise) / pressure_resolution_psi);
+        double steps = std::nearbyint((states[i * stride].links.front().outlet_psi + noise) / pressure_resolution_psi);
         record.of(hydraulics::Link::boom, Sensor::outlet_pressure).push_back(steps * pressure_resolution_psi);
     }
 }
 
 /// The voltage that the controller asks for at every sampling instant: that of the wanted spool by an A.1 that is off
 /// by the offset.
-void add_voltage(Record& record, const BoomScenario& scenario, double offset_in) {
+void add_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in) {
+    const auto& valve = std::get<SpoolOrifices>(scenario.links.front().valve);
+    const SpoolStep& step = valve.steps.front();
     for (double time_s : record.time_s) {
-        double since_s = time_s - scenario.step_time_s + scenario.integration_step_s / 2;
-        double gone = since_s < 0 ? 0 : scenario.ramp_s > 0 ? std::min(since_s / scenario.ramp_s, 1.0) : 1;
-        double wanted = std::lerp(scenario.spool_at_rest_in, scenario.spool_desired_in, gone);
+        double since_s = time_s - step.time_s + scenario.integration_step_s / 2;
+        double gone = since_s < 0 ? 0 : step.ramp_s > 0 ? std::min(since_s / step.ramp_s, 1.0) : 1;
+        double wanted = std::lerp(valve.rest_in, step.desired_in, gone);
         record.of(hydraulics::Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
     }
 }
 
 std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
-    BoomScenario scenario(parameters_of(motion), motion.slow ? "scenario_b" : "scenario_a");
-    auto states = simulate_boom(scenario);
+    ExcavatorScenario scenario = single_boom_scenario(parameters_of(motion), motion.slow ? "scenario_b" : "scenario_a");
+    ExcavatorMotion simulated = simulate_excavator(scenario);
     std::vector<BoomData> all;
     for (std::uint64_t seed : seeds) {
         RandomStream random(seed, "sensors");
-        Record record = measure_boom(states, scenario.machine.moment_arm_in, sampling_period_s, motion.noise,
-                                     [&] { return random.uniform(); });
+        Record record =
+            measure_excavator(simulated, scenario, sampling_period_s, motion.noise, [&] { return random.uniform(); });
         for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
             spool += motion.spool_offset_in;
-        add_outlet_pressure(record, states, motion.noise.pressure_psi, seed);
+        add_outlet_pressure(record, simulated.states, motion.noise.pressure_psi, seed);
         add_voltage(record, scenario, motion.spool_offset_in);
-        all.push_back({std::move(record), scenario.flow, scenario.machine});
+        all.push_back({std::move(record), scenario.flow, scenario.links.front().mechanics});
     }
     return all;
 }
 
 std::vector<BoomData> measure_measured(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
     Parameters parameters = parameters_of(motion);
-    MeasuredMachine machine(parameters);
-    auto states = simulate_measured_machine(machine);
+    MeasuredExcavator excavator = measured_excavator(parameters);
+    auto states = simulate_measured_excavator(excavator);
     std::vector<BoomData> all;
     for (std::uint64_t seed : seeds) {
         RandomStream random(seed, "sensors");
-        all.push_back({read_boom_sensors(states, machine, BoomSensors(parameters), [&] { return random.uniform(); }),
-                       machine.flow, machine.boom});
+        all.push_back({read_boom_sensors(states, excavator, boom_sensors(parameters), [&] { return random.uniform(); }),
+                       excavator.flow, excavator.boom});
     }
     return all;
 }
@@ -103,17 +106,17 @@ BoomData measure(const BoomMotion& motion, std::uint64_t seed) { return measure(
 
 BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.machine.spool_lag_per_s, 0}; }
 
-LinkReadings readings_of(const BoomData& data, const BoomModel& model) {
-    LinkReadings readings = boom_readings(data.machine);
-    LinkReading& boom = readings[index_of(hydraulics::Link::boom)];
+LinkCalibrations calibrations_of(const BoomData& data, const BoomModel& model) {
+    LinkCalibrations calibrations = boom_calibrations(data.machine);
+    LinkCalibration& boom = calibrations[index_of(hydraulics::Link::boom)];
     boom.from = model.from;
     boom.spool_lag_per_s = model.spool_lag_per_s;
     boom.spool_offset_in = model.spool_offset_in;
-    return readings;
+    return calibrations;
 }
 
 std::vector<CircuitSample> samples_of(const BoomData& data, const BoomModel& model) {
-    return circuit_samples(data.record, boom_circuit(), readings_of(data, model));
+    return circuit_samples(data.record, boom_circuit(), calibrations_of(data, model));
 }
 
 std::vector<double> spool_of(const BoomData& data, const BoomModel& model) {

@@ -2,7 +2,7 @@
 
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "hydraulics/data/record.hpp"
-#include "hydraulics/plant/boom_scenario.hpp"
+#include "hydraulics/plant/link_mechanics.hpp"
 #include "hydraulics/plant/measurement.hpp"
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// Who moves the boom: the plant whose structure is the model's own (boom_motion.hpp), or the one with hoses, stiction,
-/// pump ripple, dead time and converters (measured_machine.hpp).
+/// Who moves the boom: the plant whose structure is the model's own (single_boom_scenario), or the one with hoses,
+/// stiction, pump ripple, dead time and converters (measured_excavator.hpp).
 enum class BoomPlant : unsigned char { simple, measured };
 
 /// A motion of the boom as its sensors saw it, and the machine that moved: what the experiments of 3.1 work on. All
@@ -22,7 +22,7 @@ enum class BoomPlant : unsigned char { simple, measured };
 struct BoomData {
     hydraulics::Record record; ///< of the boom: both pressures, angle, spool, servo-valve's voltage
     hydraulics::FlowConstants flow;
-    hydraulics::BoomMachine machine; ///< as it truly is
+    hydraulics::LinkMechanics machine; ///< as it truly is
 };
 
 /// A step of the boom, 4 deg/s of a machine of excavator.csv but for what is set here. A spool offset leaves the motion
@@ -49,7 +49,7 @@ struct BoomModel {
 /// With the machine's own lag, no offset.
 BoomModel model_of(const BoomData&, hydraulics::AreasFrom);
 
-hydraulics::LinkReadings readings_of(const BoomData&, const BoomModel&);
+hydraulics::LinkCalibrations calibrations_of(const BoomData&, const BoomModel&);
 /// Every instant at which the slopes are known.
 std::vector<hydraulics::CircuitSample> samples_of(const BoomData&, const BoomModel&);
 /// The spool that the model believes in, at every instant of the record, the offset taken off.

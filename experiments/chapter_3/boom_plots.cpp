@@ -1,7 +1,7 @@
 #include "experiments/chapter_3/boom_plots.hpp"
 
 #include "hydraulics/circuit/circuit_error.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ Panel pressure_panel(std::string title, const BoomData& data, double until_s) {
 
 Series velocity_series(const BoomData& data, const BoomModel& model, double until_s) {
     Series series{"velocity", {}};
-    double flow_per_deg = readings_of(data, model)[index_of(hydraulics::Link::boom)].piston_flow_in3_per_deg;
+    double flow_per_deg = calibrations_of(data, model)[index_of(hydraulics::Link::boom)].piston_in3_per_deg();
     for (const CircuitSample& sample : samples_of(data, model))
         if (sample.time_s <= until_s)
             series.points.push_back({sample.time_s, sample.links[0].piston_flow_in3_per_s / flow_per_deg});

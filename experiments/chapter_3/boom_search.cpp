@@ -3,7 +3,7 @@
 #include "gaprocs/search.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "experiments/kit/cells.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
 
 #include <fmt/format.h>

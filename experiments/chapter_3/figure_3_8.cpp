@@ -25,12 +25,12 @@ constexpr double drawn_s = 1.4;
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
                      double compliance_in3_per_psi = thesis_in3_per_psi) {
     constexpr double steady_psi = 1850; // scenario A's
-    BoomScenario scenario;
-    double flow = deg_per_s * std::numbers::pi / 180 * scenario.machine.moment_arm_in * scenario.machine.inlet_area_in2;
+    LinkMechanics boom = single_boom_mechanics();
+    double flow = deg_per_s * std::numbers::pi / 180 * piston_in3_per_rad(boom.inlet_area_in2, boom.moment_arm_in);
     BoomMotion motion{plant, noise};
     motion.inlet_compliance_in3_per_psi = compliance_in3_per_psi;
     if (deg_per_s != 4)
-        motion.spool_desired_in = boom_spool_for_flow(flow, steady_psi, scenario.flow);
+        motion.spool_desired_in = boom_spool_for_flow(flow, steady_psi, fitted_flow_constants());
     return motion;
 }
 

@@ -3,6 +3,8 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "hydraulics/circuit/steady_flow.hpp"
+#include "hydraulics/plant/excavator_motion.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +71,8 @@ Found identify_all(const std::vector<BoomData>& motions, AreasFrom from, const S
 }
 
 SpoolOffset calibrate(const BoomData& motion, const FlowConstants& flow) {
-    auto found = calibrate_spool_offset(motion.record, readings_of(motion, model_of(motion, AreasFrom::spool)), flow);
+    auto found =
+        calibrate_spool_offset(motion.record, calibrations_of(motion, model_of(motion, AreasFrom::spool)), flow);
     if (!found)
         throw std::runtime_error("the record has no second of steady motion");
     return *found;
@@ -123,8 +126,9 @@ Reading attempt_reading(const Seeds& seeds) {
 /// How far the steady flow is off when the spool is believed to be where it reads.
 Reading flow_reading() {
     Reading reading{"steady flow of scenario A, by the spool as it reads", {}, "", "thesis", true};
-    BoomScenario scenario;
-    double psi = simulate_boom(scenario).back().inlet_psi, spool = scenario.spool_desired_in;
+    ExcavatorScenario scenario = single_boom_scenario();
+    double psi = simulate_excavator(scenario).states.back().links.front().inlet_psi;
+    double spool = std::get<SpoolOrifices>(scenario.links.front().valve).steps.front().desired_in;
     double truth = steady_boom_flow(spool, psi, scenario.flow).inlet_in3_per_s;
     for (double offset : {-0.01, 0.01}) {
         double percent = 100 * (steady_boom_flow(spool + offset, psi, scenario.flow).inlet_in3_per_s / truth - 1);
@@ -242,7 +246,6 @@ Reading slow_reading() {
 /// C found over the offset that is left uncorrected.
 Plot plot_of_offsets(std::uint64_t seed) {
     Series fit{"least squares", {}}, search{"search", {}, Stroke::points};
-    BoomScenario scenario;
     for (int i = -25; i <= 15; ++i) {
         double offset_in = 0.001 * i;
         BoomData motion = measure({BoomPlant::simple, low_noise, offset_in}, seed);
@@ -256,7 +259,7 @@ Plot plot_of_offsets(std::uint64_t seed) {
     panel.x.label = "offset of the spool's readings [0.001 in]";
     panel.y.label = "compliance [0.001 in³/psi]";
     panel.series = {fit, search};
-    panel.marks = {{"true", 1000 * scenario.machine.inlet_compliance_in3_per_psi}, {"search's lower bound", 0}};
+    panel.marks = {{"true", 1000 * single_boom_mechanics().inlet_compliance_in3_per_psi}, {"search's lower bound", 0}};
     return {"The first attempt: a spool that reads too high or too low", {panel}};
 }
 

@@ -1,7 +1,7 @@
 #include "experiments/chapter_3/pressure_check.hpp"
 
 #include "hydraulics/circuit/replay_pressure.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 
 #include <algorithm>
 #include <cmath>

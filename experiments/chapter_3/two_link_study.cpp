@@ -18,7 +18,7 @@ const LinkSet bucket_and_boom{hydraulics::Link::bucket, hydraulics::Link::boom};
 
 TwoLinkMotion simulate_two_links() {
     ExcavatorScenario scenario = two_link_scenario();
-    return {scenario, simulate_excavator(scenario), link_readings(Parameters::excavator())};
+    return {scenario, simulate_excavator(scenario), link_calibrations(Parameters::excavator())};
 }
 
 RecordProblem measure_two_links(const TwoLinkMotion& motion, const MeasurementNoise& noise,
@@ -75,15 +75,14 @@ InternalStates true_states(const ExcavatorState& state) {
 
 InternalStates estimated_states(const CircuitSample& sample, std::span<const double> compliance_in3_per_psi,
                                 const FlowConstants& flow) {
-    double k = flow.orifice_in3_per_s_in2_sqrt_psi;
     std::array<double, 2> inlet{}, psi{};
     for (std::size_t j = 0; j < 2; ++j) {
         const LinkSample& link = sample.links[j];
-        inlet[j] = link.piston_flow_in3_per_s + link.inlet_slope_psi_per_s * compliance_in3_per_psi[j]; // B.2
-        psi[j] = link.inlet_psi + std::pow(inlet[j] / (k * link.inlet_in2), 2);                         // B.3
+        inlet[j] = cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance_in3_per_psi[j]);
+        psi[j] = junction_pressure(flow.conductance(link.inlet_in2), link.inlet_psi, inlet[j]);
     }
     auto past = [&](std::size_t j, double next_psi) {
-        return k * sample.links[j].bypass_in2 * std::sqrt(std::max(psi[j] - next_psi, 0.0));
+        return bypass_flow(flow.conductance(sample.links[j].bypass_in2), psi[j] - next_psi);
     };
     return {psi[0], psi[1], past(0, psi[1]), past(1, flow.tank_psi), inlet[0], inlet[1]};
 }

@@ -15,7 +15,7 @@ namespace placedpar {
 struct TwoLinkMotion {
     hydraulics::ExcavatorScenario scenario;
     hydraulics::ExcavatorMotion motion;
-    hydraulics::LinkReadings readings;
+    hydraulics::LinkCalibrations calibrations;
 };
 TwoLinkMotion simulate_two_links();
 

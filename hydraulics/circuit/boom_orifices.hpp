@@ -4,9 +4,9 @@ namespace placedpar::hydraulics {
 
 /// Open areas of the boom main valve.
 struct OrificeAreas {
-    double inlet_in2;  // a_i, pump to the pressurised side of the cylinder
-    double bypass_in2; // a_e, pump to tank
-    double outlet_in2; // a_o, drain side of the cylinder to tank
+    double inlet_in2;  ///< a_i, pump to the pressurised side of the cylinder
+    double bypass_in2; ///< a_e, pump to tank
+    double outlet_in2; ///< a_o, drain side of the cylinder to tank
 };
 
 /// HminSpool[1]: up to here only the bypass is open.

@@ -12,16 +12,16 @@ namespace {
 struct Place {
     Link link;
     bool pump;
-    std::optional<Link> next; // none: the bypass leads to the tank, or nowhere
+    std::optional<Link> next; ///< none: the bypass leads to the tank, or nowhere
     bool shut = false;
 };
 
 /// Pump 1 feeds the bucket and then the boom, pump 2 the swing and then the stick.
 constexpr Place bucket_then_boom{Link::bucket, true, Link::boom}, boom_last{Link::boom, false, {}},
     swing_then_stick{Link::swing, true, Link::stick}, stick_last{Link::stick, false, {}};
-/// The cross-over: what the stick (the boom) does not take goes on to the other branch's last link.
+/// The cross-over: flow past the stick (the boom) continues to the last link of the other branch.
 constexpr Place stick_then_boom{Link::stick, false, Link::boom}, boom_then_stick{Link::boom, false, Link::stick};
-/// The first link of a branch alone with its pump, because the pressure behind it is higher.
+/// The first link of a branch alone with its pump, because the pressure downstream is higher.
 constexpr Place bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
 using MainValve = std::array<Place, 4>; // upstream before downstream
@@ -94,5 +94,7 @@ Circuit circuit_of(Configuration configuration, LinkSet active) {
             ++circuit[junction_of(*first)].pumps;
     return circuit;
 }
+
+Circuit boom_circuit() { return circuit_of(Configuration::a, {Link::boom}); }
 
 } // namespace placedpar::hydraulics

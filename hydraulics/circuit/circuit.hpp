@@ -11,7 +11,7 @@
 namespace placedpar::hydraulics {
 
 /// The five configurations of the main valve, by what the check valves of its cross-over network let through
-/// (Figure 2.11; the drawing is not to be had, the readings are ours and follow its text).
+/// (Figure 2.11: we have its text without the drawing, and follow our interpretation of it).
 enum class Configuration : unsigned char { a, b, c, d, e };
 
 inline constexpr std::array<Configuration, 5> all_configurations{Configuration::a, Configuration::b, Configuration::c,
@@ -39,12 +39,14 @@ struct Junction {
 /// Junctions that share flow, upstream before downstream.
 using Circuit = std::vector<Junction>;
 
-/// The links of a configuration that are coupled with each other hydraulically, in groups: a search for the
-/// compliance of one has to search for those of its whole group. Ordered by their first link.
+/// The links of a configuration that are coupled with each other hydraulically, in groups: a search for one
+/// compliance must find the compliances of its whole group at once. Ordered by their first link.
 std::vector<LinkSet> coupled_groups(Configuration);
 
 /// The circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is
 /// shut and its bypass wide open. REQUIRES: `active` is a non-empty part of one coupled group.
 Circuit circuit_of(Configuration, LinkSet active);
+/// The boom alone, fed by its pump.
+Circuit boom_circuit();
 
 } // namespace placedpar::hydraulics

@@ -20,39 +20,25 @@ inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }
 
-namespace circuit_error_detail {
-
-inline double positive_part(double x) { return x < 0 ? 0 : x; } // NaN stays, as in an array
-template <typename Array>
-Array positive_part(const Array& x) {
-    return x.max(0.0);
-}
-
-} // namespace circuit_error_detail
-
-/// One number for each junction of a circuit, in its order; those beyond its last mean nothing.
+/// One number for each junction of a circuit, in its order; entries past the last junction mean nothing.
 template <typename T>
 using PerJunction = std::array<T, all_links.size()>;
 
-/// By how much the flows at each junction of a circuit miss balance, in in^3/s: what comes in, less what enters
-/// the cylinder, less what passes on. Pressures at the junctions are estimated from the flows into the cylinders,
-/// not measured (3.6). Where a junction's estimate is below that of the next, nothing passes on.
+/// By how much the flows at each junction of a circuit fail to balance, in in^3/s: inflow, less the flow into the
+/// cylinder, less the flow through the bypass. Pressures at the junctions are not measured but estimated from the flows
+/// into the cylinders (3.6). Where the next junction's estimate is higher, nothing flows through the bypass.
 ///
-/// T is double, or an Eigen array of doubles: one entry for each individual of a population, with the same
-/// bits as if each were done alone. `compliance_in3_per_psi` and `samples` have one entry for each junction, in
-/// the circuit's order. REQUIRES: at most 4 junctions, samples[j].inlet_in2 > 0.
+/// T is double, or an Eigen array of doubles (orifice.hpp). `compliance_in3_per_psi` and `samples` have one entry for
+/// each junction, in the circuit's order. REQUIRES: at most 4 junctions, samples[j].inlet_in2 > 0.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
                                        std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
-    using circuit_error_detail::positive_part;
-    using std::abs, std::sqrt;
-    const double k = flow.orifice_in3_per_s_in2_sqrt_psi;
+    using std::abs;
     PerJunction<T> junction_psi, missing;
     for (std::size_t j = 0; j < circuit.size(); ++j) {
         const LinkSample& sample = samples[j];
-        T inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance_in3_per_psi[j]; // 3.5
-        T root = inlet / (k * sample.inlet_in2);
-        junction_psi[j] = root * root + sample.inlet_psi; // 3.6
+        T inlet = cylinder_flow(sample.piston_flow_in3_per_s, sample.inlet_slope_psi_per_s, compliance_in3_per_psi[j]);
+        junction_psi[j] = junction_pressure(flow.conductance(sample.inlet_in2), sample.inlet_psi, inlet);
         T taken = form == InletFlow::absolute ? T(abs(inlet)) : inlet;
         missing[j] = circuit[j].pumps * flow.pump_in3_per_s - taken;
     }
@@ -61,7 +47,7 @@ PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T
             continue;
         bool on = circuit[j].through == Through::junction;
         T drop = on ? T(junction_psi[j] - junction_psi[circuit[j].next]) : T(junction_psi[j] - flow.tank_psi);
-        T past = k * samples[j].bypass_in2 * sqrt(positive_part(drop)); // 3.7, B.3
+        T past = bypass_flow(flow.conductance(samples[j].bypass_in2), drop);
         missing[j] -= past;
         if (on)
             missing[circuit[j].next] += past;
@@ -69,8 +55,8 @@ PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T
     return missing;
 }
 
-/// The sum of what is missing at the junctions, each without its sign. With one junction this is the error of
-/// equations 3.5 to 3.8, with two in series that of 3.10 and 3.11; the other circuits go the same way.
+/// The sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
+/// 3.8, with two in series the error of 3.10 and 3.11; the other circuits extend these in the same way.
 /// REQUIRES: as missing_flows_in3_per_s().
 template <typename T>
 T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,

@@ -3,7 +3,6 @@
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/junction_flow.hpp"
 #include "hydraulics/circuit/line_fit.hpp"
-#include "hydraulics/circuit/square.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
 
 #include <fmt/format.h>
@@ -31,24 +30,32 @@ void require(const Record& record, Link link, Sensor sensor) {
                                       list_channels(record)));
 }
 
-/// The areas of one link at every instant, as far as identification needs them.
-std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkReading& reading) {
+std::vector<OrificeAreas> areas_as_read(const Record& record, Link link) {
+    require(record, link, Sensor::inlet_area);
+    require(record, link, Sensor::bypass_area);
     std::vector<OrificeAreas> areas;
-    AreasFrom from = areas_from(record, link, reading);
-    if (from == AreasFrom::areas) {
-        require(record, link, Sensor::inlet_area);
-        require(record, link, Sensor::bypass_area);
-        for (std::size_t i = 0; i < record.size(); ++i)
-            areas.push_back({record.of(link, Sensor::inlet_area)[i], record.of(link, Sensor::bypass_area)[i], 0});
-        return areas;
-    }
-    require(record, link, from == AreasFrom::spool ? Sensor::spool : Sensor::servo);
-    std::vector<double> spool =
-        from == AreasFrom::spool
-            ? record.of(link, Sensor::spool)
-            : spool_from_volts(record.of(link, Sensor::servo), record.time_s, reading.spool_lag_per_s, record.period_s);
+    for (std::size_t i = 0; i < record.size(); ++i)
+        areas.push_back({record.of(link, Sensor::inlet_area)[i], record.of(link, Sensor::bypass_area)[i], 0});
+    return areas;
+}
+
+std::vector<double> spool_by_voltage(const Record& record, Link link, double spool_lag_per_s) {
+    require(record, link, Sensor::servo);
+    return spool_from_volts(record.of(link, Sensor::servo), record.time_s, spool_lag_per_s, record.period_s);
+}
+
+/// The areas of one link at every instant, as far as identification needs them.
+std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCalibration& calibration) {
+    AreasFrom from = areas_from(record, link, calibration);
+    if (from == AreasFrom::areas)
+        return areas_as_read(record, link);
+    if (from == AreasFrom::spool)
+        require(record, link, Sensor::spool);
+    std::vector<double> spool = from == AreasFrom::spool ? record.of(link, Sensor::spool)
+                                                         : spool_by_voltage(record, link, calibration.spool_lag_per_s);
+    std::vector<OrificeAreas> areas;
     for (double spool_in : spool) // sensor noise may take it a little below 0
-        areas.push_back(boom_orifices(std::max(spool_in - reading.spool_offset_in, 0.0)));
+        areas.push_back(boom_orifices(std::max(spool_in - calibration.spool_offset_in, 0.0)));
     return areas;
 }
 
@@ -56,19 +63,19 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkRe
 struct LinkChannels {
     const std::vector<double>&inlet_psi, &angle_deg;
     std::vector<OrificeAreas> areas;
-    double piston_flow_in3_per_deg;
+    double piston_in3_per_deg;
 };
 
-LinkChannels channels_of(const Record& record, Link link, const LinkReading& reading) {
+LinkChannels channels_of(const Record& record, Link link, const LinkCalibration& calibration) {
     require(record, link, Sensor::inlet_pressure);
     require(record, link, Sensor::angle);
-    return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle), areas_of(record, link, reading),
-            reading.piston_flow_in3_per_deg};
+    return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
+            areas_of(record, link, calibration), calibration.piston_in3_per_deg()};
 }
 
 LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::size_t i) {
     return {link.inlet_psi[i], fit.slope_per_s(link.inlet_psi, i),
-            link.piston_flow_in3_per_deg * fit.slope_per_s(link.angle_deg, i), link.areas[i].inlet_in2,
+            link.piston_in3_per_deg * fit.slope_per_s(link.angle_deg, i), link.areas[i].inlet_in2,
             link.areas[i].bypass_in2};
 }
 
@@ -82,18 +89,11 @@ std::vector<double> CircuitSample::values() const {
     return values;
 }
 
-AreasFrom areas_from(const Record& record, Link link, const LinkReading& reading) {
-    if (reading.from)
-        return *reading.from;
-    if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
-        return AreasFrom::areas;
-    return record.has(link, Sensor::spool) || !record.has(link, Sensor::servo) ? AreasFrom::spool : AreasFrom::servo;
-}
-
-std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit, const LinkReadings& readings) {
+std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
+                                           const LinkCalibrations& calibrations) {
     std::vector<LinkChannels> links;
     for (const Junction& junction : circuit)
-        links.push_back(channels_of(record, junction.link, readings[index_of(junction.link)]));
+        links.push_back(channels_of(record, junction.link, calibrations[index_of(junction.link)]));
     std::vector<CircuitSample> samples;
     if (record.size() == 0)
         return samples;
@@ -120,8 +120,10 @@ bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const F
 
 double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction) {
     double squares = 0;
-    for (const CircuitSample& sample : samples)
-        squares += square(sample.links[junction].inlet_slope_psi_per_s);
+    for (const CircuitSample& sample : samples) {
+        double slope = sample.links[junction].inlet_slope_psi_per_s;
+        squares += slope * slope;
+    }
     return std::sqrt(squares / static_cast<double>(samples.size()));
 }
 

@@ -21,7 +21,7 @@ std::span<const SteadyFlowPoint> table_2_6();
 struct FlowConstantsFit {
     FlowConstants constants;
     FlowConstants deviation;          ///< standard deviation of each as the residuals let it be known
-    std::vector<double> residuals_in; ///< spool of the model less that of the table, a number an entry
+    std::vector<double> residuals_in; ///< spool by the model minus spool in the table, for each entry
     double rms_in;
 };
 

@@ -1,7 +1,5 @@
 #include "hydraulics/circuit/flow_split.hpp"
 
-#include "hydraulics/circuit/square.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +11,10 @@ namespace {
 /// The pressure at which flow Q parts into two outlets; infinite when both are shut. With u^2 the drop over
 /// `high`: Q = a u + b sqrt(u^2 + D), a quadratic in u whose positive root is written without cancellation.
 double common_psi(const Outlet& high, const Outlet& low, double flow) {
-    double a = high.coefficient, b = low.coefficient, difference_psi = high.psi - low.psi;
+    double a = high.conductance, b = low.conductance, difference_psi = high.psi - low.psi;
     double rest = flow * flow - b * b * difference_psi;
     if (rest <= 0) // then b > 0
-        return low.psi + square(flow / b);
+        return low.psi + orifice_drop(b, flow);
     if (a == 0 && b == 0)
         return std::numeric_limits<double>::infinity();
     double u = rest / (flow * a + b * std::sqrt(rest + a * a * difference_psi));
@@ -24,10 +22,6 @@ double common_psi(const Outlet& high, const Outlet& low, double flow) {
 }
 
 } // namespace
-
-double flow_through(const Outlet& outlet, double psi) {
-    return outlet.coefficient * std::sqrt(std::max(psi - outlet.psi, 0.0));
-}
 
 FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_per_s, double relief_psi) {
     bool loaded = inlet.psi >= bypass.psi;
@@ -37,8 +31,8 @@ FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_
         return {relief_psi, in, by, flow_in3_per_s - in - by};
     }
     // The outlet of the lower pressure takes the rest, so that the sum is exact to a rounding; a shut one nothing.
-    if (inlet.coefficient == 0 || bypass.coefficient == 0)
-        return {psi, inlet.coefficient == 0 ? 0 : flow_in3_per_s, inlet.coefficient == 0 ? flow_in3_per_s : 0, 0};
+    if (inlet.conductance == 0 || bypass.conductance == 0)
+        return {psi, inlet.conductance == 0 ? 0 : flow_in3_per_s, inlet.conductance == 0 ? flow_in3_per_s : 0, 0};
     if (loaded) {
         double in = flow_through(inlet, psi);
         return {psi, in, std::max(flow_in3_per_s - in, 0.0), 0};
@@ -48,14 +42,13 @@ FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_
 }
 
 FlowSplit split_flow(double inlet_in2, double bypass_in2, double inlet_psi, const FlowConstants& constants) {
-    double k = constants.orifice_in3_per_s_in2_sqrt_psi;
-    return split_flow(Outlet{k * inlet_in2, inlet_psi}, Outlet{k * bypass_in2, constants.tank_psi},
-                      constants.pump_in3_per_s, constants.relief_psi);
+    return split_flow(Outlet{constants.conductance(inlet_in2), inlet_psi},
+                      Outlet{constants.conductance(bypass_in2), constants.tank_psi}, constants.pump_in3_per_s,
+                      constants.relief_psi);
 }
 
 double bypass_only_psi(double bypass_in2, const FlowConstants& constants) {
-    return constants.tank_psi +
-           square(constants.pump_in3_per_s / (constants.orifice_in3_per_s_in2_sqrt_psi * bypass_in2));
+    return constants.tank_psi + orifice_drop(constants.conductance(bypass_in2), constants.pump_in3_per_s);
 }
 
 } // namespace placedpar::hydraulics

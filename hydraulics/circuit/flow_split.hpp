@@ -1,27 +1,31 @@
 #pragma once
 
 #include "hydraulics/circuit/flow_constants.hpp"
+#include "hydraulics/circuit/orifice.hpp"
 
 namespace placedpar::hydraulics {
 
-/// An orifice that leads to a known pressure: flow = coefficient sqrt(pressure drop), never backwards.
+/// An orifice that leads to a known pressure.
 struct Outlet {
-    double coefficient; // k a, in^3/s per root psi
-    double psi;         // beyond the orifice
+    double conductance; ///< k a, in^3/s per root psi
+    double psi;         ///< beyond the orifice
 };
+
+/// Never backwards.
+inline double flow_through(const Outlet& outlet, double psi) {
+    return orifice_flow(outlet.conductance, psi - outlet.psi);
+}
 
 /// Where a junction's flow goes.
 struct FlowSplit {
-    double pump_psi;         // P
-    double inlet_in3_per_s;  // Q_i >= 0
-    double bypass_in3_per_s; // Q_e >= 0
-    double relief_in3_per_s; // over the relief valve; INVARIANT: the three add up to the pump's flow
+    double pump_psi;         ///< P
+    double inlet_in3_per_s;  ///< Q_i >= 0
+    double bypass_in3_per_s; ///< Q_e >= 0
+    double relief_in3_per_s; ///< over the relief valve; INVARIANT: the three add up to the pump's flow
 };
 
-double flow_through(const Outlet& outlet, double psi);
-
-/// The pressure at which `flow_in3_per_s` parts into two outlets, none of which flows backwards, in closed
-/// form. At the relief pressure the rest of the flow goes over the relief valve. REQUIRES: coefficients not
+/// The pressure at which `flow_in3_per_s` parts into two outlets, neither of which flows backwards, in closed
+/// form. At the relief pressure the rest of the flow goes over the relief valve. REQUIRES: conductances not
 /// below 0, flow > 0.
 FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_per_s, double relief_psi);
 

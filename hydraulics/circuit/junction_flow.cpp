@@ -34,15 +34,15 @@ private:
     struct Outlets {
         Outlet inlet, bypass;
 
-        /// The pressure from which on anything leaves.
+        /// The pressure above which something flows out.
         double lowest_psi() const {
-            return std::min(inlet.coefficient > 0 ? inlet.psi : infinity,
-                            bypass.coefficient > 0 ? bypass.psi : infinity);
+            return std::min(inlet.conductance > 0 ? inlet.psi : infinity,
+                            bypass.conductance > 0 ? bypass.psi : infinity);
         }
-        /// Of the outlets that lead there.
-        double lowest_coefficient() const {
+        /// Of the outlets with that pressure beyond them.
+        double lowest_conductance() const {
             double lowest = lowest_psi();
-            return (inlet.psi == lowest ? inlet.coefficient : 0) + (bypass.psi == lowest ? bypass.coefficient : 0);
+            return (inlet.psi == lowest ? inlet.conductance : 0) + (bypass.psi == lowest ? bypass.conductance : 0);
         }
         double flow(double psi) const { return flow_through(inlet, psi) + flow_through(bypass, psi); }
     };
@@ -60,7 +60,7 @@ private:
 
     double pumped(std::size_t junction) const { return circuit_[junction].pumps * constants_.pump_in3_per_s; }
 
-    /// What comes to the junction when its pressure is `psi`; leaves the junctions before it solved for that.
+    /// The flow into the junction at pressure `psi`; leaves the junctions upstream solved for that pressure.
     double inflow(std::size_t junction, double psi) const {
         double sum = pumped(junction);
         for (std::size_t i = 0; i < junction; ++i)
@@ -72,13 +72,13 @@ private:
     }
 
     Outlets outlets_of(std::size_t junction, double next_psi) const {
-        double k = constants_.orifice_in3_per_s_in2_sqrt_psi;
         const JunctionOpening& opening = openings_[junction];
         double bypass_in2 = circuit_[junction].through == Through::nowhere ? 0 : opening.bypass_in2;
-        return {{k * opening.inlet_in2, opening.link_psi}, {k * bypass_in2, next_psi}};
+        return {{constants_.conductance(opening.inlet_in2), opening.link_psi},
+                {constants_.conductance(bypass_in2), next_psi}};
     }
 
-    /// Solves the junction and all before it, with `next_psi` beyond its bypass.
+    /// Solves the junction and all upstream of it, with `next_psi` beyond its bypass.
     void solve(std::size_t junction, double next_psi) const {
         Outlets outlets = outlets_of(junction, next_psi);
         if (fed_by_pumps_alone(junction)) {
@@ -93,7 +93,7 @@ private:
             balance(junction, outlets, most);
     }
 
-    /// Settles a junction to which no flow comes even at the lowest pressure that it can have.
+    /// For a junction that no flow reaches even at the lowest pressure that it can have.
     void leave_unreached(std::size_t junction, const Outlets& outlets) const {
         double before = -infinity;
         for (std::size_t i = 0; i < junction; ++i)
@@ -103,7 +103,7 @@ private:
         flows_[junction] = {before > -infinity ? before : drained, 0, 0, 0};
     }
 
-    /// Finds the pressure at which as much leaves as comes, or the relief pressure. `most` comes at the lowest.
+    /// Finds the pressure at which inflow and outflow balance, or the relief pressure. `most`: inflow at the lowest.
     void balance(std::size_t junction, const Outlets& outlets, double most) const {
         double psi = balanced_psi(junction, outlets, most);
         double in = flow_through(outlets.inlet, psi), by = flow_through(outlets.bypass, psi);
@@ -121,7 +121,7 @@ private:
         if (lowest >= highest)
             return highest;
         double relieved = std::sqrt(highest - lowest),
-               greatest = std::min(most / outlets.lowest_coefficient(), relieved);
+               greatest = std::min(most / outlets.lowest_conductance(), relieved);
         auto psi_at = [=](double u) { return u < relieved ? std::min(lowest + u * u, highest) : highest; };
         auto excess = [&](double u) { return inflow(junction, psi_at(u)) - outlets.flow(psi_at(u)); };
         double least = excess(greatest);
@@ -133,11 +133,12 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Gives what rounding the pressure left over to the outlet where it changes the pressure least: the drop
-    /// is flow^2 / coefficient^2, so that is the one of the greater coefficient^2 / flow. A shut one gets
-    /// nothing, unless both are: then the flow is too small to show in the pressure, and takes the lowest way.
+    /// Adds the flow that rounding left over to the outlet whose pressure drop it changes least: the drop is
+    /// flow^2 / conductance^2, so that is the outlet of the greater conductance^2 / flow. An outlet without flow
+    /// gets none, unless both are without: then the flow is too small to show in the pressure, and goes where the
+    /// pressure is lowest.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
-        double a = outlets.inlet.coefficient, b = outlets.bypass.coefficient;
+        double a = outlets.inlet.conductance, b = outlets.bypass.conductance;
         bool to_inlet = a * a * by >= b * b * in;
         if (in == 0 && by == 0)
             to_inlet = a > 0 && outlets.inlet.psi == outlets.lowest_psi();

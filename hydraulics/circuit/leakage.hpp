@@ -4,14 +4,20 @@
 
 namespace placedpar::hydraulics {
 
+/// A leak across a piston (2.3.2), from its start on.
+struct PistonLeak {
+    double in3_per_s_psi = 0; ///< k_l; 0: the seal is tight
+    double start_s = 0;
+};
+
 /// Flow across a worn piston seal, from the pump side to the drain side: Q_l = k_l (P_i - P_o), laminar.
 inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, double outlet_psi) {
     return leak_in3_per_s_psi * (inlet_psi - outlet_psi);
 }
 
-/// By how much the compliance seems to grow to a model that knows of no leak.
+/// By how much the compliance seems to grow, to a model without the leak.
 ///
-/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; the model takes C_i' dP_i/dt for the first and the last
+/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; the model lets C_i' dP_i/dt stand for the first and the last
 /// term. (The thesis prints 2.5 with both C_i' and Q_l, from which its 2.7 would not follow.) At one instant
 /// C_i' - C_i = Q_l / (dP_i/dt), of which 2.8 is the lower bound; over a window, the C_i' that misses least has
 ///   C_i' - C_i = sum(Q_l dP_i/dt) / sum((dP_i/dt)^2).

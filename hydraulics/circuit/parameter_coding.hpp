@@ -16,7 +16,7 @@ concept BinaryString = requires(const G& genome) {
 /// A parameter as a field of bits: the whole number n stands for low + (high - low) n / 2^bits (thesis eq. 1.5).
 /// The range is [low, high): `high` itself has no code.
 struct ParameterField {
-    double low = 0, high = 1; // in the parameter's unit
+    double low = 0, high = 1; ///< in the parameter's unit
     std::size_t bits = 10;
 
     /// 2^bits.
@@ -61,7 +61,7 @@ public:
 
 private:
     std::vector<ParameterField> fields_;
-    std::vector<std::size_t> firsts_; // the first bit of each field
+    std::vector<std::size_t> firsts_; ///< the first bit of each field
     std::size_t bits_ = 0;
 };
 

@@ -11,17 +11,17 @@ namespace placedpar::hydraulics {
 struct ReplaySample {
     double time_s;
     double spool_in;
-    double velocity_in_per_s; // of the piston
+    double velocity_in_per_s; ///< of the piston
 };
 
 /// The circuit whose pressure is computed.
 struct ReplayCircuit {
     FlowConstants flow;
-    double inlet_area_in2;               // A_i
-    double inlet_compliance_in3_per_psi; // C_i, as identified
+    double inlet_area_in2;               ///< A_i
+    double inlet_compliance_in3_per_psi; ///< C_i, as identified
 };
 
-/// The cross-check of Figures 3.7 and 3.8: computes the pressure P_i that a compliance would have given to a
+/// The cross-check of Figures 3.7 and 3.8: computes the pressure P_i that a compliance would have given with the
 /// recorded spool and motion, C_i P_i' = Q_i(P_i, spool) - A_i v, with the flow split 3.1 to 3.3. Between the
 /// samples spool and velocity are straight lines. By Runge-Kutta of order 4 (Boost.Odeint) in steps of at most
 /// `step_s`. One pressure a sample, the first `initial_psi`.

@@ -17,8 +17,8 @@ double servo_volts(double spool_in);
 /// An offset that creeps: a worn spool, a servo-valve's pressure regulation, or the sensor that measured both
 /// (2.3.2). Whole from the start when the rate is 0.
 struct OffsetDrift {
-    double at_start = 0;   // of the unit of what it is added to
-    double rate_per_s = 0; // that unit per second
+    double at_start = 0;   ///< in the unit of the quantity that it is added to
+    double rate_per_s = 0; ///< that unit per second
 
     double at(double time_s) const { return at_start + rate_per_s * time_s; }
 };
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    double kept_; // e
+    double kept_; ///< e
     double spool_in_;
 };
 

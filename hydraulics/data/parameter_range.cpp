@@ -9,18 +9,33 @@ namespace placedpar::hydraulics {
 namespace {
 
 // How the names end.
-constexpr std::array<std::string_view, 25> positive{
+constexpr auto positive = std::to_array<std::string_view>({
     ".orifice",          ".relief",      "flow.pump",          "rounded.pump",      "let_area",
     ".moment_arm",       ".mass",        ".friction_velocity", "let_compliance",    "spool_lag",
     ".duration",         ".period",      ".integration_step",  ".bulk_modulus",     ".asked_flow",
     ".inlet_drop",       ".bypass_drop", ".inlet_inertance",   ".outlet_inertance", ".stribeck_velocity",
     "bristle_stiffness", "_range",       ".drain_laminar",     "_valve_share",      "atmospheric_pressure",
-};
-constexpr std::array<std::string_view, 18> not_negative{
-    "damping",      ".friction",     "_ramp",      ".spool_at_rest", ".spool_desired", "_inlet_final",
-    "_bypass_rest", "_bypass_final", "fault.leak", ".air",           ".dead_time",     ".ripple",
-    "_resistance",  ".breakaway",    "_volume",    "_bits",          "pump.pistons",   "pump.shaft",
-};
+});
+constexpr auto not_negative = std::to_array<std::string_view>({
+    "damping",
+    ".friction",
+    "_ramp",
+    ".spool_at_rest",
+    ".spool_desired",
+    "_inlet_final",
+    "_bypass_rest",
+    "_bypass_final",
+    "fault.leak",
+    ".air",
+    ".dead_time",
+    ".ripple",
+    "_resistance",
+    ".breakaway",
+    "_volume",
+    "_bits",
+    "pump.pistons",
+    "pump.shaft",
+});
 
 bool ends_with_any(std::string_view name, const auto& endings) {
     return std::ranges::any_of(endings, [&](std::string_view ending) { return name.ends_with(ending); });

@@ -16,6 +16,15 @@ namespace {
 constexpr std::array<std::string_view, 5> columns{"name", "value", "unit", "mark", "source"};
 constexpr std::array<std::string_view, 4> marks{"thesis", "fitted", "ours", "measured"};
 
+/// The cells of a row by their columns.
+struct NamedCells {
+    const TextCell &name, &value, &unit, &mark, &source;
+};
+
+NamedCells named_cells(const TextRow& row) {
+    return {row.cells[0], row.cells[1], row.cells[2], row.cells[3], row.cells[4]};
+}
+
 bool header_is_right(const TextRow& header) { return std::ranges::equal(header.cells, columns, {}, &TextCell::text); }
 
 void refuse(std::vector<TextFault>& faults, std::size_t line, const TextCell& cell, std::string message,
@@ -29,11 +38,12 @@ std::vector<Parameter> parameters_of(std::string_view text) {
     TextTable table = split_table(text, faults);
     std::vector<Parameter> parameters;
     for (const TextRow& row : table.rows) {
-        const Unit* unit = unit_named(row.cells[2].text);
+        NamedCells cells = named_cells(row);
+        const Unit* unit = unit_named(cells.unit.text);
         if (!unit || unit->factor != 1)
             throw std::logic_error(fmt::format("excavator.csv:{}: not a unit of this room", row.line));
-        parameters.push_back({row.cells[0].text, number_in(row.cells[1], row.line, faults), row.cells[2].text,
-                              row.cells[3].text, row.cells[4].text});
+        parameters.push_back({cells.name.text, number_in(cells.value, row.line, faults), cells.unit.text,
+                              cells.mark.text, cells.source.text});
     }
     if (!faults.empty() || !header_is_right(table.header))
         throw std::logic_error("excavator.csv is not a table of parameters");
@@ -41,6 +51,9 @@ std::vector<Parameter> parameters_of(std::string_view text) {
 }
 
 } // namespace
+
+UnknownParameter::UnknownParameter(std::string_view name)
+    : std::invalid_argument(fmt::format("the machine has no parameter {}", name)) {}
 
 const Parameters& Parameters::excavator() {
     static const Parameters parameters = [] {
@@ -56,29 +69,22 @@ const Parameter* Parameters::find(std::string_view name) const {
     return found == parameters_.end() ? nullptr : &*found;
 }
 
-Parameter* Parameters::entry(std::string_view name) {
-    return const_cast<Parameter*>(static_cast<const Parameters&>(*this).find(name));
+Parameter& Parameters::entry(std::string_view name) {
+    auto found = std::ranges::find(parameters_, name, &Parameter::name);
+    if (found == parameters_.end())
+        throw UnknownParameter(name);
+    return *found;
 }
 
 double Parameters::operator[](std::string_view name) const {
     if (const Parameter* parameter = find(name))
         return parameter->value;
-    throw std::invalid_argument(fmt::format("the machine has no parameter {}", name));
+    throw UnknownParameter(name);
 }
 
-void Parameters::set(std::string_view name, double value) {
-    Parameter* parameter = entry(name);
-    if (!parameter)
-        throw std::invalid_argument(fmt::format("the machine has no parameter {}", name));
-    parameter->value = value;
-}
+void Parameters::set(std::string_view name, double value) { entry(name).value = value; }
 
-void Parameters::put(Parameter parameter) {
-    Parameter* place = entry(parameter.name);
-    if (!place)
-        throw std::invalid_argument(fmt::format("the machine has no parameter {}", parameter.name));
-    *place = std::move(parameter);
-}
+void Parameters::put(Parameter parameter) { entry(parameter.name) = std::move(parameter); }
 
 void Parameters::read(std::string_view text, std::vector<TextFault>& faults) {
     TextTable table = split_table(text, faults);
@@ -92,31 +98,28 @@ void Parameters::read(std::string_view text, std::vector<TextFault>& faults) {
 }
 
 void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
-    Parameter* parameter = entry(row.cells[0].text);
-    if (!parameter) {
-        refuse(faults, row.line, row.cells[0], fmt::format("the machine has no parameter \"{}\"", row.cells[0].text),
+    const auto& [name, number, unit_name, mark, source] = named_cells(row);
+    if (!find(name.text)) {
+        refuse(faults, row.line, name, fmt::format("the machine has no parameter \"{}\"", name.text),
                "placedpar parameters lists them");
         return;
     }
-    Quantity quantity = unit_named(parameter->unit)->quantity;
-    const Unit* unit = unit_named(row.cells[2].text);
+    Parameter& parameter = entry(name.text);
+    Quantity quantity = unit_named(parameter.unit)->quantity;
+    const Unit* unit = unit_named(unit_name.text);
     std::size_t before = faults.size();
-    double value = number_in(row.cells[1], row.line, faults);
+    double value = number_in(number, row.line, faults);
     bool is_number = faults.size() == before;
     if (!unit || unit->quantity != quantity)
-        refuse(faults, row.line, row.cells[2],
-               fmt::format("\"{}\" is not a unit of {}", row.cells[2].text, name_of(quantity)), list_units(quantity));
-    else if (std::ranges::find(marks, row.cells[3].text) == marks.end())
-        refuse(faults, row.line, row.cells[3], fmt::format("\"{}\" is not a mark", row.cells[3].text),
+        refuse(faults, row.line, unit_name,
+               fmt::format("\"{}\" is not a unit of {}", unit_name.text, name_of(quantity)), list_units(quantity));
+    else if (std::ranges::find(marks, mark.text) == marks.end())
+        refuse(faults, row.line, mark, fmt::format("\"{}\" is not a mark", mark.text),
                "thesis, fitted, ours or measured");
-    else if (ParameterRange range = range_of(parameter->name); is_number && !range.contains(value * unit->factor))
-        refuse(faults, row.line, row.cells[1], fmt::format("{} cannot be {}", parameter->name, row.cells[1].text),
-               range.expected());
-    else {
-        parameter->value = value * unit->factor;
-        parameter->mark = row.cells[3].text;
-        parameter->source = row.cells[4].text;
-    }
+    else if (ParameterRange range = range_of(parameter.name); is_number && !range.contains(value * unit->factor))
+        refuse(faults, row.line, number, fmt::format("{} cannot be {}", parameter.name, number.text), range.expected());
+    else
+        parameter = {parameter.name, value * unit->factor, parameter.unit, mark.text, source.text};
 }
 
 } // namespace placedpar::hydraulics

@@ -12,13 +12,15 @@ struct SensorName {
     Quantity quantity;
 };
 
-constexpr std::array<SensorName, all_sensors.size()> sensors{{{"inlet_pressure", Quantity::pressure},
-                                                              {"outlet_pressure", Quantity::pressure},
-                                                              {"angle", Quantity::angle},
-                                                              {"spool", Quantity::length},
-                                                              {"servo", Quantity::voltage},
-                                                              {"inlet_area", Quantity::area},
-                                                              {"bypass_area", Quantity::area}}};
+constexpr std::array sensors{
+    SensorName{"inlet_pressure", Quantity::pressure}, // in the order of Sensor
+    SensorName{"outlet_pressure", Quantity::pressure},
+    SensorName{"angle", Quantity::angle},
+    SensorName{"spool", Quantity::length},
+    SensorName{"servo", Quantity::voltage},
+    SensorName{"inlet_area", Quantity::area},
+    SensorName{"bypass_area", Quantity::area},
+};
 
 } // namespace
 

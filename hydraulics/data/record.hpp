@@ -15,13 +15,13 @@ namespace placedpar::hydraulics {
 
 /// What is measured at a link.
 enum class Sensor : unsigned char {
-    inlet_pressure,  // psi: P_i, the pump side
-    outlet_pressure, // psi: P_o, the drain side
-    angle,           // deg, of the joint
-    spool,           // in
-    servo,           // V, at the servo-valve
-    inlet_area,      // in^2: a_i, where the spool's function is not the boom's
-    bypass_area      // in^2: a_e
+    inlet_pressure,  ///< psi: P_i, the pump side
+    outlet_pressure, ///< psi: P_o, the drain side
+    angle,           ///< deg, of the joint
+    spool,           ///< in
+    servo,           ///< V, at the servo-valve
+    inlet_area,      ///< in^2: a_i, where the spool's function is not the boom's
+    bypass_area      ///< in^2: a_e
 };
 
 inline constexpr std::array<Sensor, 7> all_sensors{Sensor::inlet_pressure, Sensor::outlet_pressure, Sensor::angle,
@@ -38,8 +38,8 @@ struct Stretch {
     std::size_t first, last;
 };
 
-/// Measurements of a machine's motion: every channel is read at the same instants, a fixed period apart
-/// except for gaps.
+/// Measurements of an excavator's motion: every channel is read at the same instants, a fixed period apart except for
+/// gaps.
 class Record {
 public:
     std::string description;
@@ -56,7 +56,7 @@ public:
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
     bool has(Link link, Sensor sensor) const { return !of(link, sensor).empty(); }
-    /// The links of which at least one sensor was read.
+    /// The links with at least one sensor in the record.
     LinkSet links() const;
 
     /// The stretches between its gaps.
@@ -66,7 +66,7 @@ private:
     std::array<std::array<std::vector<double>, all_sensors.size()>, all_links.size()> channels_;
 };
 
-/// A record that does not hold what is asked of it; what() says what is missing, without the record's name.
+/// A record that lacks what an identification of it needs; what() says what is missing, without the record's name.
 class UnfitRecord : public std::invalid_argument {
 public:
     using std::invalid_argument::invalid_argument;
@@ -85,7 +85,7 @@ struct SensorReading {
 /// The first that is not finite or beyond largest_reading: the earliest, and of its instant the first channel.
 std::optional<SensorReading> first_unmeasurable(const Record& record);
 
-/// How far a sample may be from its place, of the period.
+/// How far a sample may be from its regular instant, as a share of the period.
 inline constexpr double sampling_tolerance = 0.02;
 
 } // namespace placedpar::hydraulics

@@ -11,7 +11,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The checks that read_record makes of what is measured, one function a fault that loggers are known for.
+/// The checks that read_record makes of the measurements, one function for each fault that loggers are known for.
 
 /// Where a channel's name stands in the text.
 struct HeaderPlace {
@@ -24,7 +24,7 @@ struct TimeColumn {
     const Unit& unit; ///< of the text
 };
 
-/// Leaves out rows that repeat the one before to the letter, as loggers write them when they restart.
+/// Removes rows that are identical to the one before, as loggers write them when they restart.
 void drop_repeated_rows(TextTable& table, std::vector<TextFault>& faults);
 
 /// Sets record.period_s to the median step of record.time_s; the times must rise by whole numbers of periods.

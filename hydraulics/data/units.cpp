@@ -56,7 +56,7 @@ constexpr std::array all{
     Unit{"psi/s", Quantity::pressure_rate, 1},
     Unit{"MPa/s", Quantity::pressure_rate, 1e6 * psi_per_pascal},
     Unit{"in^3/(s in^2 psi^0.5)", Quantity::orifice, 1},
-    Unit{"m^3/(s m^2 Pa^0.5)", Quantity::orifice, inch_per_metre* sqrt_pascal_per_psi},
+    Unit{"m^3/(s m^2 Pa^0.5)", Quantity::orifice, (inch_per_metre * sqrt_pascal_per_psi)},
     Unit{"in^3/(s psi)", Quantity::leakage, 1},
     Unit{"m^3/(s Pa)", Quantity::leakage, in3_per_m3 / psi_per_pascal},
     Unit{"in^3", Quantity::volume, 1},
@@ -70,6 +70,36 @@ constexpr std::array all{
     Unit{"Pa s^2/m^3", Quantity::inertance, psi_per_pascal / in3_per_m3},
     Unit{"psi s/in^3", Quantity::resistance, 1},
     Unit{"Pa s/m^3", Quantity::resistance, psi_per_pascal / in3_per_m3},
+};
+
+struct QuantityName {
+    Quantity quantity;
+    std::string_view name;
+};
+
+constexpr std::array quantity_names{
+    QuantityName{Quantity::number, "number"},
+    QuantityName{Quantity::time, "time"},
+    QuantityName{Quantity::pressure, "pressure"},
+    QuantityName{Quantity::length, "length"},
+    QuantityName{Quantity::angle, "angle"},
+    QuantityName{Quantity::voltage, "voltage"},
+    QuantityName{Quantity::area, "area"},
+    QuantityName{Quantity::flow, "flow"},
+    QuantityName{Quantity::compliance, "compliance"},
+    QuantityName{Quantity::force, "force"},
+    QuantityName{Quantity::mass, "mass"},
+    QuantityName{Quantity::damping, "damping"},
+    QuantityName{Quantity::speed, "speed"},
+    QuantityName{Quantity::rate, "rate"},
+    QuantityName{Quantity::pressure_rate, "pressure rate"},
+    QuantityName{Quantity::orifice, "orifice constant"},
+    QuantityName{Quantity::leakage, "leakage"},
+    QuantityName{Quantity::volume, "volume"},
+    QuantityName{Quantity::voltage_rate, "voltage rate"},
+    QuantityName{Quantity::stiffness, "stiffness"},
+    QuantityName{Quantity::inertance, "inertance"},
+    QuantityName{Quantity::resistance, "resistance"},
 };
 
 } // namespace
@@ -96,13 +126,7 @@ std::string list_units(Quantity quantity) {
 }
 
 std::string_view name_of(Quantity quantity) {
-    constexpr std::array<std::string_view, 22> names{"number",     "time",      "pressure",      "length",
-                                                     "angle",      "voltage",   "area",          "flow",
-                                                     "compliance", "force",     "mass",          "damping",
-                                                     "speed",      "rate",      "pressure rate", "orifice constant",
-                                                     "leakage",    "volume",    "voltage rate",  "stiffness",
-                                                     "inertance",  "resistance"};
-    return names[static_cast<std::size_t>(quantity)];
+    return std::ranges::find(quantity_names, quantity, &QuantityName::quantity)->name;
 }
 
 } // namespace placedpar::hydraulics

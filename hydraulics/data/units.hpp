@@ -6,40 +6,40 @@
 
 namespace placedpar::hydraulics {
 
-/// What a number measures. This room works in one unit of each: that of the thesis.
+/// What a number measures. This room works in one unit of each, the thesis's.
 enum class Quantity : unsigned char {
-    number,
-    time,          // s
-    pressure,      // psi, gauge
-    length,        // in
-    angle,         // deg
-    voltage,       // V
-    area,          // in^2
-    flow,          // in^3/s
-    compliance,    // in^3/psi
-    force,         // lbf
-    mass,          // lbf s^2/in
-    damping,       // lbf s/in
-    speed,         // in/s
-    rate,          // 1/s
-    pressure_rate, // psi/s
-    orifice,       // in^3/(s in^2 psi^0.5): k = Cd sqrt(2 / density)
-    leakage,       // in^3/(s psi)
-    volume,        // in^3
-    voltage_rate,  // V/s
-    stiffness,     // lbf/in
-    inertance,     // psi s^2/in^3: pressure that speeds a line's flow up
-    resistance     // psi s/in^3: pressure that a line's flow loses
+    number,        ///< of no unit
+    time,          ///< s
+    pressure,      ///< psi, gauge
+    length,        ///< in
+    angle,         ///< deg
+    voltage,       ///< V
+    area,          ///< in^2
+    flow,          ///< in^3/s
+    compliance,    ///< in^3/psi
+    force,         ///< lbf
+    mass,          ///< lbf s^2/in
+    damping,       ///< lbf s/in
+    speed,         ///< in/s
+    rate,          ///< 1/s
+    pressure_rate, ///< psi/s
+    orifice,       ///< in^3/(s in^2 psi^0.5): k = Cd sqrt(2 / density)
+    leakage,       ///< in^3/(s psi)
+    volume,        ///< in^3
+    voltage_rate,  ///< V/s
+    stiffness,     ///< lbf/in
+    inertance,     ///< psi s^2/in^3: pressure that speeds a line's flow up
+    resistance     ///< psi s/in^3: pressure that a line's flow loses
 };
 
-/// A unit, and what one of it is in this room's unit of the same quantity.
+/// A unit, and its size in this room's unit of the same quantity.
 struct Unit {
     std::string_view name;
     Quantity quantity;
     double factor;
 };
 
-/// Pascals in a psi and metres in an inch, of which all other factors between the systems follow.
+/// Pascals in a psi and metres in an inch; all other factors between the systems follow from these.
 inline constexpr double pascal_per_psi = 6894.757293168361;
 inline constexpr double metre_per_inch = 0.0254;
 

@@ -7,6 +7,10 @@
 
 namespace placedpar::hydraulics {
 
+AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent, const Parameters& parameters) {
+    return {air_fraction, polytropic_exponent, parameters["oil.bulk_modulus"], parameters["oil.atmospheric_pressure"]};
+}
+
 double bulk_modulus_psi(const AirOilMixture& mixture, double psia) {
     double oil = 1 - mixture.air_fraction;
     double air = mixture.air_fraction * std::pow(mixture.atmospheric_psia / psia, 1 / mixture.polytropic_exponent);

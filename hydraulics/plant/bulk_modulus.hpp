@@ -6,11 +6,15 @@ namespace placedpar::hydraulics {
 
 /// Hydraulic oil with air in it that is free, never dissolved, as in Figure 2.3 of the thesis.
 struct AirOilMixture {
-    double air_fraction;                                                  // x_0, of the volume at atmospheric pressure
-    double polytropic_exponent = 1;                                       // N: 1 isothermal, 1.4 adiabatic
-    double oil_modulus_psi = Parameters::excavator()["oil.bulk_modulus"]; // B_0
-    double atmospheric_psia = Parameters::excavator()["oil.atmospheric_pressure"]; // P_0
+    double air_fraction;        ///< x_0, of the volume at atmospheric pressure
+    double polytropic_exponent; ///< N: 1 isothermal, 1.4 adiabatic
+    double oil_modulus_psi;     ///< B_0
+    double atmospheric_psia;    ///< P_0
 };
+
+/// The oil of the rows oil.bulk_modulus and oil.atmospheric_pressure with so much air.
+AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent = 1,
+                              const Parameters& parameters = Parameters::excavator());
 
 /// beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N), the shrinking of the oil neglected in V
 /// itself. Grows with pressure, falls with the air fraction, tends to the oil's. REQUIRES: psia > 0, an absolute

@@ -1,10 +1,11 @@
 #include "hydraulics/plant/converter.hpp"
 
+#include "hydraulics/plant/requirement.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace placedpar::hydraulics {
 
@@ -19,7 +20,7 @@ double Converter::limited(double value, double least) const {
 int bits_of(const Parameters& parameters, std::string_view name) {
     double bits = parameters[name];
     if (!(bits >= 0 && bits <= 32 && bits == std::floor(bits)))
-        throw std::invalid_argument(fmt::format("{} is {}, expected a whole number from 0 to 32", name, bits));
+        throw UnfitScenario(fmt::format("{} is {}, expected a whole number from 0 to 32", name, bits));
     return static_cast<int>(bits);
 }
 

@@ -6,10 +6,10 @@
 
 namespace placedpar::hydraulics {
 
-/// A converter of so many bits over a range.
+/// An analogue-digital converter, or the other way round.
 struct Converter {
     double range;
-    int bits; // 0: it passes values as they are
+    int bits; ///< 0: it passes values as they are
 
     /// The least difference it can tell; 0 without bits.
     double step() const;
@@ -19,7 +19,8 @@ struct Converter {
     double limited(double value, double least) const;
 };
 
-/// The bits that a row of the parameters gives. Throws std::invalid_argument unless it is a whole number from 0 to 32.
+/// The bits that a row of the parameters gives. Throws UnfitScenario (requirement.hpp) unless it is a whole number from
+/// 0 to 32.
 int bits_of(const Parameters& parameters, std::string_view name);
 
 } // namespace placedpar::hydraulics

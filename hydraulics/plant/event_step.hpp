@@ -18,7 +18,7 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 };
 
 /// The classical Runge-Kutta method of order 4 (Boost.Odeint) that steps up to each event and starts anew
-/// behind it, so that its order holds with them, too.
+/// after it, so that the order of convergence survives events.
 ///
 /// A step is clean when all its stages and its end see the mode of its beginning. An unclean one is cut down,
 /// by bisection, to a long clean one; from there another is tried. When a step of the resolution is not clean,
@@ -36,7 +36,7 @@ public:
     /// any reading's.
     static constexpr double resolution_s = 1e-12;
 
-    /// A call may cut its step into so many pieces, and in the long run one call into so many; an event takes about 5.
+    /// Into how many pieces one call may cut its step, and a call on average; an event takes about 5.
     static constexpr double most_pieces = 64, pieces_a_call = 0.5;
 
     EventStepper(const System& system, State state, double time_s)
@@ -49,10 +49,10 @@ public:
     const Mode& mode() const { return now_.mode; }
     double time_s() const { return time_s_; }
 
-    /// The system is another from now on.
+    /// To be called when the system's equations have changed.
     void system_changed() { now_.mode = system_.rate(now_.state, now_.rate, time_s_); }
 
-    /// Goes on to `end_s`; calls event(time_s, mode before, mode behind) at each event.
+    /// Advances to `end_s`; calls event(time_s, mode before, mode after) at each event.
     template <typename Event>
     void advance_to(double end_s, Event event) {
         allowance_ = std::min(allowance_ + pieces_a_call, most_pieces);
@@ -91,7 +91,7 @@ private:
         return same && next_.mode == now_.mode;
     }
 
-    /// The longest clean step but for a thousandth, which is left to further ones.
+    /// The longest clean step to within a thousandth; the steps that follow cover the rest.
     double long_clean(double clean_s, double unclean_s) {
         while (unclean_s - clean_s > std::max(resolution_s, unclean_s / 1024)) {
             double middle_s = clean_s + (unclean_s - clean_s) / 2;
@@ -116,7 +116,7 @@ private:
     Point now_, next_;
     double time_s_;
     double allowance_ = most_pieces;
-    double tried_s_ = 0; // the step to `next_`; 0: none has been tried from now
+    double tried_s_ = 0; ///< the step to `next_`; 0: none has been tried from now
 };
 
 } // namespace placedpar::hydraulics

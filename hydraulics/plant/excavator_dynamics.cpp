@@ -1,6 +1,7 @@
 #include "hydraulics/plant/excavator_dynamics.hpp"
 
 #include "hydraulics/circuit/leakage.hpp"
+#include "hydraulics/circuit/orifice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,39 +17,10 @@ double part(const Dynamics::State& state, std::size_t link, Dynamics::Component 
     return state[link * Dynamics::components + component];
 }
 
-/// How many of the steps have begun, and have ended their ramps.
-std::size_t begun_and_ended(const LinkValve& valve, double time_s) {
-    if (const auto* timed = std::get_if<TimedOrifices>(&valve))
-        return time_s >= timed->step_time_s ? 1 : 0;
-    std::size_t count = 0;
-    for (const SpoolStep& step : std::get<SpoolOrifices>(valve).steps)
-        count += (time_s >= step.time_s) + (time_s >= step.time_s + step.ramp_s);
-    return count;
-}
-
-double desired_in(const SpoolOrifices& valve, double time_s) {
-    double desired = valve.rest_in;
-    for (const SpoolStep& step : valve.steps)
-        if (time_s >= step.time_s + step.ramp_s)
-            desired = step.desired_in;
-        else if (time_s >= step.time_s)
-            desired = std::lerp(desired, step.desired_in, (time_s - step.time_s) / step.ramp_s);
-    return desired;
-}
-
-OrificeAreas areas_at(const TimedOrifices& valve, double time_s) { // B.5
-    if (time_s < valve.step_time_s)
-        return {0, valve.bypass_rest_in2, 0};
-    double gone = std::exp(-valve.rate_per_s * (time_s - valve.step_time_s));
-    return {valve.inlet_final_in2 * (1 - gone),
-            (valve.bypass_rest_in2 - valve.bypass_final_in2) * gone + valve.bypass_final_in2,
-            valve.outlet_final_in2 * (1 - gone)};
-}
-
 /// Flow out of the drain side (3.4); below tank pressure it is fed from the tank.
 double drain_in3_per_s(double outlet_in2, double psi, const FlowConstants& flow) {
     double drop = psi - flow.tank_psi;
-    return std::copysign(flow.orifice_in3_per_s_in2_sqrt_psi * outlet_in2 * std::sqrt(std::abs(drop)), drop);
+    return std::copysign(orifice_flow(flow.conductance(outlet_in2), std::abs(drop)), drop);
 }
 
 bool leaking(const PistonLeak& leak, double time_s) { return leak.in3_per_s_psi > 0 && time_s >= leak.start_s; }
@@ -67,10 +39,10 @@ ExcavatorDynamics::ExcavatorDynamics(const ExcavatorScenario& scenario)
 ExcavatorDynamics::State ExcavatorDynamics::at_rest() const {
     State state;
     for (const ActiveLink& active : scenario_.links) {
-        const LinkMachine& machine = active.machine;
+        const LinkMechanics& mechanics = active.mechanics;
         const auto* spool = std::get_if<SpoolOrifices>(&active.valve);
         double outlet = scenario_.flow.tank_psi;
-        double inlet = (machine.load_lbf + machine.outlet_area_in2 * outlet) / machine.inlet_area_in2;
+        double inlet = (mechanics.load_lbf + mechanics.outlet_area_in2 * outlet) / mechanics.inlet_area_in2;
         state.insert(state.end(), {inlet, outlet, 0, 0, spool ? spool->rest_in : 0});
     }
     return state;
@@ -120,26 +92,28 @@ LinkMode ExcavatorDynamics::mode_of(const State& state, std::size_t link, double
 void ExcavatorDynamics::link_rate(const State& state, std::size_t link, double time_s, double inlet_in3_per_s,
                                   State& derivative) const {
     const ActiveLink& active = scenario_.links[link];
-    const LinkMachine& machine = active.machine;
+    const LinkMechanics& mechanics = active.mechanics;
     double inlet = part(state, link, inlet_psi), outlet = part(state, link, outlet_psi);
     double velocity = part(state, link, velocity_in_per_s);
     double leak = leaking(active.leak, time_s) ? leakage_in3_per_s(active.leak.in3_per_s_psi, inlet, outlet) : 0;
-    double friction = machine.friction_lbf * std::tanh(velocity / machine.friction_velocity_in_per_s) +
-                      machine.damping_lbf_s_per_in * velocity;
-    double force = machine.inlet_area_in2 * inlet - machine.outlet_area_in2 * outlet - machine.load_lbf - friction;
+    double friction = mechanics.friction_lbf * std::tanh(velocity / mechanics.friction_velocity_in_per_s) +
+                      mechanics.damping_lbf_s_per_in * velocity;
+    double force =
+        mechanics.inlet_area_in2 * inlet - mechanics.outlet_area_in2 * outlet - mechanics.load_lbf - friction;
     double* rate = derivative.data() + link * components;
     rate[inlet_psi] =
-        (inlet_in3_per_s - machine.inlet_area_in2 * velocity - leak) / machine.inlet_compliance_in3_per_psi;
+        (inlet_in3_per_s - mechanics.inlet_area_in2 * velocity - leak) / mechanics.inlet_compliance_in3_per_psi;
     rate[outlet_psi] = 0;
-    if (machine.outlet_area_in2 > 0) {
+    if (mechanics.outlet_area_in2 > 0) {
         double drain = drain_in3_per_s(areas(state, link, time_s).outlet_in2, outlet, scenario_.flow);
-        rate[outlet_psi] = (machine.outlet_area_in2 * velocity + leak - drain) / machine.outlet_compliance_in3_per_psi;
+        rate[outlet_psi] =
+            (mechanics.outlet_area_in2 * velocity + leak - drain) / mechanics.outlet_compliance_in3_per_psi;
     }
     rate[piston_in] = velocity;
-    rate[velocity_in_per_s] = force / machine.mass_lbf_s2_per_in;
+    rate[velocity_in_per_s] = force / mechanics.mass_lbf_s2_per_in;
     rate[spool_in] = 0;
     if (const auto* valve = std::get_if<SpoolOrifices>(&active.valve))
-        rate[spool_in] = machine.spool_lag_per_s * (desired_in(*valve, time_s) - part(state, link, spool_in));
+        rate[spool_in] = mechanics.spool_lag_per_s * (desired_in(*valve, time_s) - part(state, link, spool_in));
 }
 
 ExcavatorDynamics::Mode ExcavatorDynamics::rate(const State& state, State& derivative, double time_s) const {

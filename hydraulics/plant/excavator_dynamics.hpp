@@ -10,12 +10,12 @@ namespace placedpar::hydraulics {
 
 /// Which valves are open and which branch of each curve holds at one link and its junction.
 struct LinkMode {
-    bool inlet_open = false;  // the junction's pressure exceeds the link's
-    bool bypass_open = false; // ... the next junction's
+    bool inlet_open = false;  ///< the junction's pressure exceeds the link's
+    bool bypass_open = false; ///< ... the next junction's
     bool relieving = false;
     bool leaking = false;
-    int spool_branch = 0;    // between which knees of A.3 to A.9 the spool stands
-    std::size_t command = 0; // how many steps of the valve's command have begun, how many ramps have ended
+    int spool_branch = 0;    ///< between which knees of A.3 to A.9 the spool stands
+    std::size_t command = 0; ///< begun_and_ended() of the valve's command
 
     friend bool operator==(const LinkMode&, const LinkMode&) = default;
 };
@@ -29,7 +29,7 @@ struct LinkMode {
 class ExcavatorDynamics {
 public:
     using State = std::vector<double>;
-    using Mode = std::vector<LinkMode>; // in the order of the scenario's links
+    using Mode = std::vector<LinkMode>; ///< in the order of the scenario's links
 
     /// Of each link's part of the state.
     enum Component : std::size_t { inlet_psi, outlet_psi, piston_in, velocity_in_per_s, spool_in, components };
@@ -52,8 +52,8 @@ private:
 
     const ExcavatorScenario& scenario_;
     Circuit circuit_;
-    std::vector<std::size_t> link_at_;     // of each junction
-    std::vector<std::size_t> junction_of_; // of each link
+    std::vector<std::size_t> link_at_;     ///< of each junction
+    std::vector<std::size_t> junction_of_; ///< of each link
 };
 
 } // namespace placedpar::hydraulics

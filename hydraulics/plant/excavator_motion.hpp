@@ -10,18 +10,18 @@ namespace placedpar::hydraulics {
 
 /// The true state of one link at one instant.
 struct LinkState {
-    double inlet_psi;         // P_i
-    double outlet_psi;        // P_o; the tank's where the drain side is left out
-    double piston_in;         // x, 0 at the start
-    double velocity_in_per_s; // v
-    double spool_in;          // 0 for a valve without a spool
+    double inlet_psi;         ///< P_i
+    double outlet_psi;        ///< P_o; the tank's where the drain side is left out
+    double piston_in;         ///< x, 0 at the start
+    double velocity_in_per_s; ///< v
+    double spool_in;          ///< 0 for a valve without a spool
     OrificeAreas areas;
-    JunctionFlow flow; // at the link's junction
+    JunctionFlow flow; ///< at the link's junction
 };
 
 struct ExcavatorState {
     double time_s;
-    std::vector<LinkState> links; // in the scenario's order
+    std::vector<LinkState> links; ///< in the scenario's order
 };
 
 /// A load check valve has opened or shut: to the integration's accuracy, but no better than some 10 ns, before
@@ -33,8 +33,8 @@ struct CheckEvent {
 };
 
 struct ExcavatorMotion {
-    std::vector<ExcavatorState> states; // one an integration step, the first at time 0
-    std::vector<CheckEvent> checks;     // in order of time
+    std::vector<ExcavatorState> states; ///< one an integration step, the first at time 0
+    std::vector<CheckEvent> checks;     ///< in order of time
 };
 
 /// Simulates a scenario from rest: equations B.2 to B.5 or, with spools, 3.1 to 3.4 and A.2 to A.9, for all
@@ -42,7 +42,7 @@ struct ExcavatorMotion {
 /// every instant at which a valve opens or shuts, a curve has a knee or a command begins, and the method's
 /// order 4 holds across them (event_step.hpp), as far as the equations are smooth between them: the drain side
 /// is not where its pressure passes the tank's.
-/// Throws std::invalid_argument when the scenario is not valid.
+/// Throws UnfitScenario (requirement.hpp) when the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 
 /// The same; the states are shown one by one instead of kept.

@@ -1,32 +1,66 @@
 #include "hydraulics/plant/excavator_record.hpp"
 
 #include <numbers>
+#include <span>
+#include <variant>
 
 namespace placedpar::hydraulics {
+
+namespace {
+
+constexpr double deg_per_rad = 180 / std::numbers::pi;
+
+/// Reads the sensors of one link.
+void read_link(const LinkState& state, const ActiveLink& active, const MeasurementNoise& noise,
+               const UniformSource& uniform, Record& record) {
+    auto read = [&](Sensor sensor, double value, double deviation, double resolution) {
+        record.of(active.link, sensor).push_back(reading(value + deviation * standard_normal(uniform), resolution));
+    };
+    auto read_area = [&](Sensor sensor, double area_in2) {
+        read(sensor, area_in2, noise.area_share * area_in2, area_resolution_in2);
+    };
+    double angle_deg = state.piston_in / active.mechanics.moment_arm_in * deg_per_rad;
+    read(Sensor::inlet_pressure, state.inlet_psi, noise.pressure_psi, pressure_resolution_psi);
+    read(Sensor::angle, angle_deg, noise.angle_deg, angle_resolution_deg);
+    if (std::holds_alternative<SpoolOrifices>(active.valve)) {
+        read(Sensor::spool, state.spool_in, noise.spool_in, spool_resolution_in);
+    } else {
+        read_area(Sensor::inlet_area, state.areas.inlet_in2);
+        read_area(Sensor::bypass_area, state.areas.bypass_in2);
+    }
+}
+
+} // namespace
 
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
                          const MeasurementNoise& noise, const UniformSource& uniform) {
     Record record;
     record.period_s = period_s;
-    std::size_t stride = steps_in(period_s, scenario.integration_step_s);
+    std::size_t stride = steps_in(period_s, step_of(std::span<const ExcavatorState>(motion.states)));
     for (std::size_t i = 0; i < motion.states.size(); i += stride) {
         record.time_s.push_back(motion.states[i].time_s);
-        for (std::size_t l = 0; l < scenario.links.size(); ++l) {
-            const LinkState& state = motion.states[i].links[l];
-            const ActiveLink& link = scenario.links[l];
-            auto read = [&](Sensor sensor, double value, double deviation, double resolution) {
-                record.of(link.link, sensor)
-                    .push_back(reading(value + deviation * standard_normal(uniform), resolution));
-            };
-            double angle_deg = state.piston_in / link.machine.moment_arm_in * 180 / std::numbers::pi;
-            read(Sensor::inlet_pressure, state.inlet_psi, noise.pressure_psi, pressure_resolution_psi);
-            read(Sensor::angle, angle_deg, noise.angle_deg, angle_resolution_deg);
-            read(Sensor::inlet_area, state.areas.inlet_in2, noise.area_share * state.areas.inlet_in2,
-                 area_resolution_in2);
-            read(Sensor::bypass_area, state.areas.bypass_in2, noise.area_share * state.areas.bypass_in2,
-                 area_resolution_in2);
-        }
+        for (std::size_t l = 0; l < scenario.links.size(); ++l)
+            read_link(motion.states[i].links[l], scenario.links[l], noise, uniform, record);
     }
+    return record;
+}
+
+LinkCalibrations boom_calibrations(const LinkMechanics& boom) {
+    LinkCalibrations calibrations;
+    LinkCalibration& calibration = calibrations[index_of(Link::boom)];
+    calibration.piston_in3_per_rad = piston_in3_per_rad(boom.inlet_area_in2, boom.moment_arm_in);
+    calibration.spool_lag_per_s = boom.spool_lag_per_s;
+    return calibrations;
+}
+
+std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
+                                             const UniformSource& uniform, const UsableSamples& usable) {
+    Record measured = measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, noise, uniform);
+    Circuit circuit = boom_circuit();
+    auto samples = circuit_samples(measured, circuit, boom_calibrations(scenario.links.front().mechanics));
+    std::vector<std::vector<double>> record;
+    for (const CircuitSample& sample : usable_samples(samples, circuit, scenario.flow, usable))
+        record.push_back(sample.values());
     return record;
 }
 

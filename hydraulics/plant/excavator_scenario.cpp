@@ -1,11 +1,11 @@
 #include "hydraulics/plant/excavator_scenario.hpp"
+
 #include "hydraulics/plant/requirement.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string_view>
 
 namespace placedpar::hydraulics {
@@ -14,21 +14,21 @@ namespace {
 
 constexpr Requirement scenario_needs{"excavator scenario"};
 
-void require_valid(const LinkMachine& machine, std::string_view link) {
+void require_valid(const LinkMechanics& mechanics, std::string_view link) {
     auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    scenario_needs.positive(its("inlet area"), machine.inlet_area_in2);
-    scenario_needs.not_negative(its("outlet area"), machine.outlet_area_in2);
-    scenario_needs.positive(its("moment arm"), machine.moment_arm_in);
-    scenario_needs.positive(its("mass"), machine.mass_lbf_s2_per_in);
-    scenario_needs.not_negative(its("damping"), machine.damping_lbf_s_per_in);
-    scenario_needs.not_negative(its("friction"), machine.friction_lbf);
-    scenario_needs.positive(its("friction velocity"), machine.friction_velocity_in_per_s);
-    scenario_needs.positive(its("inlet compliance"), machine.inlet_compliance_in3_per_psi);
-    if (machine.outlet_area_in2 > 0)
-        scenario_needs.positive(its("outlet compliance"), machine.outlet_compliance_in3_per_psi);
-    scenario_needs.positive(its("spool lag"), machine.spool_lag_per_s);
-    if (!std::isfinite(machine.load_lbf))
-        scenario_needs.refuse(its("load"), machine.load_lbf, "a finite force");
+    scenario_needs.positive(its("inlet area"), mechanics.inlet_area_in2);
+    scenario_needs.not_negative(its("outlet area"), mechanics.outlet_area_in2);
+    scenario_needs.positive(its("moment arm"), mechanics.moment_arm_in);
+    scenario_needs.positive(its("mass"), mechanics.mass_lbf_s2_per_in);
+    scenario_needs.not_negative(its("damping"), mechanics.damping_lbf_s_per_in);
+    scenario_needs.not_negative(its("friction"), mechanics.friction_lbf);
+    scenario_needs.positive(its("friction velocity"), mechanics.friction_velocity_in_per_s);
+    scenario_needs.positive(its("inlet compliance"), mechanics.inlet_compliance_in3_per_psi);
+    if (mechanics.outlet_area_in2 > 0)
+        scenario_needs.positive(its("outlet compliance"), mechanics.outlet_compliance_in3_per_psi);
+    scenario_needs.positive(its("spool lag"), mechanics.spool_lag_per_s);
+    if (!std::isfinite(mechanics.load_lbf))
+        scenario_needs.refuse(its("load"), mechanics.load_lbf, "a finite force");
 }
 
 void require_valid(const TimedOrifices& valve, std::string_view link) {
@@ -66,15 +66,15 @@ void require_valid(const ExcavatorScenario& scenario) {
     scenario_needs.positive("the pump flow", scenario.flow.pump_in3_per_s);
     scenario_needs.positive("the relief pressure", scenario.flow.relief_psi);
     if (scenario.links.empty())
-        throw std::invalid_argument("excavator scenario: no link is active, expected at least one");
+        throw UnfitScenario("excavator scenario: no link is active, expected at least one");
     LinkSet seen;
     for (const ActiveLink& active : scenario.links) {
         std::string_view name = name_of(active.link);
         if (seen.contains(active.link))
-            throw std::invalid_argument(
+            throw UnfitScenario(
                 fmt::format("excavator scenario: the {} is listed twice, expected each link once", name));
         seen.insert(active.link);
-        require_valid(active.machine, name);
+        require_valid(active.mechanics, name);
         std::visit([name](const auto& valve) { require_valid(valve, name); }, active.valve);
         scenario_needs.not_negative(fmt::format("the {}'s leak", name), active.leak.in3_per_s_psi);
     }

@@ -1,12 +1,13 @@
 #include "hydraulics/plant/feedforward.hpp"
 
+#include "hydraulics/plant/requirement.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
 namespace placedpar::hydraulics {
 
@@ -25,9 +26,8 @@ std::vector<double> junction_pressures(const Circuit& circuit, std::span<const F
         if (circuit[j].through != Through::nowhere)
             psi[j] = std::max(psi[j], beyond_psi(circuit, j, psi, constants) + bypass_drop_psi);
         if (psi[j] > constants.relief_psi)
-            throw std::invalid_argument(
-                fmt::format("the {} needs {:.0f} psi at its junction, the relief valve opens at {}",
-                            name_of(circuit[j].link), psi[j], constants.relief_psi));
+            throw UnfitScenario(fmt::format("the {} needs {:.0f} psi at its junction, the relief valve opens at {}",
+                                            name_of(circuit[j].link), psi[j], constants.relief_psi));
     }
     return psi;
 }
@@ -46,8 +46,8 @@ std::vector<JunctionOpening> openings_for(const Circuit& circuit, std::span<cons
         double comes = circuit[j].pumps * constants.pump_in3_per_s + passed_on[j];
         double in = circuit[j].through == Through::nowhere ? comes : targets[j].inlet_in3_per_s;
         if (in > comes)
-            throw std::invalid_argument(fmt::format("the {} is to get {} in^3/s, {:.1f} come to its junction",
-                                                    name_of(circuit[j].link), in, comes));
+            throw UnfitScenario(fmt::format("the {} is to get {} in^3/s, {:.1f} come to its junction",
+                                            name_of(circuit[j].link), in, comes));
         if (circuit[j].through == Through::junction)
             passed_on[circuit[j].next] += comes - in;
         double inlet_in2 = in / (k * std::sqrt(psi[j] - targets[j].link_psi));

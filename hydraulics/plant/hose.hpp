@@ -2,12 +2,12 @@
 
 namespace placedpar::hydraulics {
 
-/// A hose as the second-order model has it: its fluid moves as one mass between the compliance at the valve's end and
-/// that at the cylinder's end. The thesis's first-order pipe model has their sum alone.
+/// A hose by the second-order model: its fluid moves as one mass between two compliances, one at the valve's end and
+/// one at the cylinder's. The thesis's first-order pipe model has only their sum.
 struct Hose {
-    double inertance_psi_s2_per_in3; // I = density length / bore
-    double resistance_psi_s_per_in3; // R, laminar
-    double valve_share;              // of the compliance that is at the valve's end
+    double inertance_psi_s2_per_in3; ///< I = density length / bore
+    double resistance_psi_s_per_in3; ///< R, laminar
+    double valve_share;              ///< of the compliance that is at the valve's end
 };
 
 /// The two compliances.

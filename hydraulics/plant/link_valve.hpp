@@ -2,6 +2,7 @@
 
 #include "hydraulics/circuit/boom_orifices.hpp"
 
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -10,11 +11,11 @@ namespace placedpar::hydraulics {
 /// The simplified valve of B.5: it answers a step input by areas that approach their final values like
 /// exp(-rate t), without a spool. Before the step the inlet and the outlet are shut.
 struct TimedOrifices {
-    double inlet_final_in2;  // a_i1
-    double bypass_rest_in2;  // a_e0
-    double bypass_final_in2; // a_e1
-    double outlet_final_in2; // 0 where the drain side is left out, as the thesis does
-    double rate_per_s;       // a_0
+    double inlet_final_in2;  ///< a_i1
+    double bypass_rest_in2;  ///< a_e0
+    double bypass_final_in2; ///< a_e1
+    double outlet_final_in2; ///< 0 where the drain side is left out, as the thesis does
+    double rate_per_s;       ///< a_0
     double step_time_s;
 };
 
@@ -28,10 +29,18 @@ struct SpoolStep {
 /// A main valve whose spool follows commands by the lag of A.2 and opens the orifices of A.3 to A.9, which
 /// are the boom's: those of the other links are not printed. (voltage_spool.hpp turns voltages into commands.)
 struct SpoolOrifices {
-    double rest_in;               // the spool before the first step
-    std::vector<SpoolStep> steps; // in order of time, each behind the ramp before
+    double rest_in;               ///< the spool before the first step
+    std::vector<SpoolStep> steps; ///< in order of time, each after the ramp before it
 };
 
 using LinkValve = std::variant<TimedOrifices, SpoolOrifices>;
+
+/// B.5.
+OrificeAreas areas_at(const TimedOrifices& valve, double time_s);
+/// The spool that the command asks for.
+double desired_in(const SpoolOrifices& valve, double time_s);
+/// How many steps of the command have begun, and how many ramps have ended: while that stays the same, the command is
+/// smooth.
+std::size_t begun_and_ended(const LinkValve& valve, double time_s);
 
 } // namespace placedpar::hydraulics

@@ -16,76 +16,75 @@ namespace {
 constexpr double least_psia = 1;
 
 /// The cylinder's end of the inlet side: what was asked for, and what free air adds to it. The air gathers there.
-double cylinder_compliance(const MeasuredMachine& machine, double without_air, double psi) {
-    if (machine.oil.air_fraction == 0)
+double cylinder_compliance(const MeasuredExcavator& excavator, double without_air, double psi) {
+    if (excavator.oil.air_fraction == 0)
         return without_air;
-    double psia = std::max(psi + machine.oil.atmospheric_psia, least_psia);
-    return without_air + fluid_compliance_in3_per_psi(machine.oil_volume_in3, bulk_modulus_psi(machine.oil, psia)) -
-           fluid_compliance_in3_per_psi(machine.oil_volume_in3, machine.oil.oil_modulus_psi);
+    double psia = std::max(psi + excavator.oil.atmospheric_psia, least_psia);
+    return without_air + fluid_compliance_in3_per_psi(excavator.oil_volume_in3, bulk_modulus_psi(excavator.oil, psia)) -
+           fluid_compliance_in3_per_psi(excavator.oil_volume_in3, excavator.oil.oil_modulus_psi);
 }
 
 } // namespace
 
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow) {
     double root = std::sqrt(std::sqrt(drop_psi * drop_psi + laminar_psi * laminar_psi));
-    return flow.orifice_in3_per_s_in2_sqrt_psi * outlet_in2 * drop_psi / root;
+    return flow.conductance(outlet_in2) * drop_psi / root;
 }
 
 MeasuredDynamics::State MeasuredDynamics::at_rest() const {
-    const BoomMachine& boom = machine_.boom;
-    double tank = machine_.flow.tank_psi;
+    const LinkMechanics& boom = excavator_.boom;
+    double tank = excavator_.flow.tank_psi;
     State state(components);
     state[outlet_psi] = state[outlet_cylinder_psi] = tank;
-    state[inlet_psi] = state[inlet_cylinder_psi] =
-        (boom.gravity_lbf + boom.outlet_area_in2 * tank) / boom.inlet_area_in2;
-    state[spool_in] = machine_.voltage_spool.desired_spool_in(held_volts(machine_, 0), 0);
+    state[inlet_psi] = state[inlet_cylinder_psi] = (boom.load_lbf + boom.outlet_area_in2 * tank) / boom.inlet_area_in2;
+    state[spool_in] = excavator_.voltage_spool.desired_spool_in(held_volts(excavator_, 0), 0);
     return state;
 }
 
 void MeasuredDynamics::hold(double time_s) {
-    double acted_on_s = std::max(time_s - machine_.dead_time_s, 0.0);
-    desired_spool_in_ = machine_.voltage_spool.desired_spool_in(held_volts(machine_, acted_on_s), time_s);
+    double acted_on_s = std::max(time_s - excavator_.dead_time_s, 0.0);
+    desired_spool_in_ = excavator_.voltage_spool.desired_spool_in(held_volts(excavator_, acted_on_s), time_s);
 }
 
 double MeasuredDynamics::pump_in3_per_s(double time_s) const {
-    double turn = 2 * std::numbers::pi * machine_.ripple.frequency_per_s * time_s;
-    return machine_.flow.pump_in3_per_s * (1 + machine_.ripple.amplitude * std::sin(turn));
+    double turn = 2 * std::numbers::pi * excavator_.ripple.frequency_per_s * time_s;
+    return excavator_.flow.pump_in3_per_s * (1 + excavator_.ripple.amplitude * std::sin(turn));
 }
 
 FlowConstants MeasuredDynamics::flow_at(double time_s) const {
-    FlowConstants flow = machine_.flow;
+    FlowConstants flow = excavator_.flow;
     flow.pump_in3_per_s = pump_in3_per_s(time_s);
     return flow;
 }
 
 double MeasuredDynamics::leak_in3_per_s(const State& state, double time_s) const {
-    double leak = time_s >= machine_.leak_start_s ? machine_.leak_in3_per_s_psi : 0;
+    double leak = time_s >= excavator_.leak.start_s ? excavator_.leak.in3_per_s_psi : 0;
     return leakage_in3_per_s(leak, state[inlet_cylinder_psi], state[outlet_cylinder_psi]);
 }
 
 double MeasuredDynamics::acceleration(const State& state) const {
-    const BoomMachine& boom = machine_.boom;
+    const LinkMechanics& boom = excavator_.boom;
     double velocity = state[velocity_in_per_s];
     double force = boom.inlet_area_in2 * state[inlet_cylinder_psi] - boom.outlet_area_in2 * state[outlet_cylinder_psi] -
-                   boom.gravity_lbf - boom.damping_lbf_s_per_in * velocity -
-                   friction_force_lbf(machine_.friction, velocity, state[bristle_in]);
+                   boom.load_lbf - boom.damping_lbf_s_per_in * velocity -
+                   friction_force_lbf(excavator_.friction, velocity, state[bristle_in]);
     return force / boom.mass_lbf_s2_per_in;
 }
 
 MeasuredDynamics::Mode MeasuredDynamics::rate(const State& state, State& derivative, double time_s) const {
-    const BoomMachine& boom = machine_.boom;
+    const LinkMechanics& boom = excavator_.boom;
     OrificeAreas areas = boom_orifices(state[spool_in]);
     FlowSplit flows = split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], flow_at(time_s));
     double velocity = state[velocity_in_per_s], leak = leak_in3_per_s(state, time_s);
-    double drained = drain_in3_per_s(areas.outlet_in2, state[outlet_psi] - machine_.flow.tank_psi,
-                                     machine_.drain_laminar_psi, machine_.flow);
-    HoseEnds inlet = ends_of(machine_.inlet_hose, boom.inlet_compliance_in3_per_psi);
-    HoseEnds outlet = ends_of(machine_.outlet_hose, boom.outlet_compliance_in3_per_psi);
-    HoseLine in = rates_of(machine_.inlet_hose, inlet.valve_in3_per_psi,
-                           cylinder_compliance(machine_, inlet.cylinder_in3_per_psi, state[inlet_cylinder_psi]),
+    double drained = drain_in3_per_s(areas.outlet_in2, state[outlet_psi] - excavator_.flow.tank_psi,
+                                     excavator_.drain_laminar_psi, excavator_.flow);
+    HoseEnds inlet = ends_of(excavator_.inlet_hose, boom.inlet_compliance_in3_per_psi);
+    HoseEnds outlet = ends_of(excavator_.outlet_hose, boom.outlet_compliance_in3_per_psi);
+    HoseLine in = rates_of(excavator_.inlet_hose, inlet.valve_in3_per_psi,
+                           cylinder_compliance(excavator_, inlet.cylinder_in3_per_psi, state[inlet_cylinder_psi]),
                            {state[inlet_psi], state[inlet_hose_in3_per_s], state[inlet_cylinder_psi]},
                            flows.inlet_in3_per_s, boom.inlet_area_in2 * velocity + leak);
-    HoseLine out = rates_of(machine_.outlet_hose, outlet.cylinder_in3_per_psi, outlet.valve_in3_per_psi,
+    HoseLine out = rates_of(excavator_.outlet_hose, outlet.cylinder_in3_per_psi, outlet.valve_in3_per_psi,
                             {state[outlet_cylinder_psi], state[outlet_hose_in3_per_s], state[outlet_psi]},
                             boom.outlet_area_in2 * velocity + leak, drained);
     derivative[inlet_psi] = in.first_psi;
@@ -96,28 +95,28 @@ MeasuredDynamics::Mode MeasuredDynamics::rate(const State& state, State& derivat
     derivative[outlet_psi] = out.second_psi;
     derivative[piston_in] = velocity;
     derivative[velocity_in_per_s] = acceleration(state);
-    derivative[bristle_in] = bristle_rate_in_per_s(machine_.friction, velocity, state[bristle_in]);
+    derivative[bristle_in] = bristle_rate_in_per_s(excavator_.friction, velocity, state[bristle_in]);
     derivative[spool_in] = boom.spool_lag_per_s * (desired_spool_in_ - state[spool_in]);
-    return {flows.pump_psi > state[inlet_psi], flows.relief_in3_per_s > 0, time_s >= machine_.leak_start_s,
+    return {flows.pump_psi > state[inlet_psi], flows.relief_in3_per_s > 0, time_s >= excavator_.leak.start_s,
             boom_orifice_branch(state[spool_in])};
 }
 
 MeasuredState MeasuredDynamics::describe(const State& state, double time_s) const {
     OrificeAreas areas = boom_orifices(state[spool_in]);
     FlowSplit flows = split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], flow_at(time_s));
-    return {time_s,
-            state[inlet_psi],
-            state[inlet_cylinder_psi],
-            state[outlet_psi],
-            state[outlet_cylinder_psi],
-            state[piston_in],
-            state[velocity_in_per_s],
-            state[spool_in],
-            pump_in3_per_s(time_s),
-            flows.inlet_in3_per_s,
-            flows.bypass_in3_per_s,
-            state[inlet_hose_in3_per_s],
-            leak_in3_per_s(state, time_s)};
+    return {.time_s = time_s,
+            .inlet_psi = state[inlet_psi],
+            .inlet_cylinder_psi = state[inlet_cylinder_psi],
+            .outlet_psi = state[outlet_psi],
+            .outlet_cylinder_psi = state[outlet_cylinder_psi],
+            .piston_in = state[piston_in],
+            .velocity_in_per_s = state[velocity_in_per_s],
+            .spool_in = state[spool_in],
+            .pump_in3_per_s = pump_in3_per_s(time_s),
+            .inlet_in3_per_s = flows.inlet_in3_per_s,
+            .bypass_in3_per_s = flows.bypass_in3_per_s,
+            .inlet_hose_in3_per_s = state[inlet_hose_in3_per_s],
+            .leak_in3_per_s = leak_in3_per_s(state, time_s)};
 }
 
 } // namespace placedpar::hydraulics

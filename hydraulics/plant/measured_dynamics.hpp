@@ -1,13 +1,13 @@
 #pragma once
 
-#include "hydraulics/plant/measured_machine.hpp"
+#include "hydraulics/plant/measured_excavator.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace placedpar::hydraulics {
 
-/// The measured machine as a system of ordinary differential equations:
+/// The measured excavator as a system of ordinary differential equations:
 ///
 ///   valve --- hose --- cylinder, on either side of the piston
 ///   C_v P_v' = Q_i - q,  I q' = P_v - P_c - R q,  C_c P_c' = q - A_i v - Q_l          inlet
@@ -42,8 +42,8 @@ public:
         friend bool operator==(const Mode&, const Mode&) = default;
     };
 
-    /// REQUIRES: the machine outlives this.
-    explicit MeasuredDynamics(const MeasuredMachine& machine) : machine_(machine) { hold(0); }
+    /// REQUIRES: the excavator outlives this.
+    explicit MeasuredDynamics(const MeasuredExcavator& excavator) : excavator_(excavator) { hold(0); }
 
     State at_rest() const;
     /// Keeps the command and the drift as they are at this instant.
@@ -58,7 +58,7 @@ private:
     double leak_in3_per_s(const State& state, double time_s) const;
     double acceleration(const State& state) const;
 
-    const MeasuredMachine& machine_;
+    const MeasuredExcavator& excavator_;
     double desired_spool_in_ = 0;
 };
 
@@ -66,7 +66,7 @@ private:
 /// Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
 
-/// Throws std::invalid_argument that says which value cannot be simulated, and what would do.
-void require_valid(const MeasuredMachine& machine);
+/// Throws UnfitScenario (requirement.hpp), which says which value cannot be simulated, and what is expected.
+void require_valid(const MeasuredExcavator& excavator);
 
 } // namespace placedpar::hydraulics

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "hydraulics/data/record.hpp"
-#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/plant/requirement.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <stdexcept>
 
 namespace placedpar::hydraulics {
 
@@ -15,8 +14,11 @@ struct MeasurementNoise {
     double pressure_psi = 0;
     double angle_deg = 0;
     double spool_in = 0;
-    double area_share = 0; // of an orifice area, where that is what is measured
+    double area_share = 0; ///< of an orifice area, where that is what is measured
 };
+
+/// By the rows noise.*.
+MeasurementNoise measurement_noise(const Parameters& parameters);
 
 /// Noise levels of the identification studies (ours).
 inline constexpr MeasurementNoise no_noise{};
@@ -24,7 +26,7 @@ inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003, 0.001};
 inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005, 0.002};
 inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001, 0.004};
 
-/// Numbers uniform in [0, 1), drawn by the caller so that the record is a function of the caller's seed.
+/// Numbers uniform in [0, 1) from the caller, so that the record is a function of the caller's seed.
 using UniformSource = std::function<double()>;
 
 /// One number from the standard normal distribution, by Box and Muller's cosine: two uniform numbers.
@@ -34,7 +36,7 @@ double standard_normal(const UniformSource& uniform);
 inline constexpr double sampling_period_s = 0.020;
 
 /// Readings come in steps, far below any noise. This keeps the last bits of exp, log and tanh, in which one
-/// processor's mathematical library may differ from another's, out of the record and of all that follows.
+/// processor's mathematical library may differ from another's, out of the record and of all that follows from it.
 inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
@@ -44,21 +46,15 @@ inline constexpr double area_resolution_in2 = 0x1p-30;
 /// rounds.
 double reading(double value, double resolution);
 
-/// The step of a motion that is noted at equal steps. Throws std::invalid_argument for fewer than two states.
+/// The step of a motion that is noted at equal steps. Throws UnfitScenario for fewer than two states.
 template <class State>
 double step_of(std::span<const State> motion) {
     if (motion.size() < 2)
-        throw std::invalid_argument("a motion of fewer than two states cannot be sampled");
+        throw UnfitScenario("a motion of fewer than two states cannot be sampled");
     return motion[1].time_s - motion[0].time_s;
 }
 
-/// Steps of a motion from one sample to the next. Throws std::invalid_argument unless that is a whole number.
+/// Steps of a motion from one sample to the next. Throws UnfitScenario unless that is a whole number.
 std::size_t steps_in(double period_s, double step_s);
-
-/// Samples a motion every `period_s`, from its first state on: the boom's inlet pressure, angle and spool. Draws three
-/// normal numbers a sample in the order pressure, angle, spool, whatever the noise, so that two levels see the same
-/// disturbance in proportion. Throws std::invalid_argument when the period is no whole multiple of the motion's step.
-Record measure_boom(std::span<const BoomState> motion, double moment_arm_in, double period_s,
-                    const MeasurementNoise& noise, const UniformSource& uniform);
 
 } // namespace placedpar::hydraulics

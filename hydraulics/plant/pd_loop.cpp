@@ -30,10 +30,10 @@ Eigen::Matrix3d companion(const PdLoop& loop) {
 
 } // namespace
 
-PdLoop reference_pd_loop(const Parameters& machine) {
-    double a1 = machine["pd_loop.hydraulic_frequency"] * machine["pd_loop.hydraulic_frequency"];
-    return {a1 * machine["pd_loop.speed_gain"], a1, machine["pd_loop.hydraulic_damping"],
-            machine["pd_loop.proportional_gain"], machine["pd_loop.velocity_gain"]};
+PdLoop reference_pd_loop(const Parameters& parameters) {
+    double a1 = parameters["pd_loop.hydraulic_frequency"] * parameters["pd_loop.hydraulic_frequency"];
+    return {a1 * parameters["pd_loop.speed_gain"], a1, parameters["pd_loop.hydraulic_damping"],
+            parameters["pd_loop.proportional_gain"], parameters["pd_loop.velocity_gain"]};
 }
 
 PdLoop pd_loop_of(const HydraulicJoint& joint, double kp, double kv_s) {

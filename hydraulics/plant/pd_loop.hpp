@@ -13,24 +13,24 @@ namespace placedpar::hydraulics {
 /// Transfer function of a joint under P-D control, equation 2.9:
 ///     theta / theta_d = K_p a_0 / (s^3 + a_2 s^2 + (a_1 + a_0 K_v) s + K_p a_0)
 struct PdLoop {
-    double a0_per_s3; // 2 K_x D_m / (J C), a gain
-    double a1_per_s2; // 2 D_m^2 / (J C); the thesis prints the terms of a_1 and a_2 exchanged
-    double a2_per_s;  // K_p_i / C
-    double kp;        // proportional gain
-    double kv_s;      // velocity gain
+    double a0_per_s3; ///< 2 K_x D_m / (J C), a gain
+    double a1_per_s2; ///< 2 D_m^2 / (J C); the thesis prints the terms of a_1 and a_2 exchanged
+    double a2_per_s;  ///< K_p_i / C
+    double kp;        ///< proportional gain
+    double kv_s;      ///< velocity gain
 };
 
 /// The loop with which Figures 2.8 and 2.9 are drawn again (excavator.csv), at the compliance C of Figure 2.8.
-PdLoop reference_pd_loop(const Parameters& machine = Parameters::excavator());
+PdLoop reference_pd_loop(const Parameters& parameters = Parameters::excavator());
 
 /// What a_0, a_1 and a_2 are made of, in SI. The coefficients follow from J th'' = D_m P_L (two chambers share the
 /// load pressure), C P_L' = 2 K_x x - K_pi P_L - 2 D_m th' and x = K_p (th_d - th) - K_v th'.
 struct HydraulicJoint {
-    double compliance_m3_per_pa;          // C
-    double displacement_m3_per_rad;       // D_m
-    double inertia_kg_m2;                 // J
-    double flow_gain_m2_per_s;            // K_x, flow per spool displacement
-    double flow_pressure_m3_per_s_per_pa; // K_pi
+    double compliance_m3_per_pa;          ///< C
+    double displacement_m3_per_rad;       ///< D_m
+    double inertia_kg_m2;                 ///< J
+    double flow_gain_m2_per_s;            ///< K_x, flow per spool displacement
+    double flow_pressure_m3_per_s_per_pa; ///< K_pi
 };
 
 PdLoop pd_loop_of(const HydraulicJoint& joint, double kp, double kv_s);
@@ -47,8 +47,8 @@ std::array<std::complex<double>, 3> poles(const PdLoop& loop);
 
 /// Of the pair of complex poles.
 struct Oscillation {
-    double damping;           // zeta; negative when it grows
-    double natural_rad_per_s; // omega_n
+    double damping;           ///< zeta; negative when it grows
+    double natural_rad_per_s; ///< omega_n
 };
 
 /// None when all poles are real.
@@ -63,9 +63,9 @@ std::vector<double> step_response(const PdLoop& loop, double step_s, std::size_t
 
 /// Figures of a step response.
 struct StepFigures {
-    double overshoot_percent; // of the final value 1; 0 when it never exceeds it
-    double peak_time_s;       // of the greatest value
-    double settling_time_s;   // from here on within 2 % of the final value
+    double overshoot_percent; ///< of the final value 1; 0 when it never exceeds it
+    double peak_time_s;       ///< of the greatest value
+    double settling_time_s;   ///< from here on within 2 % of the final value
 };
 
 /// REQUIRES: the loop is stable and the response long enough to settle. Times are whole multiples of step_s.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <utility>
 
 namespace placedpar::hydraulics {
 
@@ -40,7 +41,7 @@ bool scenario_b_uses(std::string_view name) {
 }
 
 bool excavator_uses(std::string_view name) {
-    if (name == "boom.friction_velocity") // the measured machine sticks instead
+    if (name == "boom.friction_velocity") // the measured excavator sticks instead
         return false;
     return used_by_all(name) ||
            in_group(name, {"fault.", "excavator.", "valve.", "pump.", "hose.", "stiction.", "oil.", "sensors."});
@@ -59,11 +60,14 @@ Parameters with_machine_of_b(const Parameters& machine) {
     return parameters;
 }
 
-Record record_simple_plant(const Parameters& parameters, const std::string& scenario, const UniformSource& uniform) {
-    BoomScenario boom(parameters, scenario);
-    MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], parameters["noise.spool"]};
-    Record record =
-        measure_boom(simulate_boom(boom), boom.machine.moment_arm_in, parameters["sensors.period"], noise, uniform);
+Record simulate_and_measure(const ExcavatorScenario& scenario, const Parameters& parameters,
+                            const UniformSource& uniform) {
+    return measure_excavator(simulate_excavator(scenario), scenario, parameters["sensors.period"],
+                             measurement_noise(parameters), uniform);
+}
+
+Record record_simple_plant(const Parameters& parameters, std::string_view motion, const UniformSource& uniform) {
+    Record record = simulate_and_measure(single_boom_scenario(parameters, motion), parameters, uniform);
     for (double& spool_in : record.of(Link::boom, Sensor::spool))
         spool_in += parameters["fault.spool_offset"];
     return record;
@@ -78,9 +82,8 @@ Record record_scenario_b(const Parameters& parameters, const LinksInMotion&, con
 }
 
 Record record_excavator(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
-    MeasuredMachine machine(parameters);
-    BoomSensors sensors(parameters);
-    return read_boom_sensors(simulate_measured_machine(machine), machine, sensors, uniform);
+    MeasuredExcavator excavator = measured_excavator(parameters);
+    return read_boom_sensors(simulate_measured_excavator(excavator), excavator, boom_sensors(parameters), uniform);
 }
 
 bool two_links_use(std::string_view name) {
@@ -93,13 +96,8 @@ bool two_links_use(std::string_view name) {
     return name.starts_with("two_links.") && !in_group(name, {"two_links.stick", "two_links.swing"});
 }
 
-Record measure_links(const ExcavatorScenario& scenario, const Parameters& parameters, const UniformSource& uniform) {
-    MeasurementNoise noise{parameters["noise.pressure"], parameters["noise.angle"], 0, parameters["noise.area"]};
-    return measure_excavator(simulate_excavator(scenario), scenario, parameters["sensors.period"], noise, uniform);
-}
-
 Record record_two_links(const Parameters& parameters, const LinksInMotion&, const UniformSource& uniform) {
-    return measure_links(two_link_scenario(parameters), parameters, uniform);
+    return simulate_and_measure(two_link_scenario(parameters), parameters, uniform);
 }
 
 bool links_use(std::string_view name) {
@@ -112,7 +110,7 @@ bool links_use(std::string_view name) {
 }
 
 Record record_links(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform) {
-    return measure_links(step_scenario(moving.configuration, moving.links, parameters), parameters, uniform);
+    return simulate_and_measure(step_scenario(moving.configuration, moving.links, parameters), parameters, uniform);
 }
 
 constexpr std::array<RecordScenario, 5> scenarios{{

@@ -26,9 +26,9 @@ struct RecordScenario {
     Parameters (*parameters)(const Parameters& machine);
     /// Does the record depend on this parameter?
     bool (*uses)(std::string_view parameter);
-    /// Simulates and measures. Throws std::invalid_argument when a parameter is out of its range.
+    /// Simulates and measures. Throws UnfitScenario (requirement.hpp) when a parameter is out of its range.
     Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
-    /// Takes any links in any configuration; the others look at `parameters` only.
+    /// Moves any links in any configuration; the other scenarios look at `parameters` only.
     bool any_links = false;
 };
 

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace placedpar::hydraulics {
 
 void Requirement::refuse(std::string_view what, double value, std::string_view expected) const {
-    throw std::invalid_argument(fmt::format("{}: {} is {}, expected {}", of, what, value, expected));
+    throw UnfitScenario(fmt::format("{}: {} is {}, expected {}", of, what, value, expected));
 }
 
 void Requirement::positive(std::string_view what, double value) const {

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <stdexcept>
 #include <string_view>
 
 namespace placedpar::hydraulics {
 
-/// What the values of a machine or a scenario must be for it to be simulated. All throw std::invalid_argument:
+/// A machine or a motion of it that cannot be simulated or measured; what() says which value is wrong and what is
+/// expected.
+class UnfitScenario : public std::invalid_argument {
+public:
+    using std::invalid_argument::invalid_argument;
+};
+
+/// What the values of a machine or a scenario must be for it to be simulated. All throw UnfitScenario:
 /// "measured machine: the boom's mass is -1, expected above 0".
 struct Requirement {
     std::string_view of; ///< "measured machine"

@@ -5,12 +5,12 @@
 namespace placedpar::hydraulics {
 
 ServoCommand servo_command(const Parameters& parameters) {
-    ServoCommand command{parameters["excavator.servo_at_rest"],
-                         parameters["excavator.step_time"],
-                         parameters["excavator.servo_ramp"],
-                         parameters["excavator.servo_desired"],
-                         {},
-                         parameters["excavator.servo_second"]};
+    ServoCommand command{.at_rest_volts = parameters["excavator.servo_at_rest"],
+                         .step_time_s = parameters["excavator.step_time"],
+                         .ramp_s = parameters["excavator.servo_ramp"],
+                         .desired_volts = parameters["excavator.servo_desired"],
+                         .second_time_s = {},
+                         .second_volts = parameters["excavator.servo_second"]};
     if (double second = parameters["excavator.second_time"]; second > 0)
         command.second_time_s = second;
     return command;

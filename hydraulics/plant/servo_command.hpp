@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 struct ServoCommand {
     double at_rest_volts;
     double step_time_s;
-    double ramp_s; // 0: at once
+    double ramp_s; ///< 0: at once
     double desired_volts;
     std::optional<double> second_time_s;
     double second_volts;

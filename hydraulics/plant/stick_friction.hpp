@@ -8,10 +8,10 @@ namespace placedpar::hydraulics {
 /// less when the force rises fast, and creeps under vibration.
 struct StickFriction {
     double coulomb_lbf;
-    double breakaway_lbf;                // >= coulomb_lbf
-    double stribeck_in_per_s;            // velocity at which the force has mostly fallen to Coulomb's
-    double bristle_stiffness_lbf_per_in; // sigma_0
-    double bristle_damping_lbf_s_per_in; // sigma_1; fades with velocity, which keeps the model passive
+    double breakaway_lbf;                ///< >= coulomb_lbf
+    double stribeck_in_per_s;            ///< velocity at which the force has mostly fallen to Coulomb's
+    double bristle_stiffness_lbf_per_in; ///< sigma_0
+    double bristle_damping_lbf_s_per_in; ///< sigma_1; fades with velocity, which keeps the model passive
 };
 
 /// The force of steady sliding: g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).

@@ -1,6 +1,6 @@
 #include "monitor/protocol/message.hpp"
 
-#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/circuit/link_calibration.hpp"
 #include "monitor/protocol/field_reader.hpp"
 #include "monitor/protocol/repeated_field.hpp"
 
@@ -15,13 +15,12 @@ namespace placedpar::monitor {
 using namespace hydraulics;
 
 PerLink<LinkParameters> default_link_parameters() {
-    const Parameters& excavator = Parameters::excavator();
-    auto of = [&](hydraulics::Link link, const char* name) {
-        return excavator[fmt::format("{}.{}", name_of(link), name)];
-    };
+    LinkCalibrations calibrations = link_calibrations(Parameters::excavator());
     PerLink<LinkParameters> parameters;
-    for (hydraulics::Link link : all_links)
-        parameters[index_of(link)] = {of(link, "inlet_area") * of(link, "moment_arm"), of(link, "spool_lag")};
+    for (hydraulics::Link link : all_links) {
+        const LinkCalibration& calibration = calibrations[index_of(link)];
+        parameters[index_of(link)] = {calibration.piston_in3_per_rad, calibration.spool_lag_per_s};
+    }
     return parameters;
 }
 
@@ -89,7 +88,7 @@ MachineParameters machine_parameters(FieldReader& fields) {
         // One without the others would be no fit of anything: k, Q and P_e belong together.
         parameters.flow = {flow.number("orifice_in3_per_s_in2_sqrt_psi", {1, 1000, ""}),
                            flow.number("pump_in3_per_s", {1, 10000, "in^3/s"}),
-                           flow.number("tank_psi", {-20, 500, "psi"})};
+                           flow.number("tank_psi", {-20, 500, "psi"}), parameters.flow.relief_psi};
         flow.finish();
     }
     if (fields.has("links"))

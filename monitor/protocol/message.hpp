@@ -34,7 +34,7 @@ PerLink<LinkParameters> default_link_parameters();
 /// What the diagnosis has to know of a machine.
 struct MachineParameters {
     double period_s = 0.020; // between samples; thesis
-    hydraulics::FlowConstants flow = hydraulics::fitted_flow_constants;
+    hydraulics::FlowConstants flow = hydraulics::fitted_flow_constants();
     PerLink<LinkParameters> links = default_link_parameters();
 
     friend bool operator==(const MachineParameters&, const MachineParameters&);

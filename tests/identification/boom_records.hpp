@@ -1,6 +1,7 @@
 #pragma once
 
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "identification/record_problem.hpp"
 #include "runtime/random.hpp"
 
@@ -14,12 +15,12 @@ namespace placedpar {
 /// Scenario A measured: one record a seed.
 inline hydraulics::Record boom_measured(double duration_s, const hydraulics::MeasurementNoise& noise,
                                         std::uint64_t seed, double true_compliance = 0.0086) {
-    hydraulics::BoomScenario scenario;
+    hydraulics::ExcavatorScenario scenario = hydraulics::single_boom_scenario();
     scenario.duration_s = duration_s;
-    scenario.machine.inlet_compliance_in3_per_psi = true_compliance;
+    scenario.links[0].mechanics.inlet_compliance_in3_per_psi = true_compliance;
     RandomStream sensors(seed, "sensors");
-    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, hydraulics::sampling_period_s, noise,
-                        [&] { return sensors.uniform(); });
+    return measure_excavator(simulate_excavator(scenario), scenario, hydraulics::sampling_period_s, noise,
+                             [&] { return sensors.uniform(); });
 }
 
 inline Identified identify_boom(const hydraulics::Record& record, const IdentificationWay& way, std::uint64_t seed,

@@ -1,6 +1,6 @@
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 
 TEST_CASE("the string is a natural binary number of 10 bits over 0 ... 0.1") {
-    CircuitProblem problem(boom_circuit(), rounded_flow_constants);
+    CircuitProblem problem(boom_circuit(), rounded_flow_constants());
     auto compliance = [&](const char* text) { return problem.decode(Genome::from_string(text)).at(0); };
     CHECK(compliance("0000000000") == 0);
     CHECK(compliance("0000000001") == doctest::Approx(0.1 / 1024));
@@ -21,7 +21,7 @@ TEST_CASE("the string is a natural binary number of 10 bits over 0 ... 0.1") {
 
 TEST_CASE("it has any number of bits a link, the first of which is a half of the range") {
     for (std::size_t bits : {1u, 10u, 12u, 32u}) {
-        CircuitProblem problem(boom_circuit(), rounded_flow_constants, bits);
+        CircuitProblem problem(boom_circuit(), rounded_flow_constants(), bits);
         CHECK(problem.bits() == bits);
         Genome half(bits);
         half.flip(0);
@@ -30,7 +30,7 @@ TEST_CASE("it has any number of bits a link, the first of which is a half of the
 }
 
 TEST_CASE("the problem through SearchProblem is the problem itself") {
-    auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants));
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants()));
     CHECK(problem->bits() == 10);
     CHECK(problem->channels() == 5);
     CHECK(problem->parameter_names() == std::vector<std::string>{"C_BOi"});
@@ -43,11 +43,11 @@ TEST_CASE("the problem through SearchProblem is the problem itself") {
     genome.set_field(0, 10, 88);
     std::array compliance{0.1 * 88 / 1024};
     CHECK(problem->error(genome, of_boom.values()) ==
-          circuit_error_in3_per_s<double>(boom_circuit(), compliance, of_boom.links, rounded_flow_constants,
+          circuit_error_in3_per_s<double>(boom_circuit(), compliance, of_boom.links, rounded_flow_constants(),
                                           InletFlow::absolute));
 }
 
 TEST_CASE("a circuit of no link, or of more than four, is refused") {
-    CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants), "a circuit of 0 junctions, expected 1 to 4",
+    CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants()), "a circuit of 0 junctions, expected 1 to 4",
                          std::invalid_argument);
 }

@@ -1,4 +1,5 @@
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "identification/compliance_fit.hpp"
 #include "runtime/random.hpp"
 
@@ -13,12 +14,12 @@ using namespace placedpar::hydraulics;
 namespace {
 
 std::vector<CircuitSample> samples_of(const MeasurementNoise& noise, std::uint64_t seed) {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     RandomStream random(seed, "sensors");
-    Record record = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, noise,
-                                 [&] { return random.uniform(); });
-    return usable_samples(circuit_samples(record, boom_circuit(), boom_readings(scenario.machine)), boom_circuit(),
-                          scenario.flow);
+    Record record = measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, noise,
+                                      [&] { return random.uniform(); });
+    return usable_samples(circuit_samples(record, boom_circuit(), boom_calibrations(scenario.links[0].mechanics)),
+                          boom_circuit(), scenario.flow);
 }
 
 const std::array<double, 1> far{0.03};
@@ -26,7 +27,7 @@ const std::array<double, 1> far{0.03};
 } // namespace
 
 TEST_CASE("least squares finds the compliance of the motion without noise, from afar") {
-    auto fit = fit_compliances(boom_circuit(), samples_of(no_noise, 1), fitted_flow_constants, far);
+    auto fit = fit_compliances(boom_circuit(), samples_of(no_noise, 1), fitted_flow_constants(), far);
     REQUIRE(fit);
     CHECK(std::abs(fit->compliance_in3_per_psi[0] / 0.0086 - 1) < 0.02); // the line fits' own error
 }
@@ -35,7 +36,7 @@ TEST_CASE("its standard error is how the answers scatter from seed to seed") {
     double sum = 0, squares = 0, stated = 0;
     constexpr int seeds = 100;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        auto fit = fit_compliances(boom_circuit(), samples_of(mid_noise, seed), fitted_flow_constants, far);
+        auto fit = fit_compliances(boom_circuit(), samples_of(mid_noise, seed), fitted_flow_constants(), far);
         REQUIRE(fit);
         double compliance = fit->compliance_in3_per_psi[0];
         sum += compliance;
@@ -51,13 +52,13 @@ TEST_CASE("its standard error is how the answers scatter from seed to seed") {
 TEST_CASE("samples without a slope say nothing of the compliance") {
     CircuitSample still{0, 0, {{1800, 0, 50, .08, .03}}};
     std::vector<CircuitSample> samples(10, still);
-    auto fit = fit_compliances(boom_circuit(), samples, fitted_flow_constants, far);
+    auto fit = fit_compliances(boom_circuit(), samples, fitted_flow_constants(), far);
     CHECK((!fit || std::isinf(fit->standard_error[0])));
 }
 
 TEST_CASE("the exhaustive optimum is the best of all codes, each evaluated alone") {
     auto samples = samples_of(mid_noise, 3);
-    auto found = exhaustive_optimum(boom_circuit(), samples, fitted_flow_constants, InletFlow::absolute, 6, 0.1, 400);
+    auto found = exhaustive_optimum(boom_circuit(), samples, fitted_flow_constants(), InletFlow::absolute, 6, 0.1, 400);
     double greatest = -1e300;
     std::uint64_t best = 0;
     for (std::uint64_t code = 0; code < 64; ++code) {
@@ -65,7 +66,7 @@ TEST_CASE("the exhaustive optimum is the best of all codes, each evaluated alone
         double fitness = 0;
         for (const CircuitSample& sample : samples) {
             double error = circuit_error_in3_per_s<double>(boom_circuit(), std::span<const double>(compliance),
-                                                           sample.links, fitted_flow_constants, InletFlow::absolute);
+                                                           sample.links, fitted_flow_constants(), InletFlow::absolute);
             fitness += 400 - error * error;
         }
         if (fitness > greatest) {
@@ -86,6 +87,6 @@ TEST_CASE("two codes: the optimum of an exact sample is where it was made") {
     std::vector<CircuitSample> window(10, sample);
     window[5].links[0].inlet_slope_psi_per_s = 500; // so that flows and slopes are not proportional
     window[5].links[0].piston_flow_in3_per_s = 56.7165 - 500 * 3 * unit;
-    auto found = exhaustive_optimum(two, window, rounded_flow_constants, InletFlow::as_signed, 4, 0.1, 400);
+    auto found = exhaustive_optimum(two, window, rounded_flow_constants(), InletFlow::as_signed, 4, 0.1, 400);
     CHECK(found.codes == std::vector<std::uint64_t>{3, 5});
 }

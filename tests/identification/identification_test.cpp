@@ -2,7 +2,8 @@
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +40,7 @@ std::uint64_t exhaustive_optimum(const SearchProblem& problem, std::span<const S
 }
 
 Study study(const MeasurementNoise& noise) {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), scenario.flow));
     Study result;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {

@@ -1,4 +1,5 @@
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
 #include "runtime/random.hpp"
 
@@ -13,18 +14,18 @@ namespace {
 
 /// Scenario A, until long after the transient, with the spool's readings too high by `offset_in`.
 Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint64_t seed = 1) {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     scenario.duration_s = 4;
     RandomStream random(seed, "sensors");
-    Record record = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, noise,
-                                 [&] { return random.uniform(); });
+    Record record = measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, noise,
+                                      [&] { return random.uniform(); });
     for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
         spool += offset_in;
     return record;
 }
 
-std::optional<SpoolOffset> calibrate(const Record& record, FlowConstants flow = fitted_flow_constants) {
-    return calibrate_spool_offset(record, boom_readings(BoomMachine()), flow);
+std::optional<SpoolOffset> calibrate(const Record& record, FlowConstants flow = fitted_flow_constants()) {
+    return calibrate_spool_offset(record, boom_calibrations(single_boom_mechanics()), flow);
 }
 
 } // namespace
@@ -42,10 +43,10 @@ TEST_CASE("the offset of the spool comes out of steady motion, at every noise le
 
 TEST_CASE("a wrong k or Q looks like an offset, which the calibration cannot tell") {
     Record record = steady_record(0, no_noise);
-    FlowConstants flow = fitted_flow_constants;
+    FlowConstants flow = fitted_flow_constants();
     flow.orifice_in3_per_s_in2_sqrt_psi *= 1.01;
     double of_k = calibrate(record, flow)->offset_in - calibrate(record)->offset_in;
-    flow = fitted_flow_constants;
+    flow = fitted_flow_constants();
     flow.pump_in3_per_s *= 1.01;
     double of_q = calibrate(record, flow)->offset_in - calibrate(record)->offset_in;
     CHECK(std::abs(std::abs(of_k) - 0.0011) < 2e-4);
@@ -54,13 +55,13 @@ TEST_CASE("a wrong k or Q looks like an offset, which the calibration cannot tel
 }
 
 TEST_CASE("no steady motion, no offset") {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     scenario.duration_s = 0.8;
-    Record record = measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, no_noise,
-                                 [] { return 0.0; });
+    Record record =
+        measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, no_noise, [] { return 0.0; });
     CHECK(!calibrate(record));
 }
 
 TEST_CASE("an offset beyond any spool's is not made up") {
-    CHECK(!calibrate(steady_record(0, no_noise), {99.83, 800, 16.2}));
+    CHECK(!calibrate(steady_record(0, no_noise), {99.83, 800, 16.2, 4500}));
 }

@@ -6,7 +6,7 @@
 #include "gaprocs/processes/share.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
 
 #include <doctest/doctest.h>
 
@@ -79,7 +79,7 @@ TEST_CASE("the boom: random populations of every size, window, length and coding
     RandomStream random(2, "boom");
     for (std::size_t bits : {1u, 10u, 12u, 40u})
         for (Coding coding : {Coding::natural, Coding::gray}) {
-            auto problem = make_search_problem(CircuitProblem(boom_circuit(), fitted_flow_constants, bits), coding);
+            auto problem = make_search_problem(CircuitProblem(boom_circuit(), fitted_flow_constants(), bits), coding);
             for (std::size_t individuals = 0; individuals < 34; ++individuals)
                 for (int i = 0; i < 10; ++i)
                     check_population(*problem, 1, individuals, random);
@@ -93,7 +93,7 @@ TEST_CASE("circuits of one to four links: random populations") {
             Circuit circuit = circuit_of(configuration, group);
             for (std::size_t bits : {10u, 20u})
                 for (Coding coding : {Coding::natural, Coding::gray}) {
-                    auto problem = make_search_problem(CircuitProblem(circuit, rounded_flow_constants, bits), coding);
+                    auto problem = make_search_problem(CircuitProblem(circuit, rounded_flow_constants(), bits), coding);
                     for (std::size_t individuals : {1u, 7u, 8u, 9u, 120u})
                         check_population(*problem, circuit.size(), individuals, random);
                 }
@@ -101,7 +101,7 @@ TEST_CASE("circuits of one to four links: random populations") {
 }
 
 TEST_CASE("a share of whole individuals has the terms of one cut into pieces") {
-    auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants));
+    auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants()));
     RandomStream random(4, "shares");
     auto population = random_population(30, problem->bits(), random);
     std::vector<Sample> window;

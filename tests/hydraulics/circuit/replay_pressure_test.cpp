@@ -1,5 +1,6 @@
 #include "hydraulics/circuit/replay_pressure.hpp"
-#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/plant/excavator_motion.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 
 #include <doctest/doctest.h>
 
@@ -21,11 +22,12 @@ struct Recorded {
 };
 
 Recorded recorded(std::size_t stride) {
-    auto motion = simulate_boom(BoomScenario());
+    auto motion = simulate_excavator(single_boom_scenario()).states;
     Recorded record;
     for (std::size_t i = 360; i <= 1320; i += stride) {
-        record.samples.push_back({motion[i].time_s, motion[i].spool_in, motion[i].velocity_in_per_s});
-        record.pressures.push_back(motion[i].inlet_psi);
+        const LinkState& boom = motion[i].links[0];
+        record.samples.push_back({motion[i].time_s, boom.spool_in, boom.velocity_in_per_s});
+        record.pressures.push_back(boom.inlet_psi);
     }
     return record;
 }
@@ -36,7 +38,7 @@ struct Replay {
 
 Replay replay(double compliance_factor, std::size_t stride = 40) {
     Recorded record = recorded(stride);
-    ReplayCircuit circuit{fitted_flow_constants, 32, 0.0086 * compliance_factor};
+    ReplayCircuit circuit{fitted_flow_constants(), 32, 0.0086 * compliance_factor};
     auto pressures = replay_pressure(record.samples, circuit, record.pressures[0], 0.0005);
     REQUIRE(pressures.size() == record.pressures.size());
     double sum = 0;
@@ -63,18 +65,18 @@ TEST_CASE("with samples every step, the replay is the simulation") { CHECK(repla
 
 TEST_CASE("a shut inlet and a steady piston keep the pressure; a moving one takes it down by A v t / C") {
     std::vector<ReplaySample> record{{0, 0.1, 0}, {0.1, 0.1, 0}, {0.2, 0.1, 0.5}, {0.3, 0.1, 0.5}};
-    auto pressures = replay_pressure(record, {rounded_flow_constants, 32, 0.0086}, 1500, 0.001);
+    auto pressures = replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001);
     CHECK(pressures[0] == 1500);
     CHECK(pressures[1] == 1500);
     CHECK(pressures[2] == doctest::Approx(1500 - 32 * 0.025 / 0.0086));
     CHECK(pressures[3] == doctest::Approx(1500 - 32 * 0.075 / 0.0086));
-    CHECK(replay_pressure({}, {rounded_flow_constants, 32, 0.0086}, 1500, 0.001).empty());
+    CHECK(replay_pressure({}, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001).empty());
 }
 
 TEST_CASE("a replay that cannot be computed says why") {
     std::vector<ReplaySample> record{{0, 0.1, 0}, {0, 0.1, 0}};
-    CHECK_THROWS_WITH_AS(replay_pressure(record, {rounded_flow_constants, 32, 0.0086}, 1500, 0.001),
+    CHECK_THROWS_WITH_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001),
                          "sample 1 of the replay is at 0 s, expected one after 0 s", std::invalid_argument);
-    CHECK_THROWS_AS(replay_pressure(record, {rounded_flow_constants, 32, 0}, 1500, 0.001), std::invalid_argument);
-    CHECK_THROWS_AS(replay_pressure(record, {rounded_flow_constants, 32, 0.0086}, 1500, 0), std::invalid_argument);
+    CHECK_THROWS_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0}, 1500, 0.001), std::invalid_argument);
+    CHECK_THROWS_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0), std::invalid_argument);
 }

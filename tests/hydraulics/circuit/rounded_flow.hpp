@@ -4,7 +4,7 @@
 
 namespace placedpar::test {
 
-/// k 100, Q 175, P_e 25, as the thesis prints them.
-inline const hydraulics::FlowConstants& flow = hydraulics::rounded_flow_constants;
+/// k 100, Q 175, P_e 25: the numbers of rounded_flow_constants().
+inline constexpr hydraulics::FlowConstants flow{100, 175, 25, 4500};
 
 } // namespace placedpar::test

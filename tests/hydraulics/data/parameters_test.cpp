@@ -1,6 +1,6 @@
 #include "hydraulics/data/parameter_range.hpp"
 #include "hydraulics/data/parameters.hpp"
-#include "hydraulics/plant/boom_scenario.hpp"
+#include "hydraulics/plant/link_mechanics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -41,7 +41,7 @@ TEST_CASE("the thesis's own figures, and the fitted triple, are what they are pr
     CHECK(machine["flow.orifice"] == 99.83);
     CHECK(machine["flow.pump"] == 175.08);
     CHECK(machine["flow.tank"] == 16.2);
-    CHECK_THROWS_WITH_AS(machine["boom.colour"], "the machine has no parameter boom.colour", std::invalid_argument);
+    CHECK_THROWS_WITH_AS(machine["boom.colour"], "the machine has no parameter boom.colour", UnknownParameter);
 }
 
 TEST_CASE("a user's file takes the place of what it names, in any unit") {
@@ -54,7 +54,7 @@ TEST_CASE("a user's file takes the place of what it names, in any unit") {
     CHECK(machine["boom.inlet_compliance"] == doctest::Approx(0.0086).epsilon(1e-4));
     CHECK(machine.find("boom.inlet_area")->source == "data sheet, page 3");
     CHECK(machine["boom.outlet_area"] == 17);
-    CHECK(BoomMachine(machine).inlet_area_in2 == machine["boom.inlet_area"]);
+    CHECK(single_boom_mechanics(machine).inlet_area_in2 == machine["boom.inlet_area"]);
 }
 
 TEST_CASE("every constant of the excavator is in its range, and ranges tell what cannot be") {

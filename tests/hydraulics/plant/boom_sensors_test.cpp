@@ -12,10 +12,10 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-Record read_with(const BoomSensors& sensors, const MeasuredMachine& machine, const std::vector<MeasuredState>& motion,
-                 std::uint64_t seed = 1) {
+Record read_with(const BoomSensors& sensors, const MeasuredExcavator& excavator,
+                 const std::vector<MeasuredState>& motion, std::uint64_t seed = 1) {
     RandomStream random(seed, "sensors");
-    return read_boom_sensors(motion, machine, sensors, [&] { return random.uniform(); });
+    return read_boom_sensors(motion, excavator, sensors, [&] { return random.uniform(); });
 }
 
 } // namespace
@@ -45,15 +45,15 @@ TEST_CASE("bits are whole numbers from 0 to 32") {
 }
 
 TEST_CASE("without noise the sensors tell the state within half a step of their converters") {
-    MeasuredMachine machine;
-    machine.duration_s = 1;
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.duration_s = 1;
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     for (int resolver_bits : {12, 16}) {
-        BoomSensors sensors;
+        BoomSensors sensors = boom_sensors();
         sensors.noise = no_noise;
         sensors.resolver.bits = resolver_bits;
         sensors.spool_offset_in = 0.01;
-        Record record = read_with(sensors, machine, motion);
+        Record record = read_with(sensors, excavator, motion);
         REQUIRE(record.size() == 51);
         double angle_step = resolver_bits == 12 ? 0.0879 : 0.0055;
         for (std::size_t i = 0; i < record.size(); ++i) {
@@ -65,20 +65,20 @@ TEST_CASE("without noise the sensors tell the state within half a step of their 
             CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::angle)[i] - angle) <= angle_step / 2);
             CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::spool)[i] - (state.spool_in + 0.01)) <=
                   0.5 / 4096);
-            CHECK(record.of(hydraulics::Link::boom, Sensor::servo)[i] == held_volts(machine, record.time_s[i]));
+            CHECK(record.of(hydraulics::Link::boom, Sensor::servo)[i] == held_volts(excavator, record.time_s[i]));
         }
     }
 }
 
 TEST_CASE("noise has the deviation asked for, and the seed decides it") {
-    MeasuredMachine machine;
-    machine.command.desired_volts = 0; // the boom is held
-    machine.duration_s = 30;
-    machine.integration_step_s = 2e-4;
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
-    BoomSensors sensors;
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.command.desired_volts = 0; // the boom is held
+    excavator.duration_s = 30;
+    excavator.integration_step_s = 2e-4;
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
+    BoomSensors sensors = boom_sensors();
     sensors.noise = {10, 0.02, 0.001};
-    Record record = read_with(sensors, machine, motion);
+    Record record = read_with(sensors, excavator, motion);
     auto deviation = [&](Sensor sensor) {
         double sum = 0, squares = 0;
         for (double value : record.of(hydraulics::Link::boom, sensor)) {
@@ -91,7 +91,7 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     CHECK(deviation(Sensor::inlet_pressure) == doctest::Approx(10).epsilon(0.08)); // 1501 samples: 1.8 % each
     CHECK(deviation(Sensor::angle) == doctest::Approx(0.02).epsilon(0.08));
     CHECK(deviation(Sensor::spool) == doctest::Approx(0.001).epsilon(0.08));
-    Record again = read_with(sensors, machine, motion), other = read_with(sensors, machine, motion, 2);
+    Record again = read_with(sensors, excavator, motion), other = read_with(sensors, excavator, motion, 2);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool}) {
         CHECK(again.of(hydraulics::Link::boom, sensor) == record.of(hydraulics::Link::boom, sensor));
         CHECK(other.of(hydraulics::Link::boom, sensor) != record.of(hydraulics::Link::boom, sensor));
@@ -99,10 +99,10 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
 }
 
 TEST_CASE("a period that is no multiple of the step is refused") {
-    MeasuredMachine machine;
-    machine.duration_s = 0.1;
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
-    BoomSensors sensors;
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.duration_s = 0.1;
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
+    BoomSensors sensors = boom_sensors();
     sensors.period_s = 0.00015;
-    CHECK_THROWS_AS(read_with(sensors, machine, motion), std::invalid_argument);
+    CHECK_THROWS_AS(read_with(sensors, excavator, motion), std::invalid_argument);
 }

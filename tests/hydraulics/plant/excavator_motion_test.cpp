@@ -168,7 +168,7 @@ TEST_CASE("any configuration with all links: each gets what the controller asks 
             double expected = alone ? 175.08 : 50;
             const LinkState& end = motion.states.back().links[i];
             CHECK(end.flow.inlet_in3_per_s == doctest::Approx(expected).epsilon(1e-3));
-            CHECK(end.velocity_in_per_s * coupled_machine(link).inlet_area_in2 ==
+            CHECK(end.velocity_in_per_s * coupled_mechanics(link).inlet_area_in2 ==
                   doctest::Approx(expected).epsilon(0.02));
             CHECK(end.flow.relief_in3_per_s == 0);
         }
@@ -181,7 +181,7 @@ TEST_CASE("in configuration a the branches do not feel each other; in d they do"
         both.duration_s = 0.5;
         both.integration_step_s = 0.004;
         ExcavatorScenario heavier = both;
-        heavier.links[3].machine.load_lbf *= 1.1; // the swing
+        heavier.links[3].mechanics.load_lbf *= 1.1; // the swing
         ExcavatorMotion before = simulate_excavator(both), behind = simulate_excavator(heavier);
         double change = std::abs(before.states.back().links[1].inlet_psi - behind.states.back().links[1].inlet_psi);
         if (configuration == Configuration::a)
@@ -207,11 +207,11 @@ TEST_CASE("a load that grows beyond the pump's reach is held by its check valve"
 
 TEST_CASE("a scenario that cannot be simulated says why") {
     ExcavatorScenario scenario = two_link_scenario();
-    scenario.links[1].machine.mass_lbf_s2_per_in = 0;
+    scenario.links[1].mechanics.mass_lbf_s2_per_in = 0;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario), "excavator scenario: the boom's mass is 0, expected above 0",
                          std::invalid_argument);
     scenario = two_link_scenario();
-    scenario.links[0].machine.damping_lbf_s_per_in = -1;
+    scenario.links[0].mechanics.damping_lbf_s_per_in = -1;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
                          "excavator scenario: the bucket's damping is -1, expected 0 or above", std::invalid_argument);
     scenario = two_link_scenario();

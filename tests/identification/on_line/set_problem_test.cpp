@@ -35,7 +35,7 @@ SetSample random_sample(std::size_t links, RandomStream& random) {
 } // namespace
 
 TEST_CASE("neighbours in compliance are neighbours in the string") {
-    SetProblem problem(Configuration::a, {hydraulics::Link::boom}, fitted_flow_constants, bits);
+    SetProblem problem(Configuration::a, {hydraulics::Link::boom}, fitted_flow_constants(), bits);
     CHECK(problem.bits() == 10);
     for (std::uint64_t code = 0; code < 1024; ++code)
         CHECK(problem.compliance_in3_per_psi(string_of({code}), 0) ==
@@ -47,7 +47,7 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
     for (Configuration configuration : all_configurations)
         for (LinkSet group : coupled_groups(configuration)) {
             std::vector<hydraulics::Link> links = links_of(group);
-            SetProblem problem(configuration, group, fitted_flow_constants, bits);
+            SetProblem problem(configuration, group, fitted_flow_constants(), bits);
             Circuit circuit = circuit_of(configuration, group);
             std::vector<SetSample> window{random_sample(links.size(), random), random_sample(links.size(), random)};
             std::vector<Genome> strings = random_population(19, problem.bits(), random); // no multiple of a block
@@ -62,9 +62,9 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
                         compliances.push_back(problem.compliance_in3_per_psi(strings[i], at));
                         samples.push_back(sample[at]);
                     }
-                    sum +=
-                        fitness_term(400, circuit_error_in3_per_s<double>(circuit, compliances, samples,
-                                                                          fitted_flow_constants, InletFlow::as_signed));
+                    sum += fitness_term(400,
+                                        circuit_error_in3_per_s<double>(circuit, compliances, samples,
+                                                                        fitted_flow_constants(), InletFlow::as_signed));
                 }
                 CHECK(fitness[i] == sum);
             }
@@ -93,7 +93,7 @@ TEST_CASE("the readings of the tests' transients fit the equations exactly") {
         machine.change({configuration, LinkSet::all()});
         feed(machine, {configuration, LinkSet::all(), c}, 0, 12);
         for (LinkSet set : machine.sets_in_use()) {
-            SetProblem problem(configuration, set, fitted_flow_constants, 16);
+            SetProblem problem(configuration, set, fitted_flow_constants(), 16);
             std::vector<std::uint64_t> codes;
             Genome genome(16 * set.size());
             std::size_t i = 0;

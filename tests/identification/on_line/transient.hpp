@@ -50,7 +50,7 @@ private:
     }
 
     void read(const hydraulics::Circuit& circuit, double t, SampleMessage& message) const {
-        const hydraulics::FlowConstants& flow = hydraulics::fitted_flow_constants;
+        const hydraulics::FlowConstants& flow = hydraulics::fitted_flow_constants();
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi, inlet_in2 = 0.1;
         std::array<double, 4> psi{}, into{}, junction_psi{}, arriving{};
         for (std::size_t j = 0; j < circuit.size(); ++j) {

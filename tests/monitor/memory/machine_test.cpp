@@ -1,4 +1,5 @@
-#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "hydraulics/plant/measurement.hpp"
 #include "identification/on_line/machine.hpp"
 #include "monitor/memory/machine_json.hpp"
@@ -37,10 +38,9 @@ Machine machine_in(Configuration configuration, LinkSet active, std::uint64_t se
 }
 
 Record boom_record(std::uint64_t seed, const MeasurementNoise& noise) {
-    BoomScenario scenario;
+    ExcavatorScenario scenario = single_boom_scenario();
     RandomStream random(seed, "noise");
-    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, 0.020, noise,
-                        [&] { return random.uniform(); });
+    return measure_excavator(simulate_excavator(scenario), scenario, 0.020, noise, [&] { return random.uniform(); });
 }
 
 void feed(Machine& machine, const Record& record) {

@@ -1,5 +1,6 @@
 #include "hydraulics/data/record_table.hpp"
-#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "hydraulics/plant/measurement.hpp"
 #include "runtime/random.hpp"
 
@@ -24,11 +25,11 @@ Record example(const char* name) {
 
 /// Scenario A with this many times the compliance, at low noise.
 Record measured(double times, std::uint64_t seed) {
-    BoomScenario scenario;
-    scenario.machine.inlet_compliance_in3_per_psi *= times;
+    ExcavatorScenario scenario = single_boom_scenario();
+    scenario.links[0].mechanics.inlet_compliance_in3_per_psi *= times;
     RandomStream random(seed, "noise");
-    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, 0.020, low_noise,
-                        [&] { return random.uniform(); });
+    return measure_excavator(simulate_excavator(scenario), scenario, 0.020, low_noise,
+                             [&] { return random.uniform(); });
 }
 
 void check_equal(const Record& file, const Record& simulated) {

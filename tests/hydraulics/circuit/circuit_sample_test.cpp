@@ -1,12 +1,11 @@
+#include "hydraulics/circuit/circuit_sample.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
-#include "hydraulics/plant/boom_record.hpp"
-#include "runtime/random.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 using namespace placedpar;
@@ -14,17 +13,17 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-const BoomScenario scenario;
-
 const Circuit circuit = boom_circuit();
 
+LinkCalibrations calibrations() { return boom_calibrations(single_boom_mechanics()); }
+
 Record exact_record() {
-    return measure_boom(simulate_boom(scenario), scenario.machine.moment_arm_in, sampling_period_s, no_noise,
-                        [] { return 0.0; });
+    ExcavatorScenario scenario = single_boom_scenario();
+    return measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, no_noise, [] { return 0.0; });
 }
 
 std::vector<CircuitSample> usable(const Record& record) {
-    return usable_samples(circuit_samples(record, circuit, boom_readings(scenario.machine)), circuit, scenario.flow);
+    return usable_samples(circuit_samples(record, circuit, calibrations()), circuit, fitted_flow_constants());
 }
 
 /// The record's instants [first, last).
@@ -54,10 +53,10 @@ TEST_CASE("scenario A has 20 usable samples from .20 to .58 s, the first 14 risi
 }
 
 TEST_CASE("the piston's flow at each sample is that of the motion, up to the line fit") {
-    auto motion = simulate_boom(scenario);
+    ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
     auto samples = usable(exact_record());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        double exact = 32 * motion[400 + 40 * i].velocity_in_per_s;
+        double exact = 32 * motion.states[400 + 40 * i].links[0].velocity_in_per_s;
         CHECK(std::abs(samples[i].links.at(0).piston_flow_in3_per_s - exact) < 1.5);
     }
 }
@@ -94,7 +93,7 @@ TEST_CASE("skipped samples are the first usable ones") {
     rule.skipped = 2;
     rule.count = 5;
     auto samples =
-        usable_samples(circuit_samples(record, circuit, boom_readings(scenario.machine)), circuit, scenario.flow, rule);
+        usable_samples(circuit_samples(record, circuit, calibrations()), circuit, fitted_flow_constants(), rule);
     REQUIRE(samples.size() == 5);
     CHECK(samples[0].index == 12);
 }
@@ -103,10 +102,10 @@ TEST_CASE("a spool that reads too high by an offset gives the areas of the true 
     Record record = exact_record();
     for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
         spool += 0.01;
-    LinkReadings readings = boom_readings(scenario.machine);
-    readings[index_of(hydraulics::Link::boom)].spool_offset_in = 0.01;
-    auto mended = circuit_samples(record, circuit, readings);
-    auto exact = circuit_samples(exact_record(), circuit, boom_readings(scenario.machine));
+    LinkCalibrations offset = calibrations();
+    offset[index_of(hydraulics::Link::boom)].spool_offset_in = 0.01;
+    auto mended = circuit_samples(record, circuit, offset);
+    auto exact = circuit_samples(exact_record(), circuit, calibrations());
     for (std::size_t i = 0; i < exact.size(); ++i)
         CHECK(mended[i].links[0].bypass_in2 == doctest::Approx(exact[i].links[0].bypass_in2).epsilon(1e-12));
 }
@@ -115,7 +114,7 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
     Record record = exact_record();
     record.of(hydraulics::Link::boom, Sensor::inlet_area).assign(record.size(), 0.1);
     record.of(hydraulics::Link::boom, Sensor::bypass_area).assign(record.size(), 0.2);
-    auto samples = circuit_samples(record, circuit, boom_readings(scenario.machine));
+    auto samples = circuit_samples(record, circuit, calibrations());
     CHECK(samples[0].links[0].inlet_in2 == 0.1);
     CHECK(samples[0].links[0].bypass_in2 == 0.2);
     record.of(hydraulics::Link::boom, Sensor::angle).clear();
@@ -129,34 +128,25 @@ TEST_CASE("two junctions in series: a link takes no flow while another holds the
     Circuit two = circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom});
     // k 100, Q 175, P_e 25: the worked junction of the design notes has 2032.168 psi at the bucket.
     std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .068}, {1700, 0, 0, .096, .016}}};
-    CHECK(all_open(two, links, rounded_flow_constants, 0));
+    CHECK(all_open(two, links, rounded_flow_constants(), 0));
     links[0].inlet_psi = 2700;
-    CHECK(!all_open(two, links, rounded_flow_constants, 0));
+    CHECK(!all_open(two, links, rounded_flow_constants(), 0));
     links[0].inlet_psi = 2000;
     links[1].inlet_in2 = 0;
-    CHECK(!all_open(two, links, rounded_flow_constants, 0));
+    CHECK(!all_open(two, links, rounded_flow_constants(), 0));
 }
 
 TEST_CASE("the areas come from the voltage where only that was read") {
     Record record = exact_record();
     std::vector<double>& volts = record.of(hydraulics::Link::boom, Sensor::servo);
+    const auto valve = std::get<SpoolOrifices>(single_boom_scenario().links[0].valve);
+    const SpoolStep& step = valve.steps[0];
     for (double time_s : record.time_s) // the step of scenario A, commanded
-        volts.push_back(
-            servo_volts(time_s >= scenario.step_time_s - 1e-9 ? scenario.spool_desired_in : scenario.spool_at_rest_in));
-    auto by_spool = circuit_samples(record, circuit, boom_readings(scenario.machine));
+        volts.push_back(servo_volts(time_s >= step.time_s - 1e-9 ? step.desired_in : valve.rest_in));
+    auto by_spool = circuit_samples(record, circuit, calibrations());
     record.of(hydraulics::Link::boom, Sensor::spool).clear();
-    auto by_servo = circuit_samples(record, circuit, boom_readings(scenario.machine));
+    auto by_servo = circuit_samples(record, circuit, calibrations());
     REQUIRE(by_servo.size() == by_spool.size());
     for (std::size_t i = 0; i < by_servo.size(); ++i) // the lag of A.2 is exact for a held command
         CHECK(by_servo[i].links[0].bypass_in2 == doctest::Approx(by_spool[i].links[0].bypass_in2).epsilon(1e-5));
-}
-
-TEST_CASE("the record of scenario A at low noise: frozen, to the bit") {
-    RandomStream random(1991, "sensors");
-    auto record = boom_record(scenario, low_noise, [&] { return random.uniform(); });
-    std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a over whole words
-    for (const std::vector<double>& sample : record)
-        for (double value : sample)
-            hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
-    CHECK(hash == 6244623149285955010u);
 }

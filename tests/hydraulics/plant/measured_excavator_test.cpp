@@ -1,6 +1,7 @@
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/flow_split.hpp"
-#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/plant/excavator_motion.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
 #include "hydraulics/plant/measured_dynamics.hpp"
 
 #include <doctest/doctest.h>
@@ -16,25 +17,27 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// The measured machine without what makes it richer, but for its hoses and friction.
-MeasuredMachine plain_machine() {
-    MeasuredMachine machine;
-    machine.ripple.amplitude = 0;
-    machine.inlet_hose.resistance_psi_s_per_in3 = machine.outlet_hose.resistance_psi_s_per_in3 = 0;
-    machine.dead_time_s = 0;
-    machine.servo_bits = 0;
-    machine.command.desired_volts = servo_volts(0.2593);
-    return machine;
+/// The measured excavator without what makes it richer, but for its hoses and friction.
+MeasuredExcavator plain_excavator() {
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.ripple.amplitude = 0;
+    excavator.inlet_hose.resistance_psi_s_per_in3 = excavator.outlet_hose.resistance_psi_s_per_in3 = 0;
+    excavator.dead_time_s = 0;
+    excavator.servo_converter.bits = 0;
+    excavator.command.desired_volts = servo_volts(0.2593);
+    return excavator;
 }
 
-void take_friction_away(MeasuredMachine& machine) { machine.friction.coulomb_lbf = machine.friction.breakaway_lbf = 0; }
+void take_friction_away(MeasuredExcavator& excavator) {
+    excavator.friction.coulomb_lbf = excavator.friction.breakaway_lbf = 0;
+}
 
 /// A piston that nothing moves.
-void lock(MeasuredMachine& machine) {
-    machine.friction.coulomb_lbf = machine.friction.breakaway_lbf = 1e6;
-    machine.friction.bristle_stiffness_lbf_per_in = 2e9;
-    machine.friction.bristle_damping_lbf_s_per_in = 2e6;
-    machine.integration_step_s = 5e-5;
+void lock(MeasuredExcavator& excavator) {
+    excavator.friction.coulomb_lbf = excavator.friction.breakaway_lbf = 1e6;
+    excavator.friction.bristle_stiffness_lbf_per_in = 2e9;
+    excavator.friction.bristle_damping_lbf_s_per_in = 2e6;
+    excavator.integration_step_s = 5e-5;
 }
 
 /// Mean of a quantity over the last `share` of a motion.
@@ -49,12 +52,12 @@ double last_mean(const std::vector<MeasuredState>& motion, double MeasuredState:
 } // namespace
 
 TEST_CASE("steady motion is the simple plant's") {
-    MeasuredMachine machine = plain_machine();
-    machine.duration_s = 8;
-    BoomScenario simple;
+    MeasuredExcavator excavator = plain_excavator();
+    excavator.duration_s = 8;
+    ExcavatorScenario simple = single_boom_scenario();
     simple.duration_s = 8;
-    MeasuredState rich = simulate_measured_machine(machine).back();
-    BoomState plain = simulate_boom(simple).back();
+    MeasuredState rich = simulate_measured_excavator(excavator).back();
+    LinkState plain = simulate_excavator(simple).states.back().links[0];
     CHECK(rich.inlet_psi == doctest::Approx(plain.inlet_psi).epsilon(1e-4));
     CHECK(rich.inlet_psi == doctest::Approx(1850).epsilon(0.005));
     CHECK(rich.outlet_psi == doctest::Approx(plain.outlet_psi).epsilon(1e-3));
@@ -63,30 +66,30 @@ TEST_CASE("steady motion is the simple plant's") {
 }
 
 TEST_CASE("with stiff hoses and no friction so is the transient") {
-    MeasuredMachine machine = plain_machine();
-    machine.inlet_hose.inertance_psi_s2_per_in3 = machine.outlet_hose.inertance_psi_s2_per_in3 = 2e-4;
-    take_friction_away(machine);
-    BoomScenario simple;
-    simple.machine.friction_lbf = 0;
-    simple.duration_s = machine.duration_s;
-    std::vector<MeasuredState> rich = simulate_measured_machine(machine);
-    std::vector<BoomState> plain = simulate_boom(simple);
+    MeasuredExcavator excavator = plain_excavator();
+    excavator.inlet_hose.inertance_psi_s2_per_in3 = excavator.outlet_hose.inertance_psi_s2_per_in3 = 2e-4;
+    take_friction_away(excavator);
+    ExcavatorScenario simple = single_boom_scenario();
+    simple.links[0].mechanics.friction_lbf = 0;
+    simple.duration_s = excavator.duration_s;
+    std::vector<MeasuredState> rich = simulate_measured_excavator(excavator);
+    std::vector<ExcavatorState> plain = simulate_excavator(simple).states;
     double greatest = 0;
     for (std::size_t i = 0; i < plain.size(); ++i) // steps of .5 and .1 ms
-        greatest = std::max(greatest, std::abs(rich.at(5 * i).inlet_psi - plain[i].inlet_psi));
+        greatest = std::max(greatest, std::abs(rich.at(5 * i).inlet_psi - plain[i].links[0].inlet_psi));
     CHECK(greatest < 4); // of 500 psi of rise
     CHECK(greatest > 0);
 }
 
 TEST_CASE("flows balance: the pump's parts, and the cylinder's take-up") {
-    MeasuredMachine machine;
-    machine.duration_s = 8;
-    machine.leak_in3_per_s_psi = 0.002;
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.duration_s = 8;
+    excavator.leak.in3_per_s_psi = 0.002;
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     for (std::size_t i = 0; i < motion.size(); i += 97)
         CHECK(motion[i].inlet_in3_per_s + motion[i].bypass_in3_per_s ==
               doctest::Approx(motion[i].pump_in3_per_s).epsilon(1e-9));
-    double piston = machine.boom.inlet_area_in2 * last_mean(motion, &MeasuredState::velocity_in_per_s, 0.1);
+    double piston = excavator.boom.inlet_area_in2 * last_mean(motion, &MeasuredState::velocity_in_per_s, 0.1);
     double leak = last_mean(motion, &MeasuredState::leak_in3_per_s, 0.1);
     CHECK(last_mean(motion, &MeasuredState::inlet_in3_per_s, 0.1) == doctest::Approx(piston + leak).epsilon(1e-3));
     CHECK(last_mean(motion, &MeasuredState::inlet_hose_in3_per_s, 0.1) == doctest::Approx(piston + leak).epsilon(1e-3));
@@ -99,41 +102,41 @@ TEST_CASE("flows balance: the pump's parts, and the cylinder's take-up") {
 }
 
 TEST_CASE("a leak starts when it is told to, and slows the boom") {
-    MeasuredMachine machine;
-    machine.duration_s = 6;
-    double tight = simulate_measured_machine(machine).back().velocity_in_per_s;
-    machine.leak_in3_per_s_psi = 0.004;
-    machine.leak_start_s = 2.005;
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.duration_s = 6;
+    double tight = simulate_measured_excavator(excavator).back().velocity_in_per_s;
+    excavator.leak.in3_per_s_psi = 0.004;
+    excavator.leak.start_s = 2.005;
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     CHECK(motion.at(20000).leak_in3_per_s == 0);
     CHECK(motion.at(20060).leak_in3_per_s == doctest::Approx(6.9).epsilon(0.05)); // hydraulics of 6.2: 6.97 at .004
     CHECK(motion.back().velocity_in_per_s < 0.95 * tight);
 }
 
 TEST_CASE("the pump's ripple reaches the sensor through the valve, the hose and the cylinder") {
-    MeasuredMachine machine = plain_machine();
-    machine.duration_s = 7;
-    machine.inlet_hose.resistance_psi_s_per_in3 = 0.25;
-    take_friction_away(machine);
-    const MeasuredState smooth = simulate_measured_machine(machine).back();
+    MeasuredExcavator excavator = plain_excavator();
+    excavator.duration_s = 7;
+    excavator.inlet_hose.resistance_psi_s_per_in3 = 0.25;
+    take_friction_away(excavator);
+    const MeasuredState smooth = simulate_measured_excavator(excavator).back();
     OrificeAreas areas = boom_orifices(smooth.spool_in);
     auto inlet_at = [&](double psi, double pump) {
-        FlowConstants flow = machine.flow;
+        FlowConstants flow = excavator.flow;
         flow.pump_in3_per_s = pump;
         return split_flow(areas.inlet_in2, areas.bypass_in2, psi, flow).inlet_in3_per_s;
     };
-    double psi = smooth.inlet_psi, pump = machine.flow.pump_in3_per_s;
+    double psi = smooth.inlet_psi, pump = excavator.flow.pump_in3_per_s;
     double by_pump = (inlet_at(psi, pump + 0.01) - inlet_at(psi, pump - 0.01)) / 0.02;
     double by_psi = (inlet_at(psi - 0.1, pump) - inlet_at(psi + 0.1, pump)) / 0.2;
-    machine.ripple.amplitude = 0.002;
+    excavator.ripple.amplitude = 0.002;
     for (double frequency : {15.0, 34.0, 60.0, 270.0}) {
-        machine.ripple.frequency_per_s = frequency;
+        excavator.ripple.frequency_per_s = frequency;
         const std::complex<double> jw(0, 2 * std::numbers::pi * frequency);
-        HoseEnds ends = ends_of(machine.inlet_hose, machine.boom.inlet_compliance_in3_per_psi);
+        HoseEnds ends = ends_of(excavator.inlet_hose, excavator.boom.inlet_compliance_in3_per_psi);
         std::complex<double> piston = 32.0 * 32.0 / (1000.0 * jw + 800.0);
         std::complex<double> line = 0.25 + jw * 0.01215 + 1.0 / (jw * ends.cylinder_in3_per_psi + piston);
         double expected = std::abs(by_pump * 0.002 * pump / (by_psi + jw * ends.valve_in3_per_psi + 1.0 / line));
-        std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+        std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
         double least = psi, most = psi;
         for (std::size_t i = motion.size() - 5000; i < motion.size(); ++i) {
             least = std::min(least, motion[i].inlet_psi);
@@ -145,25 +148,25 @@ TEST_CASE("the pump's ripple reaches the sensor through the valve, the hose and 
 }
 
 TEST_CASE("below the break-away force the piston stays") {
-    MeasuredMachine machine = plain_machine();
-    double held = simulate_measured_machine(machine).front().inlet_psi;
+    MeasuredExcavator excavator = plain_excavator();
+    double held = simulate_measured_excavator(excavator).front().inlet_psi;
     CHECK(held == doctest::Approx(1555.5).epsilon(1e-3));
-    machine.duration_s = 3;
-    machine.flow.relief_psi = held + 200; // 6400 lbf more than gravity, break-away is 7800
-    const MeasuredState stuck = simulate_measured_machine(machine).back();
+    excavator.duration_s = 3;
+    excavator.flow.relief_psi = held + 200; // 6400 lbf more than gravity, break-away is 7800
+    const MeasuredState stuck = simulate_measured_excavator(excavator).back();
     CHECK(stuck.inlet_cylinder_psi == doctest::Approx(held + 200).epsilon(1e-3));
     CHECK(std::abs(stuck.velocity_in_per_s) < 1e-3);
     CHECK(std::abs(stuck.piston_in) < 0.01); // the bristles' give, and their creep under the hose's ringing
-    machine.flow.relief_psi = held + 300;    // 9600 lbf
-    CHECK(simulate_measured_machine(machine).back().piston_in > 0.5);
+    excavator.flow.relief_psi = held + 300;  // 9600 lbf
+    CHECK(simulate_measured_excavator(excavator).back().piston_in > 0.5);
 }
 
 TEST_CASE("free air makes the inlet side as soft as its mixture") {
-    MeasuredMachine machine = plain_machine();
-    lock(machine);
-    machine.duration_s = 0.8;
-    machine.oil.air_fraction = 0.05;
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    MeasuredExcavator excavator = plain_excavator();
+    lock(excavator);
+    excavator.duration_s = 0.8;
+    excavator.oil.air_fraction = 0.05;
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     double fed = 0, taken_up = 0;
     for (std::size_t i = 1; i < motion.size(); ++i) {
         const MeasuredState &a = motion[i - 1], &b = motion[i];
@@ -180,10 +183,10 @@ TEST_CASE("free air makes the inlet side as soft as its mixture") {
 }
 
 TEST_CASE("spool: dead time, lag, and an offset that voltage and sensor share") {
-    MeasuredMachine machine;
-    machine.command.desired_volts = 0.34;
-    machine.voltage_spool.spool_in.at_start = -0.01; // sensor and A.1 read .01 in too high
-    std::vector<MeasuredState> motion = simulate_measured_machine(machine);
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.command.desired_volts = 0.34;
+    excavator.voltage_spool.spool_in.at_start = -0.01; // sensor and A.1 read .01 in too high
+    std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     double rest = 0.1297 - 0.01, volts = std::nearbyint(0.34 / (20.0 / 4096)) * (20.0 / 4096);
     CHECK(motion.at(1100).spool_in == doctest::Approx(rest).epsilon(1e-12)); // step .1 s, dead time .01 s
     double reached = motion.at(2100).spool_in - rest;
@@ -192,26 +195,26 @@ TEST_CASE("spool: dead time, lag, and an offset that voltage and sensor share") 
 }
 
 TEST_CASE("the voltage is held from one sampling instant to the next, in the converter's steps") {
-    MeasuredMachine machine;
-    machine.command.ramp_s = 0.5;
+    MeasuredExcavator excavator = measured_excavator();
+    excavator.command.ramp_s = 0.5;
     for (double time_s = 0; time_s < 0.7; time_s += 0.0007) {
-        double volts = held_volts(machine, time_s), step = 20.0 / 4096;
+        double volts = held_volts(excavator, time_s), step = 20.0 / 4096;
         CHECK(volts / step == std::round(volts / step));
-        CHECK(volts == held_volts(machine, (std::floor(time_s / 0.02 + 1e-6) + 0.5) * 0.02));
+        CHECK(volts == held_volts(excavator, (std::floor(time_s / 0.02 + 1e-6) + 0.5) * 0.02));
     }
-    CHECK(std::abs(held_volts(machine, 0.6) - 0.3467) <= 10.0 / 4096);
-    CHECK(held_volts(machine, 0.1) == 0);
-    machine.command.second_time_s = 0.65;
-    machine.command.second_volts = 100;
-    CHECK(held_volts(machine, 0.66) == 10 - 20.0 / 4096); // the converter's end
+    CHECK(std::abs(held_volts(excavator, 0.6) - 0.3467) <= 10.0 / 4096);
+    CHECK(held_volts(excavator, 0.1) == 0);
+    excavator.command.second_time_s = 0.65;
+    excavator.command.second_volts = 100;
+    CHECK(held_volts(excavator, 0.66) == 10 - 20.0 / 4096); // the converter's end
 }
 
 TEST_CASE("halving the step divides the change of pressure by 16, through the opening and the knees") {
     auto with_step = [](double step_s) {
-        MeasuredMachine machine;
-        machine.duration_s = 0.6;
-        machine.integration_step_s = step_s;
-        return simulate_measured_machine(machine);
+        MeasuredExcavator excavator = measured_excavator();
+        excavator.duration_s = 0.6;
+        excavator.integration_step_s = step_s;
+        return simulate_measured_excavator(excavator);
     };
     auto difference_psi = [](const std::vector<MeasuredState>& coarse, const std::vector<MeasuredState>& halved) {
         double greatest = 0;
@@ -226,12 +229,12 @@ TEST_CASE("halving the step divides the change of pressure by 16, through the op
     CHECK(first / second < 24);
 }
 
-TEST_CASE("a machine that cannot be simulated says why") {
+TEST_CASE("an excavator that cannot be simulated says why") {
     auto refusal = [](auto change) -> std::string {
-        MeasuredMachine machine;
-        change(machine);
+        MeasuredExcavator excavator = measured_excavator();
+        change(excavator);
         try {
-            simulate_measured_machine(machine);
+            simulate_measured_excavator(excavator);
         } catch (const std::invalid_argument& error) {
             return error.what();
         }

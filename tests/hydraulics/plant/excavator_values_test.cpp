@@ -1,4 +1,6 @@
-#include "hydraulics/plant/boom_motion.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
+
+#include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 
 #include <doctest/doctest.h>
@@ -7,14 +9,27 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
 
 namespace {
 
-BoomScenario long_scenario() {
-    BoomScenario scenario;
+/// The only link of a motion of the boom alone, and the instant.
+struct BoomState : LinkState {
+    double time_s;
+};
+
+std::vector<BoomState> simulate_boom(const ExcavatorScenario& scenario) {
+    std::vector<BoomState> motion;
+    for (const ExcavatorState& state : simulate_excavator(scenario).states)
+        motion.push_back({state.links.at(0), state.time_s});
+    return motion;
+}
+
+ExcavatorScenario long_scenario() {
+    ExcavatorScenario scenario = single_boom_scenario();
     scenario.duration_s = 4;
     return scenario;
 }
@@ -28,7 +43,7 @@ double greatest_slope_psi_per_s(const std::vector<BoomState>& motion) {
 }
 
 std::vector<BoomState> with_step(const char* name, double step_s) {
-    BoomScenario scenario(Parameters::excavator(), name);
+    ExcavatorScenario scenario = single_boom_scenario(Parameters::excavator(), name);
     scenario.integration_step_s = step_s;
     scenario.duration_s = 1.2;
     return simulate_boom(scenario);
@@ -45,7 +60,7 @@ double difference_psi(const std::vector<BoomState>& coarse, const std::vector<Bo
 } // namespace
 
 TEST_CASE("scenario A: the load is held until the spool moves") {
-    std::vector<BoomState> motion = simulate_boom(BoomScenario());
+    std::vector<BoomState> motion = simulate_boom(single_boom_scenario());
     CHECK(motion.front().inlet_psi == doctest::Approx(1555).epsilon(1e-3));
     const BoomState& before = motion[200];
     CHECK(before.time_s == doctest::Approx(0.1));
@@ -69,7 +84,7 @@ TEST_CASE("scenario A: peak, steady state and steepest rise") {
 }
 
 TEST_CASE("the spool follows its first-order lag") {
-    std::vector<BoomState> motion = simulate_boom(BoomScenario());
+    std::vector<BoomState> motion = simulate_boom(single_boom_scenario());
     const BoomState& state = motion[400]; // t = .2 s, .1 s after the step: 1 - exp(-.8)
     CHECK(state.spool_in == doctest::Approx(0.1297 + 0.1296 * (1 - std::exp(-0.8))).epsilon(1e-9));
 }
@@ -88,7 +103,7 @@ TEST_CASE("halving the step divides the change of pressure by 16, through the op
 
 TEST_CASE("scenario B: 1524 to 2070 psi in .52 s, steady at 1835") {
     Parameters parameters = record_scenario_named("scenario-b")->parameters(Parameters::excavator());
-    BoomScenario scenario(parameters, "scenario_b");
+    ExcavatorScenario scenario = single_boom_scenario(parameters, "scenario_b");
     scenario.duration_s = 6;
     std::vector<BoomState> motion = simulate_boom(scenario);
     CHECK(motion.front().inlet_psi == doctest::Approx(1524).epsilon(1e-3));
@@ -102,8 +117,8 @@ TEST_CASE("scenario B: 1524 to 2070 psi in .52 s, steady at 1835") {
 }
 
 TEST_CASE("a scenario that cannot be simulated says why") {
-    BoomScenario scenario;
-    scenario.machine.inlet_compliance_in3_per_psi = 0;
+    ExcavatorScenario scenario = single_boom_scenario();
+    scenario.links[0].mechanics.inlet_compliance_in3_per_psi = 0;
     CHECK_THROWS_WITH_AS(simulate_boom(scenario),
                          "excavator scenario: the boom's inlet compliance is 0, expected above 0",
                          std::invalid_argument);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "hydraulics/data/link.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/data/record.hpp"
+
+#include <array>
+#include <numbers>
+#include <optional>
+
+namespace placedpar::hydraulics {
+
+/// How sensors' readings become flows and areas.
+
+/// What the pump side of a link takes up per radian of its joint, in^3/rad: A_i times the moment arm; for the swing,
+/// the displacement of its motor.
+constexpr double piston_in3_per_rad(double inlet_area_in2, double moment_arm_in) {
+    return inlet_area_in2 * moment_arm_in;
+}
+
+/// Where the areas of a link's orifices come from: as they were read, or by the boom's functions A.3 to A.9 from the
+/// spool, or from the servo-valve's voltage by A.1 and A.2.
+enum class AreasFrom : unsigned char { areas, spool, servo };
+
+/// What turns the readings of one link into flows and areas.
+struct LinkCalibration {
+    double piston_in3_per_rad = 0;      ///< taken up by the pump side per radian of the joint
+    double spool_offset_in = 0;         ///< by which the spool's readings, or A.1, are too high
+    double spool_lag_per_s = 0;         ///< a_0 of A.2
+    std::optional<AreasFrom> from = {}; ///< none: the first of the three that the record has
+
+    double piston_in3_per_deg() const { return piston_in3_per_rad * std::numbers::pi / 180; }
+};
+using LinkCalibrations = std::array<LinkCalibration, all_links.size()>; // by index_of(link)
+
+/// By the rows inlet_area, moment_arm and spool_lag of each link.
+LinkCalibrations link_calibrations(const Parameters& parameters);
+
+/// The source that the calibration asks for, or the first of the three that the record has of the link.
+AreasFrom areas_from(const Record& record, Link link, const LinkCalibration& calibration);
+
+} // namespace placedpar::hydraulics
