@@ -1,7 +1,7 @@
 #include "app/command_line.hpp"
 
-#include "text/refused_input.hpp"
 #include "text/standard_output.hpp"
+#include "text/user_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/kinds_command.hpp"
 
-#include "netlist/catalogue.hpp"
+#include "netlist/kinds/catalogue.hpp"
 #include "text/standard_output.hpp"
 #include "workbench/problems.hpp"
 
@@ -76,9 +76,9 @@ std::string print_kind(const std::string& name) {
                            port.optional ? " (may stay unconnected)" : "");
     if (!kind->parameters.empty())
         out += print_parameters(*kind);
-    if (!kind->measures.empty())
+    if (!kind->measurements.empty())
         out += "\nmeasures\n";
-    for (const MeasureDescription& measure : kind->measures)
+    for (const MeasurementDescription& measure : kind->measurements)
         out += fmt::format("  {:<28} {:<7} {}\n", measure.name, measure.unit, measure.about);
     return out;
 }

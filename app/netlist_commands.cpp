@@ -2,6 +2,7 @@
 
 #include "app/common_options.hpp"
 #include "app/exit_code.hpp"
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/print.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_output.hpp"
@@ -59,8 +60,8 @@ ExitCode run(const Options& options) {
 ExitCode check(const Options& options) {
     Network network = load_network(options.file, overrides_of(options.set));
     print_out(fmt::format("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n",
-                          network.source_path, std::ranges::count(network.nodes, NodeKind::processor, &Node::kind),
-                          network.connections.size(), network.processes.size(), network.channels.size(), network.hash));
+                          network.source_path, count_nodes(network, "processor"), network.connections.size(),
+                          network.processes.size(), network.channels.size(), network.hash));
     return ExitCode::success;
 }
 

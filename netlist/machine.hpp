@@ -1,8 +1,9 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
-#include "netlist/environment.hpp"
-#include "netlist/network.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/kinds/environment.hpp"
+#include "netlist/network/network.hpp"
+#include "netlist/run_report.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/multiplexer.hpp"
 #include "runtime/hardware/processor.hpp"
@@ -11,50 +12,19 @@
 #include <cstdint>
 #include <list>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace placedpar {
-
-struct ProcessorUse {
-    std::string name;
-    std::string type;
-    double busy; ///< fraction of the run
-};
-
-struct LinkUse {
-    std::string from, to; ///< "t[0].link[3]"
-    std::uint64_t bytes;
-    double occupied; ///< fraction of the run in which its wire carried their bits
-};
-
-struct ProcessUse {
-    std::string name;
-    std::string processor;
-    double waiting; ///< fraction of the run
-};
-
-/// What a run reports: how it ended, what the processes measured, and how the machine was used.
-struct RunReport {
-    RunResult result; ///< its fingerprint covers the measurements too
-    std::vector<Measurement> measurements;
-    std::vector<ProcessorUse> processors;
-    std::vector<LinkUse> links;
-    std::vector<ProcessUse> processes;
-
-    /// The measurement of that name by that process; throws std::out_of_range if there is none.
-    double measured(std::string_view process, std::string_view name) const;
-    const std::string& measured_text(std::string_view process, std::string_view name) const;
-};
 
 /// A network turned into a simulation: its processors, links and processes, wired as the netlist says.
 /// Runs once.
 class Machine {
 public:
-    /// Throws std::invalid_argument if a process's kind is not in the catalogue or stands for a program that
-    /// PlacedPar does not have, or if a channel leads to an edge, where nobody is.
+    /// Throws UserError, with the place in the netlist, if a process's kind is not in the catalogue or stands for a
+    /// program that PlacedPar does not have, or if a channel leads to an edge, where no process is.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
+    /// Throws what Simulation::run() throws; what a process refuses to work with is a UserError with its place.
     RunReport run(Time limit = Time::max());
     void interrupt() { simulation_.interrupt(); }
     /// REQUIRES: before run(); the sink outlives it.
@@ -63,18 +33,24 @@ public:
 private:
     void make_processors();
     void make_links();
+    Multiplexer& make_multiplexer(std::size_t connection);
     void make_channels(const Catalogue&);
     void carry(AnyChannel&, const NetworkChannel&);
     void make_processes(const Catalogue&);
-    std::string link_name(const LinkEnd&) const;
+    Process& make_process(const ProcessInstance&, const ProcessKind&);
+
+    // machine_report.cpp
     RunReport report(RunResult) const;
+    std::vector<ProcessorUse> processor_uses(Time whole) const;
+    std::vector<LinkUse> link_uses(Time whole) const;
+    std::vector<ProcessUse> process_uses(Time whole) const;
 
     Network network_;
     std::uint64_t seed_;
     Simulation simulation_;
-    std::vector<Processor*> processors_; ///< by node; null for a workstation
-    std::vector<Link*> links_;           ///< by connection
-    std::vector<Multiplexer*> multiplexers_;
+    std::vector<Processor*> processors_;     ///< by node; null where processes take no time, or none can be
+    std::vector<Link*> links_;               ///< by connection
+    std::vector<Multiplexer*> multiplexers_; ///< by connection; null where no channels share it
     std::vector<std::unique_ptr<AnyChannel>> channels_;
     std::list<ProcessEnvironment> environments_;
     std::vector<Process*> processes_;

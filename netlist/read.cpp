@@ -21,7 +21,7 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
     auto statements = Parser(tokens, reporter).parse_netlist();
     if (reporter.failed())
         return std::nullopt;
-    Elaborator elaborator(reporter, overrides);
+    Elaborator elaborator(catalogue, overrides, reporter);
     elaborator.run(statements);
     elaborator.check_overrides();
     if (reporter.failed())

@@ -1,19 +1,16 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
-#include "netlist/network.hpp"
+#include "netlist/elaborate/overrides.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
 #include "text/diagnostic.hpp"
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace placedpar {
-
-/// `--set NAME=VALUE`: the val NAME takes the value of the expression VALUE. Only vals outside blocks.
-using Overrides = std::map<std::string, std::string>;
 
 struct ReadResult {
     std::optional<Network> network;      ///< there exactly if no diagnostic is an error

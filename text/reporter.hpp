@@ -52,7 +52,4 @@ private:
     std::size_t errors_ = 0, repeated_ = 0;
 };
 
-/// Thrown by what cannot go on with a statement, after it has reported why; caught at the statement.
-struct StatementRefused {};
-
 } // namespace placedpar

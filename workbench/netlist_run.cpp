@@ -1,7 +1,7 @@
 #include "workbench/netlist_run.hpp"
 
 #include "text/diagnostic.hpp"
-#include "text/refused_input.hpp"
+#include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 
 #include <fmt/format.h>

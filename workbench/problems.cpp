@@ -5,7 +5,7 @@
 #include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
-#include "netlist/csp_kinds.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
 #include "runtime/random.hpp"
 
 namespace placedpar {

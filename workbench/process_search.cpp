@@ -3,7 +3,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "text/diagnostic.hpp"
 #include "text/output_file.hpp"
-#include "text/refused_input.hpp"
+#include "text/user_error.hpp"
 #include "workbench/netlist_run.hpp"
 #include "workbench/problems.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "hydraulics/data/record_table.hpp"
 #include "text/diagnostic.hpp"
-#include "text/refused_input.hpp"
 #include "text/source.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 

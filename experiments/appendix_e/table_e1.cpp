@@ -125,7 +125,7 @@ std::string print_constants(const std::filesystem::path& netlist) {
         "!  an outcome further from the thesis than 3 %; its own T_exe is off its T_sr + S_time2 by up to 0.9 %\n",
         value(at_120, "cycles_per_error"), value(at_30, "cycles_per_error"), value(at_120, "cycles_per_individual"),
         value(at_30, "cycles_per_individual"), value(at_120, "measurement_bytes"),
-        value(at_120, "cycles_per_measurement_word"), at_120.nodes.front().channel_call_cycles);
+        value(at_120, "cycles_per_measurement_word"), at_120.nodes.front().integer("channelcall"));
 }
 
 } // namespace

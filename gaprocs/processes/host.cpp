@@ -1,7 +1,7 @@
 #include "gaprocs/processes/kinds.hpp"
 
 #include "gaprocs/processes/messages.hpp"
-#include "netlist/environment.hpp"
+#include "netlist/kinds/environment.hpp"
 #include "runtime/parallel.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gaprocs/problem_registry.hpp"
-#include "netlist/catalogue.hpp"
+#include "netlist/kinds/catalogue.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -4,8 +4,8 @@
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/settings.hpp"
-#include "netlist/catalogue.hpp"
-#include "runtime/channel.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/kinds/description.hpp"
 
 #include <utility>
 #include <vector>
@@ -15,38 +15,10 @@ namespace placedpar {
 namespace {
 
 using Parameters = std::vector<ParameterDescription>;
-using Measures = std::vector<MeasureDescription>;
-
-template <class T>
-PortDescription port(std::string name, Direction direction, std::string protocol, std::string about,
-                     bool optional = false) {
-    return {std::move(name), direction,
-            optional,        std::move(protocol),
-            typeid(T),       [](std::string channel) { return std::make_unique<Channel<T>>(std::move(channel)); },
-            std::move(about)};
-}
-
-ParameterDescription integer(std::string name, std::string unit, std::int64_t by_default, double least, double most,
-                             std::string about) {
-    return {std::move(name), ParameterType::integer, std::move(unit), by_default, least, most, {}, std::move(about)};
-}
-
-ParameterDescription real(std::string name, std::string unit, double by_default, double least, double most,
-                          std::string about) {
-    return {std::move(name), ParameterType::real, std::move(unit), by_default, least, most, {}, std::move(about)};
-}
-
-ParameterDescription text(std::string name, std::string by_default, std::vector<std::string> choices,
-                          std::string about) {
-    return {std::move(name),    ParameterType::text, "", std::move(by_default), {}, {},
-            std::move(choices), std::move(about)};
-}
+using Measurements = std::vector<MeasurementDescription>;
 
 ParameterDescription problem() {
-    return {"problem", ParameterType::text,
-            "",        Value{std::string("boom")},
-            {},        {},
-            {},        "the search problem and its record of measurements"};
+    return description::text("problem", {.by_default = "boom"}, "the search problem and its record of measurements");
 }
 
 Parameters operator+(Parameters a, const Parameters& b) {
@@ -54,59 +26,96 @@ Parameters operator+(Parameters a, const Parameters& b) {
     return a;
 }
 
-/// Of every process that holds a population.
-Parameters search_parameters() {
+Parameters population_parameters() {
+    using namespace description;
     return {
         problem(),
-        integer("population", "individuals", 120, 2, largest_population,
+        integer("population", {.unit = "individuals", .by_default = 120, .least = 2, .most = largest_population},
                 "size of this process's population (thesis 4.3: 120 in all)"),
-        integer("window", "samples", 10, 1, 1024, "samples that the fitness is summed over (eq. 3.9)"),
-        integer("first_window", "samples", 5, 1, 1024,
+        integer("window", {.unit = "samples", .by_default = 10, .least = 1, .most = 1024},
+                "samples that the fitness is summed over (eq. 3.9)"),
+        integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
                 "samples needed for the first generation; a shorter window must only be full"),
-        integer("trials", "generations", 5, 1, 1e6, "generations for each new sample (thesis 4.3)"),
-        real("bias", "(unit of the error)^2", 400, 1e-300, fitness_term_limit, "B of the fitness (eq. 3.9)"),
-        real("crossover", "", 0.8, 0, 1, "probability that a pair is crossed over"),
-        real("mutation", "", 0.01, 0, 1, "probability that a bit is flipped"),
-        integer("elite", "individuals", 0, 0, 1e6,
-                "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
-        text("reproduction", "roulette", {"roulette", "universal"},
-             "how parents are drawn: by roulette with replacement (thesis), or by stochastic universal sampling"),
-        text(
-            "coding", "natural", {"natural", "gray"},
-            "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are told"),
-        text("stream", "", {}, "name of the random stream; the process's own name if empty"),
-        integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
-        integer("cycles_per_individual", "cycles", 1750, 0, 1e9, "workload: the genetic operators, for one individual"),
-        integer("cycles_per_measurement_word", "cycles", 0, 0, 1e9,
-                "workload: making a word of the measurements ready to send"),
-        integer("string_bytes", "bytes", 2, 1, 65536, "an individual's string in a message"),
-        integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message"),
-        integer("measurement_bytes", "bytes", 148, 1, 65536, "the measurements of a window in a message (appendix E)"),
+        integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
+                "generations for each new sample (thesis 4.3)"),
     };
 }
 
-Parameters farm_parameters() {
+Parameters operator_parameters() {
+    using namespace description;
     return {
-        integer("slaves", "", 1, 1, 4096, "slaves in the chain, where one is connected: as many as there are"),
-        text("split", "individuals", {"individuals", "demand", "evaluations"},
+        real("bias", {.unit = "(unit of the error)^2", .by_default = 400, .least = 1e-300, .most = fitness_term_limit},
+             "B of the fitness (eq. 3.9)"),
+        real("crossover", {.by_default = 0.8, .least = 0, .most = 1}, "probability that a pair is crossed over"),
+        real("mutation", {.by_default = 0.01, .least = 0, .most = 1}, "probability that a bit is flipped"),
+        integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
+                "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
+        text("reproduction", {.by_default = "roulette", .choices = {"roulette", "universal"}},
+             "how parents are drawn: by roulette with replacement (thesis), or by stochastic universal sampling"),
+        text("coding", {.by_default = "natural", .choices = {"natural", "gray"}},
+             "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are "
+             "told"),
+        text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
+    };
+}
+
+ParameterDescription cycles_per_error() {
+    return description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
+                                "workload: one individual's error at one sample");
+}
+
+Parameters workload_parameters() {
+    using namespace description;
+    return {
+        cycles_per_error(),
+        integer("cycles_per_individual", {.unit = "cycles", .by_default = 1750, .least = 0, .most = 1e9},
+                "workload: the genetic operators, for one individual"),
+        integer("cycles_per_measurement_word", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e9},
+                "workload: making a word of the measurements ready to send"),
+    };
+}
+
+ParameterDescription message_bytes(std::string name, std::int64_t by_default, std::string about) {
+    return description::integer(std::move(name), {.unit = "bytes", .by_default = by_default, .least = 1, .most = 65536},
+                                std::move(about));
+}
+
+ParameterDescription fitness_bytes() {
+    return message_bytes("fitness_bytes", 2, "an individual's fitness in a message");
+}
+
+/// Of every process that holds a population.
+Parameters search_parameters() {
+    return population_parameters() + operator_parameters() + workload_parameters() +
+           Parameters{
+               message_bytes("string_bytes", 2, "an individual's string in a message"), fitness_bytes(),
+               message_bytes("measurement_bytes", 148, "the measurements of a window in a message (appendix E)")};
+}
+
+Parameters farm_parameters() {
+    using namespace description;
+    return {
+        integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
+                "slaves in the chain, where one is connected: as many as there are"),
+        text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
              "how the evaluations are dealt out: whole individuals, individuals to whoever is idle, or single error "
              "evaluations"),
-        text("measurements", "sample", {"sample", "generation"},
+        text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
              "when the slaves are sent the measurements: with each new sample, or in every generation"),
-        text("results", "chain", {"chain", "ready"},
+        text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
              "how results come back: in the order of the chain, the farthest first, or as they are ready; on demand "
              "always as they are ready"),
-        integer("rehearsals", "rounds", 100, 1, 1e6,
+        integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 1, .most = 1e6},
                 "rounds of communication with nothing to evaluate, to measure C_time2"),
     };
 }
 
 Parameters ring_parameters() {
-    return {integer("exchange_every", "generations", 3, 1, 1e6,
-                    "how often the islands exchange their best individuals (thesis 4.3)")};
+    return {description::integer("exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
+                                 "how often the islands exchange their best individuals (thesis 4.3)")};
 }
 
-Measures search_measures() {
+Measurements search_measurements() {
     return {
         {"T_exe", "ms", "one generation; like all times a mean over those with a full window, not there without one"},
         {"T_sr", "ms", "from the first send to the last receive"},
@@ -123,81 +132,77 @@ Measures search_measures() {
 }
 
 PortDescription from_host() {
-    return port<HostMessage>("from_host", Direction::input, "host message", "the samples of the record");
+    return description::input<HostMessage>("from_host", "host message", "the samples of the record");
 }
 
-std::vector<PortDescription> slave_ports(bool optional) {
-    return {
-        port<Task>("to_slaves", Direction::output, "task", "to the first slave of the chain", optional),
-        port<Fitnesses>("from_slaves", Direction::input, "fitnesses", "from the first slave of the chain", optional)};
+PortDescription to_slaves() {
+    return description::optional(description::output<Task>("to_slaves", "task", "to the first slave of the chain"));
 }
 
-std::vector<PortDescription> ring_ports() {
-    return {port<Emigrant>("ring_out", Direction::output, "emigrant", "to the next island", true),
-            port<Emigrant>("ring_in", Direction::input, "emigrant", "from the island before", true)};
+PortDescription from_slaves() {
+    return description::optional(
+        description::input<Fitnesses>("from_slaves", "fitnesses", "from the first slave of the chain"));
+}
+
+PortDescription ring_out() {
+    return description::optional(description::output<Emigrant>("ring_out", "emigrant", "to the next island"));
+}
+
+PortDescription ring_in() {
+    return description::optional(description::input<Emigrant>("ring_in", "emigrant", "from the island before"));
 }
 
 ProcessKind host_kind() {
-    return {
-        "ga.host",
-        "The host computer's part: sends each sample of the problem's record to every master, as fast as they take it.",
-        {port<HostMessage>("to_masters", Direction::output, "host message", "an array: one end for each master")},
-        {problem(), integer("samples", "samples", 0, 0, 1e9, "how many samples of the record are sent; 0: all"),
-         integer("sample_bytes", "bytes", 16, 1, 65536, "a sample in a message")},
-        {},
-        {}};
+    using namespace description;
+    return {.name = "ga.host",
+            .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
+                     "they take it.",
+            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master")},
+            .parameters = {problem(),
+                           integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                                   "how many samples of the record are sent; 0: all"),
+                           message_bytes("sample_bytes", 16, "a sample in a message")}};
 }
 
 ProcessKind traditional_kind() {
-    return {"ga.traditional",  "The traditional genetic algorithm: one population, on one processor.",
-            {from_host()},     search_parameters(),
-            search_measures(), {}};
+    return {.name = "ga.traditional",
+            .about = "The traditional genetic algorithm: one population, on one processor.",
+            .ports = {from_host()},
+            .parameters = search_parameters(),
+            .measurements = search_measurements()};
 }
 
 ProcessKind master_kind() {
-    ProcessKind kind{
-        "ga.master",
-        "The master of algorithm A: deals the population out to its slaves, evaluates a share itself, and applies the "
-        "genetic operators. Without slaves it is the traditional genetic algorithm.",
-        slave_ports(true),
-        search_parameters() + farm_parameters(),
-        search_measures(),
-        {},
-        {{"to_slaves", "from_slaves"}}};
-    kind.ports.push_back(from_host());
-    return kind;
+    return {.name = "ga.master",
+            .about = "The master of algorithm A: deals the population out to its slaves, evaluates a share itself, and "
+                     "applies the genetic operators. Without slaves it is the traditional genetic algorithm.",
+            .ports = {to_slaves(), from_slaves(), from_host()},
+            .parameters = search_parameters() + farm_parameters(),
+            .measurements = search_measurements(),
+            .together = {{"to_slaves", "from_slaves"}}};
 }
 
 ProcessKind slave_kind() {
-    return {
-        "ga.slave",
-        "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves beyond it.",
-        {port<Task>("from_master", Direction::input, "task", "from the master or the slave before"),
-         port<Fitnesses>("to_master", Direction::output, "fitnesses", "to the master or the slave before"),
-         port<Task>("to_next", Direction::output, "task", "to the slave beyond", true),
-         port<Fitnesses>("from_next", Direction::input, "fitnesses", "from the slave beyond", true)},
-        {problem(),
-         integer("cycles_per_error", "cycles", 1440, 0, 1e9, "workload: one individual's error at one sample"),
-         integer("fitness_bytes", "bytes", 2, 1, 65536, "an individual's fitness in a message")},
-        {},
-        {},
-        {{"to_next", "from_next"}}};
+    using namespace description;
+    return {.name = "ga.slave",
+            .about = "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves "
+                     "beyond it.",
+            .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
+                      output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
+                      optional(output<Task>("to_next", "task", "to the slave beyond")),
+                      optional(input<Fitnesses>("from_next", "fitnesses", "from the slave beyond"))},
+            .parameters = {problem(), cycles_per_error(), fitness_bytes()},
+            .together = {{"to_next", "from_next"}}};
 }
 
 ProcessKind island_kind() {
-    ProcessKind kind{"ga.island",
-                     "An island of algorithm B: a genetic algorithm of its own that exchanges its best individual "
-                     "around a ring. With "
-                     "slaves it is a master as well (A + B); without a ring it is that only.",
-                     ring_ports(),
-                     search_parameters() + farm_parameters() + ring_parameters(),
-                     search_measures(),
-                     {},
-                     {{"to_slaves", "from_slaves"}, {"ring_out", "ring_in"}}};
-    kind.ports.push_back(from_host());
-    for (PortDescription& each : slave_ports(true))
-        kind.ports.push_back(std::move(each));
-    return kind;
+    return {.name = "ga.island",
+            .about = "An island of algorithm B: a genetic algorithm of its own that exchanges its best individual "
+                     "around a ring. With slaves it is a master as well (A + B); without a ring it is that only.",
+            .ports = {ring_out(), ring_in(), from_host(), to_slaves(), from_slaves()},
+            .parameters = search_parameters() + farm_parameters() + ring_parameters(),
+            .measurements = search_measurements(),
+            .together = {{"to_slaves", "from_slaves"}, {"ring_out", "ring_in"}}};
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "gaprocs/processes/parameters.hpp"
 
-#include "netlist/environment.hpp"
+#include "netlist/kinds/environment.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "gaprocs/processes/farm.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/window.hpp"
-#include "netlist/environment.hpp"
+#include "netlist/kinds/environment.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/parallel.hpp"

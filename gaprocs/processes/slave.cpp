@@ -3,7 +3,7 @@
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/processes/workload.hpp"
-#include "netlist/environment.hpp"
+#include "netlist/kinds/environment.hpp"
 #include "runtime/alternation.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"

@@ -1,5 +1,7 @@
 #include "gaprocs/processes/slave_chain.hpp"
 
+#include "netlist/network/names.hpp"
+
 #include <fmt/format.h>
 
 namespace placedpar {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
-#include "netlist/network.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
 
 #include <cstddef>
 #include <optional>

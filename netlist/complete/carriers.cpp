@@ -19,7 +19,7 @@ public:
             between_[{connection.a.node, connection.b.node}].push_back(i);
             between_[{connection.b.node, connection.a.node}].push_back(i);
             for (auto [inner, outer] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
-                if (outer.link < 0)
+                if (outer.at_edge())
                     edges_of_[inner.node].push_back(i);
         }
     }
@@ -94,7 +94,7 @@ private:
         auto name = process.name + "." + end.port;
         if (process.node == nowhere)
             return std::nullopt; // reported
-        if (placement.where.link < 0) {
+        if (placement.where.at_edge()) {
             auto found = between_.find({process.node, placement.where.node});
             if (found != between_.end())
                 return found->second.front();
@@ -124,8 +124,8 @@ private:
         const auto& connection = c_.network.connections[index];
         bool to_edge = channel.from.at_edge() || channel.to.at_edge();
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
-        if (to_edge && outer.node == nowhere && (connection.a.link < 0 || connection.b.link < 0))
-            outer.node = connection.a.link < 0 ? connection.a.node : connection.b.node;
+        if (to_edge && outer.node == nowhere && (connection.a.at_edge() || connection.b.at_edge()))
+            outer.node = connection.a.at_edge() ? connection.a.node : connection.b.node;
         auto from = channel.from.node, to = channel.to.node;
         if (from == nowhere || to == nowhere)
             return edge_missing(channel);
@@ -188,7 +188,7 @@ private:
     std::size_t lightest(const std::vector<std::size_t>& candidates, std::size_t sender) {
         auto weight = [&](std::size_t i) {
             const auto& connection = c_.network.connections[i];
-            bool forwards = sender == nowhere ? connection.a.link < 0 : connection.a.node == sender;
+            bool forwards = sender == nowhere ? connection.a.at_edge() : connection.a.node == sender;
             auto link = forwards ? connection.a.link : connection.b.link;
             if (sender == nowhere) // from an edge: the receiver's link decides
                 link = forwards ? connection.b.link : connection.a.link;

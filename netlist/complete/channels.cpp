@@ -1,10 +1,11 @@
 #include "netlist/complete/complete.hpp"
-#include "netlist/elaborate/elaborator.hpp"
+#include "netlist/network/names.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace placedpar {
 
@@ -134,10 +135,10 @@ private:
     void add_placed(std::size_t index, const PortDeclaration& port, const std::string& name,
                     const DraftPlacement& placement) {
         auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
-        std::size_t edge = placement.where.link < 0 ? placement.where.node : nowhere;
+        std::size_t edge = placement.where.at_edge() ? placement.where.node : nowhere;
         if (wire != c_.connection_at.end()) {
             const auto& connection = c_.network.connections[wire->second];
-            edge = connection.a.link < 0 ? connection.a.node : connection.b.link < 0 ? connection.b.node : nowhere;
+            edge = connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
         }
         const auto& process = c_.draft.processes[index];
         if (edge == nowhere)

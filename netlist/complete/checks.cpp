@@ -1,4 +1,5 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/network/names.hpp"
 
 #include <fmt/format.h>
 

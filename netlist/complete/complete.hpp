@@ -1,8 +1,8 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
 #include "netlist/elaborate/draft.hpp"
-#include "netlist/network.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
 #include "text/reporter.hpp"
 
 #include <map>
@@ -30,20 +30,17 @@ struct Completion {
     std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
 };
 
-/// "input" or "output".
-constexpr const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
-
-/// complete_wires.cpp: from pieces of wire and crosspoints to connections between processors.
+/// wires.cpp: from pieces of wire and crosspoints to connections between processors.
 void complete_wires(Completion& completion);
-/// complete_processes.cpp: placement, kinds, and interfaces against kinds.
+/// processes.cpp: placement, kinds, and interfaces against kinds.
 void complete_processes(Completion& completion);
-/// complete_parameters.cpp: the values of all parameters of one process.
+/// parameters.cpp: the values of all parameters of one process.
 void complete_parameters(Completion& completion, std::size_t process);
-/// complete_channels.cpp: directions, protocols, and ports left unconnected.
+/// channels.cpp: directions, protocols, and ports left unconnected.
 void complete_channels(Completion& completion);
-/// complete_carriers.cpp: what carries each channel.
+/// carriers.cpp: what carries each channel.
 void complete_carriers(Completion& completion);
-/// complete_checks.cpp: what the kinds themselves have to say. REQUIRES: nothing was refused.
+/// checks.cpp: what the kinds themselves have to say. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
 
 } // namespace placedpar

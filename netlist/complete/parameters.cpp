@@ -1,6 +1,6 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/elaborate/attributes.hpp"
-#include "netlist/elaborate/elaborator.hpp"
+#include "netlist/network/names.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -93,14 +93,12 @@ private:
     void check_range(const Setting& setting, const ParameterDescription& known, const Value& value) {
         const auto* integer = std::get_if<std::int64_t>(&value);
         auto number = integer != nullptr ? static_cast<double>(*integer) : std::get<double>(value);
-        if ((!known.least || number >= *known.least) && (!known.most || number <= *known.most))
+        if (in_range(known, number))
             return;
         auto unit = known.unit.empty() ? "" : " " + known.unit;
-        auto range = known.least && known.most ? fmt::format("it goes from {} to {}{}", *known.least, *known.most, unit)
-                     : known.least             ? fmt::format("it is at least {}{}", *known.least, unit)
-                                               : fmt::format("it is at most {}{}", *known.most, unit);
         c_.reporter.error(setting.at,
-                          fmt::format("the parameter \"{}\" is out of range: {}{}", known.name, number, unit), range);
+                          fmt::format("the parameter \"{}\" is out of range: {}{}", known.name, number, unit),
+                          range_of(known));
     }
 
     std::optional<Value> convert(const Setting& setting, ParameterType type) {

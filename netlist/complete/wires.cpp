@@ -34,7 +34,7 @@ private:
         }
     }
 
-    bool at_switch(const LinkEnd& end) const { return c_.draft.nodes[end.node].kind == NodeKind::c004; }
+    bool at_switch(const LinkEnd& end) const { return c_.draft.nodes[end.node].kind->links == LinkRole::crosses; }
 
     static LinkEnd other_end(const DraftWire& wire, const LinkEnd& end) {
         return socket(wire.a) == socket(end) ? wire.b : wire.a;
@@ -78,7 +78,7 @@ private:
                 connection.connected,
                 fmt::format("two links of the same processor \"{}\" are connected through a switch",
                             c_.draft.nodes[connection.a.node].name));
-        if (connection.a.link < 0 && connection.b.link < 0)
+        if (connection.a.at_edge() && connection.b.at_edge())
             return c_.reporter.error(connection.connected, "two edges cannot be connected, through a switch neither");
         auto place = c_.network.connections.size();
         std::optional<std::int64_t> speed;
@@ -99,22 +99,29 @@ private:
         }
         connection.bits_per_second = speed ? *speed : speed_of_ends(connection);
         for (const auto& end : {connection.a, connection.b})
-            if (end.link >= 0)
+            if (!end.at_edge())
                 c_.connection_at.emplace(socket(end), place);
         c_.network.connections.push_back(std::move(connection));
     }
 
     std::int64_t speed_of_ends(const LinkConnection& connection) {
+        if (connection.a.at_edge())
+            return link_speed(connection.b);
+        auto speed = link_speed(connection.a);
+        if (!connection.b.at_edge() && link_speed(connection.b) != speed)
+            refuse_speeds(connection);
+        return speed;
+    }
+
+    std::int64_t link_speed(const LinkEnd& end) const { return c_.draft.nodes[end.node].integer("linkspeed"); }
+
+    void refuse_speeds(const LinkConnection& connection) {
         const auto &a = c_.draft.nodes[connection.a.node], &b = c_.draft.nodes[connection.b.node];
-        if (a.kind == NodeKind::edge)
-            return b.link_bits_per_second;
-        if (b.kind != NodeKind::edge && a.link_bits_per_second != b.link_bits_per_second)
-            c_.reporter.error(connection.connected,
-                              fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s", a.name,
-                                          a.link_bits_per_second, b.name, b.link_bits_per_second),
-                              "set both by a connection: connection (linkspeed = 10M) c; connect ... by c;",
-                              {{"declared here", a.declared}, {"declared here", b.declared}});
-        return a.link_bits_per_second;
+        c_.reporter.error(connection.connected,
+                          fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s", a.name,
+                                      link_speed(connection.a), b.name, link_speed(connection.b)),
+                          "set both by a connection: connection (linkspeed = 10M) c; connect ... by c;",
+                          {{"declared here", a.declared}, {"declared here", b.declared}});
     }
 
     Completion& c_;
@@ -122,7 +129,7 @@ private:
     std::map<Socket, std::size_t> wire_at_, crosspoint_at_;
 };
 
-bool is_computer(const Node& node) { return node.kind == NodeKind::processor || node.kind == NodeKind::workstation; }
+bool is_computer(const Node& node) { return node.kind->runs_processes; }
 
 void check_isolated(Completion& c) {
     std::vector<bool> wired(c.draft.nodes.size(), false);

@@ -2,7 +2,6 @@
 
 #include "netlist/elaborate/draft.hpp"
 #include "netlist/elaborate/evaluator.hpp"
-#include "netlist/node_type.hpp"
 
 namespace placedpar {
 

@@ -53,17 +53,17 @@ void Elaborator::use_link(const LinkEnd& end, const Reference& reference, bool c
     auto [known, is_new] = used.emplace(std::pair(end.node, end.link), reference.at);
     if (is_new)
         return;
-    auto what = end.link < 0 ? "edge" : crosspoint ? "crosspoint" : "link";
-    refuse(reference.at, fmt::format("the {} \"{}\" is connected twice", what, link_name(end)), "",
+    auto what = end.at_edge() ? "edge" : crosspoint ? "crosspoint" : "link";
+    refuse(reference.at, fmt::format("the {} \"{}\" is connected twice", what, link_name(draft_.nodes, end)), "",
            {{"first connected here", known->second}});
 }
 
 void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at) {
-    if (a.link < 0 && b.link < 0)
+    if (a.at_edge() && b.at_edge())
         refuse(form.b.at, "two edges cannot be connected", "an edge is connected to a link of a processor");
     if (a.node == b.node && a.link == b.link)
-        refuse(form.b.at, fmt::format("the link \"{}\" is connected to itself", link_name(a)));
-    bool crosspoint = a.node == b.node && draft_.nodes[a.node].kind == NodeKind::c004;
+        refuse(form.b.at, fmt::format("the link \"{}\" is connected to itself", link_name(draft_.nodes, a)));
+    bool crosspoint = a.node == b.node && draft_.nodes[a.node].kind->links == LinkRole::crosses;
     if (a.node == b.node && !crosspoint)
         refuse(form.b.at,
                fmt::format("two links of the same processor \"{}\" are connected", draft_.nodes[a.node].name),

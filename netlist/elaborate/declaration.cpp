@@ -6,30 +6,6 @@
 
 namespace placedpar {
 
-std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts) {
-    auto result = name;
-    for (auto subscript : subscripts)
-        result += fmt::format("[{}]", subscript);
-    return result;
-}
-
-std::size_t element_count(const std::vector<std::int64_t>& dimensions) {
-    std::size_t count = 1;
-    for (auto size : dimensions)
-        count *= static_cast<std::size_t>(size);
-    return count;
-}
-
-std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions) {
-    std::vector<std::int64_t> result(dimensions.size());
-    for (auto i = dimensions.size(); i-- > 0;) {
-        auto size = static_cast<std::size_t>(dimensions[i]);
-        result[i] = static_cast<std::int64_t>(element % size);
-        element /= size;
-    }
-    return result;
-}
-
 void Elaborator::check_free(const std::string& name, const Location& at) {
     if (const auto* known = scopes_.find_in_this_block(name))
         refuse(at, fmt::format("the name \"{}\" is declared twice", name), "",
@@ -96,8 +72,8 @@ NodeType Elaborator::node_type(const std::string& name, const Location& at) {
     const auto* type = std::get_if<NodeType>(&symbol->meaning);
     if (type == nullptr)
         refuse(at, fmt::format("\"{}\" is {}, not a node type", name, describe(*symbol)));
-    if (!type->refusal.empty())
-        refuse(at, fmt::format("a {} cannot be declared: {}", name, type->refusal));
+    if (const auto& refusal = type->preset.kind->refusal; !refusal.empty())
+        refuse(at, fmt::format("a {} cannot be declared: {}", name, refusal));
     return *type;
 }
 

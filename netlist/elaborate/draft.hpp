@@ -1,7 +1,7 @@
 #pragma once
 
 #include "netlist/elaborate/constant.hpp"
-#include "netlist/network.hpp"
+#include "netlist/network/network.hpp"
 
 #include <map>
 #include <memory>

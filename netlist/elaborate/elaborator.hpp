@@ -3,9 +3,10 @@
 #include "netlist/elaborate/attributes.hpp"
 #include "netlist/elaborate/draft.hpp"
 #include "netlist/elaborate/evaluator.hpp"
+#include "netlist/elaborate/overrides.hpp"
 #include "netlist/elaborate/scope.hpp"
 #include "netlist/language/syntax.hpp"
-#include "netlist/read.hpp"
+#include "netlist/network/names.hpp"
 
 #include <functional>
 #include <set>
@@ -19,10 +20,11 @@ inline constexpr std::size_t most_interface_entries = 1000;
 /// connected and placed. A statement that is refused is reported and left out; the next one is tried.
 class Elaborator {
 public:
-    Elaborator(Reporter& reporter, const Overrides& overrides);
+    /// REQUIRES: the catalogue and the overrides outlive it.
+    Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// After run(): reports overrides of vals that there are not.
+    /// After run(): reports overrides of vals that the netlist does not have.
     void check_overrides();
     Draft take() { return std::move(draft_); }
 
@@ -36,9 +38,11 @@ private:
     void perform(const RepStatement& form, const Location& at);
     void perform(const IfStatement& form, const Location& at);
     void perform(const BlockStatement& form, const Location& at);
+
+    // overrides.cpp
     Constant overridden(const std::string& name, const Constant& original, const std::string& text);
 
-    // elaborate_declaration.cpp
+    // declaration.cpp
     void perform(const DefineStatement& form, const Location& at);
     void perform(const NodeDeclaration& form, const Location& at);
     void perform(const ConnectionDeclaration& form, const Location& at);
@@ -52,27 +56,27 @@ private:
     void declare(const Declarator& declarator, Category category, std::size_t first,
                  const std::function<void(std::string)>& add, std::size_t weight = 1);
 
-    // elaborate_process.cpp
+    // process.cpp
     void perform(const ProcessDeclaration& form, const Location& at);
     void perform(const ParameterSetting& form, const Location& at);
     void perform(const UseStatement& form, const Location& at);
     std::shared_ptr<const Interface> interface(const std::vector<InterfaceEntry>& entries);
 
-    // elaborate_connect.cpp
+    // connect.cpp
     void perform(const ConnectStatement& form, const Location& at);
     void connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at);
     void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form, const Location& at);
     void use_link(const LinkEnd& end, const Reference& reference, bool crosspoint);
     std::size_t connection_for(const ConnectStatement& form, const Location& at);
 
-    // elaborate_place.cpp
+    // place.cpp
     void perform(const PlaceStatement& form, const Location& at);
     void place_process(const PlaceStatement& form);
     void place_port(const PlaceStatement& form);
     void place_edge_channel(const PlaceStatement& form);
     void place_connection(const PlaceStatement& form);
 
-    // elaborate_reference.cpp: what a reference names
+    // reference.cpp: what a reference names
     struct Elements {
         std::size_t first = 0, count = 0;
     };
@@ -89,13 +93,13 @@ private:
     [[noreturn]] void refuse_unknown_port(const DraftProcess& process, const Reference& reference);
     DraftChannelEnd port_end(const Reference& reference, const Found& found);
     std::vector<std::int64_t> subscripts(const std::vector<ExpressionPointer>& expressions);
-    std::string link_name(const LinkEnd& end) const;
 
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {});
 
-    Reporter& reporter_;
+    const Catalogue& catalogue_;
     const Overrides& overrides_;
+    Reporter& reporter_;
     Scopes scopes_;
     Evaluator evaluator_;
     Draft draft_;
@@ -108,12 +112,5 @@ private:
     std::vector<std::string> vals_seen_; ///< outside of blocks
     std::size_t host_ = nowhere;         ///< the predefined edge, once it is used
 };
-
-/// "name[1][2]".
-std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts);
-/// The product; 1 for a single thing.
-std::size_t element_count(const std::vector<std::int64_t>& dimensions);
-/// The subscripts of an element, the last running fastest.
-std::vector<std::int64_t> element_subscripts(std::size_t element, const std::vector<std::int64_t>& dimensions);
 
 } // namespace placedpar

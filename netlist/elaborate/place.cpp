@@ -27,9 +27,8 @@ void Elaborator::place_process(const PlaceStatement& form) {
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
         refuse(form.where.field_at, "a process is placed on a processor, not on a link");
-    if (node.kind == NodeKind::edge || node.kind == NodeKind::c004)
-        refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name,
-                                          node.kind == NodeKind::edge ? "an edge" : "a switch"));
+    if (!node.kind->runs_processes)
+        refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
     if (process.node != nowhere)
         refuse(form.what.at, fmt::format("the process \"{}\" is placed twice", process.name), "",
                {{"first placed here", process.placed}});
@@ -56,7 +55,7 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
     auto& channel = draft_.edge_channels[port_end(form.what, find(form.what)).edge_channel];
     auto where = find(form.where);
     auto index = where.category == Category::node ? element(form.where, where) : nowhere;
-    if (index == nowhere || draft_.nodes[index].kind != NodeKind::edge || !form.where.field.empty())
+    if (index == nowhere || draft_.nodes[index].kind->links != LinkRole::edge || !form.where.field.empty())
         refuse(form.where.at, fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
                "declare it: edge name;");
     if (channel.edge != nowhere)

@@ -16,7 +16,7 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
         return {things->category, things->dimensions, things->first};
     if (host_ == nowhere) { // the predefined edge comes into being when it is first used
         host_ = draft_.nodes.size();
-        auto node = predefined_node_type("edge")->preset;
+        auto node = catalogue_.node_types().find("edge")->second.preset;
         node.name = claim_name("host");
         node.declared = reference.at;
         draft_.nodes.push_back(std::move(node));
@@ -61,16 +61,11 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
     return range.first;
 }
 
-std::string Elaborator::link_name(const LinkEnd& end) const {
-    const auto& node = draft_.nodes[end.node];
-    return end.link < 0 ? node.name : fmt::format("{}.link[{}]", node.name, end.link);
-}
-
 /// `t.link[2]`, or an edge as a whole.
 LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
     auto node = element(reference, found);
     const auto& declared = draft_.nodes[node];
-    if (declared.kind == NodeKind::edge) {
+    if (declared.kind->links == LinkRole::edge) {
         if (!reference.field.empty())
             refuse(reference.field_at, fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
         return {node, -1};

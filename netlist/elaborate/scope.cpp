@@ -20,13 +20,13 @@ std::string describe(const Symbol& symbol) {
     return array + " process" + (plural.empty() ? "" : "es");
 }
 
-Scopes::Scopes() : scopes_(2) {
+Scopes::Scopes(const Catalogue& catalogue) : scopes_(2) {
     for (const auto* name : {"TRUE", "true", "HIGH", "high"})
         declare_predefined(name, {integer_constant(1), {}});
     for (const auto* name : {"FALSE", "false", "LOW", "low"})
         declare_predefined(name, {integer_constant(0), {}});
-    for (const auto& name : predefined_node_type_names())
-        declare_predefined(name, {*predefined_node_type(name), {}});
+    for (const auto& [name, type] : catalogue.node_types())
+        declare_predefined(name, {type, {}});
 }
 
 const Symbol* Scopes::find(std::string_view name) const {
@@ -47,6 +47,14 @@ void Scopes::declare(const std::string& name, Symbol symbol) {
 
 void Scopes::declare_predefined(const std::string& name, Symbol symbol) {
     scopes_.front().insert_or_assign(name, std::move(symbol));
+}
+
+std::vector<std::string> Scopes::predefined_node_types() const {
+    std::vector<std::string> names;
+    for (const auto& [name, symbol] : scopes_.front())
+        if (std::holds_alternative<NodeType>(symbol.meaning))
+            names.push_back(name);
+    return names;
 }
 
 std::vector<std::string> Scopes::names() const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "netlist/elaborate/constant.hpp"
-#include "netlist/node_type.hpp"
+#include "netlist/kinds/catalogue.hpp"
 
 #include <map>
 #include <set>
@@ -33,7 +33,8 @@ std::string describe(const Symbol& symbol);
 /// in; an inner block may use a name again. Predefined names lie outermost and may be declared anew.
 class Scopes {
 public:
-    Scopes();
+    /// The catalogue's node types are predefined.
+    explicit Scopes(const Catalogue& catalogue);
 
     void open() { scopes_.emplace_back(); }
     void close() { scopes_.pop_back(); }
@@ -47,6 +48,8 @@ public:
     void declare_predefined(const std::string& name, Symbol symbol);
 
     std::vector<std::string> names() const;
+    /// Of the node types that are predefined.
+    std::vector<std::string> predefined_node_types() const;
 
     /// A declaration of this name was refused: that it is missing is no second error.
     void poison(const std::string& name) { poisoned_.insert(name); }

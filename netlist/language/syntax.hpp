@@ -1,7 +1,7 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
 #include "netlist/language/token.hpp"
+#include "netlist/network/direction.hpp"
 
 #include <memory>
 #include <optional>
@@ -161,5 +161,8 @@ struct Statement {
                  IfStatement, BlockStatement>
         form;
 };
+
+/// Thrown by a function that cannot go on with a statement, after it has reported why; caught at the statement.
+struct StatementRefused {};
 
 } // namespace placedpar

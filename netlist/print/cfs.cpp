@@ -1,3 +1,5 @@
+#include "netlist/kinds/device_kind.hpp"
+#include "netlist/network/names.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/print/text.hpp"
 
@@ -12,10 +14,25 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
+std::string print_entry(std::string_view name, const Value& value) {
+    return fmt::format("{} = {}", name, print_constant(value));
+}
+
 std::vector<std::string> print_others(const std::map<std::string, Value>& others) {
     std::vector<std::string> entries;
     for (const auto& [name, value] : others)
-        entries.push_back(fmt::format("{} = {}", name, print_constant(value)));
+        entries.push_back(print_entry(name, value));
+    return entries;
+}
+
+/// Those that differ from the kind's default, then those that are only kept.
+std::vector<std::string> print_attributes(const Node& node) {
+    std::vector<std::string> entries;
+    for (const auto& attribute : node.kind->attributes)
+        if (const auto& value = node.attributes.at(attribute.value.name); value != attribute.value.default_value)
+            entries.push_back(print_entry(attribute.value.name, value));
+    for (auto& other : print_others(node.other))
+        entries.push_back(std::move(other));
     return entries;
 }
 
@@ -51,21 +68,10 @@ private:
     }
 
     void print_nodes() {
-        static const Node defaults;
         for (const auto& range :
              element_ranges(n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
             const auto& node = n_.nodes[range.first];
-            std::vector<std::string> attributes;
-            if (node.memory_bytes != defaults.memory_bytes)
-                attributes.push_back(fmt::format("memory = {}", node.memory_bytes));
-            if (node.clock_hz != defaults.clock_hz)
-                attributes.push_back(fmt::format("clock = {}", node.clock_hz));
-            if (node.link_bits_per_second != defaults.link_bits_per_second)
-                attributes.push_back(fmt::format("linkspeed = {}", node.link_bits_per_second));
-            if (node.channel_call_cycles != defaults.channel_call_cycles)
-                attributes.push_back(fmt::format("channelcall = {}", node.channel_call_cycles));
-            for (auto& other : print_others(node.other))
-                attributes.push_back(std::move(other));
+            auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
         }
     }
@@ -84,14 +90,11 @@ private:
 
     static bool is_named(const NetworkChannel& channel) { return channel.name.find("->") == std::string::npos; }
 
-    std::string end(const LinkEnd& at) const {
-        const auto& name = n_.nodes[at.node].name;
-        return at.link < 0 ? name : fmt::format("{}.link[{}]", name, at.link);
-    }
+    std::string end(const LinkEnd& at) const { return link_name(n_.nodes, at); }
 
     bool says_speed(const LinkConnection& connection) const {
         for (const auto& at : {connection.a, connection.b})
-            if (at.link >= 0 && n_.nodes[at.node].link_bits_per_second != connection.bits_per_second)
+            if (!at.at_edge() && n_.nodes[at.node].integer("linkspeed") != connection.bits_per_second)
                 return true;
         return false;
     }
@@ -157,7 +160,7 @@ private:
             if (!process.stand_in)
                 continue;
             for (const auto& binding : process.ports) {
-                type_of.emplace(base_name(binding.port), binding.direction == Direction::input ? "input" : "output");
+                type_of.emplace(base_name(binding.port), word(binding.direction));
                 inputs_and_outputs.push_back(binding.port);
             }
             for (const auto& [name, value] : process.parameters) {
@@ -181,7 +184,7 @@ private:
             entries.push_back("priority = HIGH");
         for (const auto& [name, value] : process.other)
             if (!common.contains(name))
-                entries.push_back(fmt::format("{} = {}", name, print_constant(value)));
+                entries.push_back(print_entry(name, value));
         const auto& parameters = process.parameters;
         for (auto entry = parameters.begin(); entry != parameters.end(); ++entry) {
             if (entry->first.find('[') == std::string::npos)

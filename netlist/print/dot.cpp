@@ -1,3 +1,4 @@
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/print.hpp"
 
 #include <fmt/format.h>
@@ -26,13 +27,13 @@ std::string html(std::string_view text) {
     return result;
 }
 
-std::string bytes(std::int64_t size) {
-    constexpr std::int64_t kilobyte = 1024, megabyte = 1024 * 1024;
-    if (size >= megabyte && size % megabyte == 0)
-        return fmt::format("{} MB", size / megabyte);
-    if (size >= kilobyte && size % kilobyte == 0)
-        return fmt::format("{} KB", size / kilobyte);
-    return fmt::format("{} bytes", size);
+/// ", 2 MB, 20 MHz": what stands behind the type.
+std::string facts(const Node& node) {
+    std::string text;
+    for (const auto& attribute : node.kind->attributes)
+        if (auto fact = attribute.drawn ? attribute.drawn(node.attributes.at(attribute.value.name)) : ""; !fact.empty())
+            text += ", " + fact;
+    return text;
 }
 
 class DotPrinter {
@@ -59,7 +60,7 @@ public:
     }
 
 private:
-    /// Wires between a node and the first one: the rows of the drawing. A workstation comes first.
+    /// Wires between a node and the first one: the rows of the drawing. What belongs into the first row comes first.
     void find_levels() {
         level_.assign(n_.nodes.size(), nowhere);
         std::vector<std::vector<std::size_t>> neighbours(n_.nodes.size());
@@ -67,9 +68,9 @@ private:
             neighbours[connection.a.node].push_back(connection.b.node);
             neighbours[connection.b.node].push_back(connection.a.node);
         }
-        for (bool workstations : {true, false})
+        for (bool first_row : {true, false})
             for (std::size_t start = 0; start < n_.nodes.size(); ++start) {
-                if (level_[start] != nowhere || (workstations && n_.nodes[start].kind != NodeKind::workstation))
+                if (level_[start] != nowhere || (first_row && !n_.nodes[start].kind->drawing.in_first_row))
                     continue;
                 std::vector<std::size_t> reached{start};
                 level_[start] = 0;
@@ -84,30 +85,23 @@ private:
 
     void print_node(std::size_t index) {
         const auto& node = n_.nodes[index];
-        if (node.kind == NodeKind::c004)
-            return; // wires are drawn from end to end, with the number of switches on their way
-        if (node.kind == NodeKind::edge) {
+        const auto& drawing = node.kind->drawing;
+        if (drawing.shape == Drawing::Shape::ellipse)
             text_ += fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
                                  "label=<{}>]\n",
                                  index, html(node.name));
-            return;
-        }
-        bool workstation = node.kind == NodeKind::workstation;
+        if (drawing.shape == Drawing::Shape::box)
+            print_box(index, node, drawing);
+    }
+
+    void print_box(std::size_t index, const Node& node, const Drawing& drawing) {
         text_ += fmt::format(
             "  n{} [label=<<table border=\"0\" cellborder=\"1\" cellspacing=\"0\" cellpadding=\"5\" "
             "color=\"{}\"><tr><td bgcolor=\"{}\"><b>{}</b><br/><font point-size=\"10\">{}{}</font></td></tr>",
-            index, workstation ? "#7a6a3b" : "#3b5b7a", workstation ? "#f3e9c9" : "#d5e3f0", html(node.name),
-            html(node.type), processor_facts(node));
+            index, drawing.frame, drawing.heading, html(node.name), html(node.type), facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
         text_ += "</table>>]\n";
-    }
-
-    static std::string processor_facts(const Node& node) {
-        auto memory = node.memory_bytes > 0 ? ", " + bytes(node.memory_bytes) : "";
-        if (node.kind == NodeKind::workstation)
-            return memory;
-        return fmt::format("{}, {:g} MHz", memory, static_cast<double>(node.clock_hz) / 1e6);
     }
 
     void print_process(const ProcessInstance& process) {
@@ -118,7 +112,7 @@ private:
                         html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
     }
 
-    static std::string link_label(const LinkEnd& end) { return end.link < 0 ? "" : fmt::format("{}", end.link); }
+    static std::string link_label(const LinkEnd& end) { return end.at_edge() ? "" : fmt::format("{}", end.link); }
 
     std::vector<std::size_t> channels_carried() const {
         std::vector<std::size_t> channels(n_.connections.size(), 0);
@@ -134,7 +128,8 @@ private:
         if (connection.bits_per_second != 20'000'000)
             label += fmt::format("{:g} Mbit/s", static_cast<double>(connection.bits_per_second) / 1e6);
         if (connection.switches() > 0)
-            label += fmt::format("{}{} C004", label.empty() ? "" : ", ", connection.switches());
+            label += fmt::format("{}{} {}", label.empty() ? "" : ", ", connection.switches(),
+                                 n_.nodes[connection.crossings[0].node].type);
         auto upper = connection.a, lower = connection.b;
         if (level_[upper.node] > level_[lower.node])
             std::swap(upper, lower);

@@ -1,3 +1,4 @@
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/print/text.hpp"
 
@@ -26,27 +27,13 @@ json::object to_json(const std::map<std::string, Value>& values) {
     return object;
 }
 
-const char* word(NodeKind kind) {
-    switch (kind) {
-    case NodeKind::processor: return "processor";
-    case NodeKind::workstation: return "workstation";
-    case NodeKind::edge: return "edge";
-    case NodeKind::c004: break;
-    }
-    return "c004";
-}
-
 json::object to_json(const Node& node) {
     json::object object;
     object["name"] = node.name;
     object["type"] = node.type;
-    object["kind"] = word(node.kind);
-    if (node.kind != NodeKind::edge && node.kind != NodeKind::c004) {
-        object["memory_bytes"] = node.memory_bytes;
-        object["clock_hz"] = node.clock_hz;
-        object["link_bits_per_second"] = node.link_bits_per_second;
-        object["channel_call_cycles"] = node.channel_call_cycles;
-    }
+    object["kind"] = node.kind->name;
+    for (const auto& attribute : node.kind->attributes)
+        object[attribute.json_name] = to_json(node.attributes.at(attribute.value.name));
     if (!node.other.empty())
         object["other"] = to_json(node.other);
     return object;
@@ -81,7 +68,7 @@ private:
     json::object link_object(const LinkEnd& end) const {
         json::object object;
         object["node"] = n_.nodes[end.node].name;
-        if (end.link >= 0)
+        if (!end.at_edge())
             object["link"] = end.link;
         return object;
     }
@@ -114,7 +101,7 @@ private:
         object["ports"] = list(process.ports, [&](const PortBinding& binding) {
             json::object port;
             port["port"] = binding.port;
-            port["direction"] = binding.direction == Direction::input ? "input" : "output";
+            port["direction"] = word(binding.direction);
             port["channel"] = n_.channels[binding.channel].name;
             return port;
         });

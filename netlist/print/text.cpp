@@ -1,5 +1,7 @@
 #include "netlist/print/text.hpp"
 
+#include "netlist/network/names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

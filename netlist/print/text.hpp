@@ -1,6 +1,6 @@
 #pragma once
 
-#include "netlist/network.hpp"
+#include "netlist/network/network.hpp"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "gaprocs/genome.hpp"
 #include "hydraulics/circuit/boom_orifices.hpp"
-#include "netlist/catalogue.hpp"
+#include "netlist/kinds/catalogue.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdio>

@@ -1,8 +1,9 @@
 // A netlist as a machine that runs.
 
-#include "netlist/csp_kinds.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -50,7 +51,7 @@ TEST_CASE("what can be shown but not run says where it is") {
         REQUIRE(read.network);
         try {
             Machine(*read.network, catalogue, 1);
-        } catch (const std::invalid_argument& refused) {
+        } catch (const UserError& refused) {
             return refused.what();
         }
         return "";

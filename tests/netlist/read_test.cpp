@@ -48,9 +48,9 @@ TEST_CASE("four clusters of a master and three slaves") {
     CHECK(network.processes.size() == 4 + 12 + 4);
     CHECK(network.nodes[4].name == "slave[0][0]");
     CHECK(network.nodes[4].type == "T800");
-    CHECK(network.nodes[4].memory_bytes == 2 * 1024 * 1024);
-    CHECK(network.nodes[4].clock_hz == 20'000'000);
-    CHECK(network.nodes[16].kind == NodeKind::workstation);
+    CHECK(network.nodes[4].integer("memory") == 2 * 1024 * 1024);
+    CHECK(network.nodes[4].integer("clock") == 20'000'000);
+    CHECK(network.nodes[16].kind->name == "workstation");
     const auto& master = network.processes[3];
     CHECK(master.name == "breeder[3]");
     CHECK(master.high_priority);
@@ -77,14 +77,14 @@ TEST_CASE("a val is overridden from outside") {
     CHECK(good("cluster_of_n.cfs", {{"slaves", "2 * 2 + 1"}}).nodes.size() == 6);
     // a later val sees the override, and so does a frequency
     CHECK(good_text("val a 1; val b a + 1; edge t[b];", {{"a", "4"}}).nodes.size() == 5);
-    CHECK(good_text("val f 20M; T800 (clock = f) t;", {{"f", "25M"}}).nodes[0].clock_hz == 25'000'000);
+    CHECK(good_text("val f 20M; T800 (clock = f) t;", {{"f", "25M"}}).nodes[0].integer("clock") == 25'000'000);
 }
 
 TEST_CASE("M means a million in a frequency and 1048576 elsewhere") {
     auto network = good_text("val m 2M; T800 (memory = m, clock = 17500k, linkspeed = m * 10) t;");
-    CHECK(network.nodes[0].memory_bytes == 2 * 1024 * 1024);
-    CHECK(network.nodes[0].clock_hz == 17'500'000);
-    CHECK(network.nodes[0].link_bits_per_second == 20'000'000);
+    CHECK(network.nodes[0].integer("memory") == 2 * 1024 * 1024);
+    CHECK(network.nodes[0].integer("clock") == 17'500'000);
+    CHECK(network.nodes[0].integer("linkspeed") == 20'000'000);
 }
 
 TEST_CASE("switches are followed to the processors at the ends") {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
+#include "netlist/kinds/catalogue.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "netlist/environment.hpp"
+#include "netlist/kinds/environment.hpp"
 
 namespace placedpar {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "netlist/value.hpp"
+#include "netlist/network/value.hpp"
 #include "runtime/channel.hpp"
 #include "runtime/random.hpp"
 

@@ -1,46 +1,45 @@
 #pragma once
 
-#include "netlist/catalogue.hpp"
-#include "netlist/value.hpp"
+#include "netlist/network/direction.hpp"
+#include "netlist/network/value.hpp"
 #include "text/source.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace placedpar {
 
-/// What a netlist comes to: every array unrolled, every name resolved, every channel placed. Indices are
+struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
+
+/// What a netlist describes, elaborated: every array unrolled, every name resolved, every channel placed. Indices are
 /// positions in the vectors of Network. Names are unique within their vector.
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-enum class NodeKind {
-    processor,
-    workstation, ///< a host computer: any number of links, processes on it run in no time
-    edge,        ///< where the network ends
-    c004         ///< a crossbar switch; connections through it are resolved to the processors at their ends
-};
-
+/// A device of some kind, or an edge: something that wires lead to.
 struct Node {
-    std::string name; ///< such as "t[0][1]"
-    std::string type; ///< the processor's base type, such as "T800" for a B404; "edge", ...
-    NodeKind kind = NodeKind::processor;
-    std::int64_t memory_bytes = 0;
-    std::int64_t clock_hz = 20'000'000;
-    std::int64_t link_bits_per_second = 20'000'000;
-    bool overlapped_acknowledge = true;   ///< its links acknowledge a byte while it comes in
-    std::int64_t channel_call_cycles = 0; ///< what the communication library charges per channel operation
-    std::map<std::string, Value> other;   ///< attributes of the real tool that a simulation has no use for
+    std::string name;                       ///< such as "t[0][1]"
+    std::string type;                       ///< such as "T800", also for a B404, which carries one; "edge", "C004"
+    std::shared_ptr<const DeviceKind> kind; ///< never null in a Network
+    std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
+    bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while it comes in
+    std::map<std::string, Value> other;                   ///< attributes of the real tool, not used by a simulation
     Location declared;
+
+    /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
+    std::int64_t integer(std::string_view attribute) const;
 };
 
 struct LinkEnd {
     std::size_t node = nowhere;
     int link = -1; ///< -1 at an edge
+
+    bool at_edge() const { return link < 0; }
 };
 
 /// A way through a crossbar switch, from a's side to b's.
@@ -71,13 +70,14 @@ struct PortBinding {
 struct ProcessInstance {
     std::string name;                        ///< such as "grid[1][2]"
     std::string kind;                        ///< from `use`; "" if nothing was said
-    bool stand_in = false;                   ///< the kind is no kind of the catalogue: it cannot be run
-    std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type the kind states
-    std::map<std::string, Location> given; ///< where the netlist gives a parameter; without those left to their default
+    bool stand_in = false;                   ///< the kind is not in the catalogue: the process cannot be run
+    std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
+    std::map<std::string, Location>
+        given; ///< where the netlist gives a parameter; those left to their default are not listed
     bool high_priority = false;
     std::size_t node = nowhere;
     std::vector<PortBinding> ports;     ///< in the order of the kind's ports; of the interface for a stand-in
-    std::map<std::string, Value> other; ///< attributes of the real tool that a simulation has no use for
+    std::map<std::string, Value> other; ///< attributes of the real tool, not used by a simulation
     Location declared;
 };
 
@@ -118,9 +118,7 @@ struct Network {
     std::uint64_t hash = 0;                  ///< FNV-1a of the canonical form that print_cfs prints
 };
 
-/// "out" for "out[2]"; the name itself without a subscript.
-std::string_view base_name(std::string_view name);
-/// The subscripts of a name: {2} for "out[2]", {0, 1} for "t[0][1]", empty for "t".
-std::vector<std::int64_t> subscripts_of(std::string_view name);
+/// "t[0].link[2]", or the name of an edge.
+std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
 
 } // namespace placedpar

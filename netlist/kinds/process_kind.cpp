@@ -1,7 +1,6 @@
-#include "netlist/catalogue.hpp"
+#include "netlist/kinds/process_kind.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -13,17 +12,6 @@ const PortDescription* ProcessKind::port(std::string_view wanted) const {
 const ParameterDescription* ProcessKind::parameter(std::string_view wanted) const {
     auto found = std::ranges::find(parameters, wanted, &ParameterDescription::name);
     return found == parameters.end() ? nullptr : &*found;
-}
-
-void Catalogue::add(ProcessKind kind) {
-    auto name = kind.name;
-    if (!kinds_.emplace(name, std::move(kind)).second)
-        throw std::logic_error("process kind \"" + name + "\" is in the catalogue already");
-}
-
-const ProcessKind* Catalogue::find(std::string_view name) const {
-    auto found = kinds_.find(name);
-    return found == kinds_.end() ? nullptr : &found->second;
 }
 
 } // namespace placedpar

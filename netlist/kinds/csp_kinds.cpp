@@ -1,12 +1,11 @@
-#include "netlist/csp_kinds.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
 
-#include "netlist/catalogue.hpp"
-#include "netlist/environment.hpp"
-#include "runtime/channel.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/kinds/description.hpp"
+#include "netlist/kinds/environment.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/timer.hpp"
 
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,30 +20,22 @@ struct Packet {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-PortDescription port(std::string name, Direction direction, std::string about) {
-    return {std::move(name), direction,
-            false,           "packet",
-            typeid(Packet),  [](std::string channel) { return std::make_unique<Channel<Packet>>(std::move(channel)); },
-            std::move(about)};
-}
-
-PortDescription in() { return port("in", Direction::input, "packets come in"); }
-PortDescription out(std::string name = "out") { return port(std::move(name), Direction::output, "packets go out"); }
+PortDescription in() { return description::input<Packet>("in", "packet", "packets come in"); }
+PortDescription out() { return description::output<Packet>("out", "packet", "packets go out"); }
 
 ParameterDescription count() {
-    return {"count",   ParameterType::integer,
-            "packets", std::int64_t{1000},
-            1,         1e12,
-            {},        "packets that pass before it ends"};
+    return description::integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12},
+                                "packets that pass before it ends");
 }
+
 ParameterDescription cycles() {
-    return {"cycles", ParameterType::integer,
-            "cycles", std::int64_t{0},
-            0,        1e12,
-            {},       "workload: computation for each packet"};
+    return description::integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12},
+                                "workload: computation for each packet");
 }
+
 ParameterDescription bytes() {
-    return {"bytes", ParameterType::integer, "bytes", std::int64_t{4}, 1, 1e9, {}, "length of a packet on the wire"};
+    return description::integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
+                                "length of a packet on the wire");
 }
 
 /// `count` times: take a packet, compute, hand it on.
@@ -122,43 +113,63 @@ void consume(ProcessEnvironment& environment) {
     }
 }
 
+ProcessKind producer_kind() {
+    return {.name = "csp.producer",
+            .about = "Outputs numbered packets.",
+            .ports = {out()},
+            .parameters = {count(), bytes(), cycles()},
+            .body = produce};
+}
+
+ProcessKind identity_kind() {
+    return {.name = "csp.identity",
+            .about = "Outputs what it inputs: a buffer for one packet.",
+            .ports = {in(), out()},
+            .parameters = {count(), cycles()},
+            .body = identity};
+}
+
+ProcessKind prefix_kind() {
+    return {.name = "csp.prefix",
+            .about = "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
+            .ports = {in(), out()},
+            .parameters = {count(), bytes(), cycles()},
+            .body = prefix};
+}
+
+ProcessKind delta_kind() {
+    return {.name = "csp.delta",
+            .about = "Outputs what it inputs to each of its outputs, an array, in order.",
+            .ports = {in(), out()},
+            .parameters = {count(), cycles()},
+            .body = delta};
+}
+
+ProcessKind successor_kind() {
+    return {.name = "csp.successor",
+            .about = "Outputs what it inputs with the number one higher.",
+            .ports = {in(), out()},
+            .parameters = {count(), cycles()},
+            .body = successor};
+}
+
+ProcessKind consumer_kind() {
+    return {.name = "csp.consumer",
+            .about = "Takes packets in and measures how fast they come.",
+            .ports = {in()},
+            .parameters = {count(), cycles()},
+            .measurements = {{"time", "ms", "from its start to the last packet"},
+                             {"last_number", "", "the number of the last packet"},
+                             {"time_per_packet", "us", "mean"},
+                             {"rate", "Kbyte/s", "of the packets' bytes; 1000 bytes a Kbyte"}},
+            .body = consume};
+}
+
 } // namespace
 
 void add_csp_kinds(Catalogue& catalogue) {
-    catalogue.add({"csp.producer", "Outputs numbered packets.", {out()}, {count(), bytes(), cycles()}, {}, produce});
-    catalogue.add({"csp.identity",
-                   "Outputs what it inputs: a buffer for one packet.",
-                   {in(), out()},
-                   {count(), cycles()},
-                   {},
-                   identity});
-    catalogue.add({"csp.prefix",
-                   "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
-                   {in(), out()},
-                   {count(), bytes(), cycles()},
-                   {},
-                   prefix});
-    catalogue.add({"csp.delta",
-                   "Outputs what it inputs to each of its outputs, an array, in order.",
-                   {in(), out()},
-                   {count(), cycles()},
-                   {},
-                   delta});
-    catalogue.add({"csp.successor",
-                   "Outputs what it inputs with the number one higher.",
-                   {in(), out()},
-                   {count(), cycles()},
-                   {},
-                   successor});
-    catalogue.add({"csp.consumer",
-                   "Takes packets in and measures how fast they come.",
-                   {in()},
-                   {count(), cycles()},
-                   {{"time", "ms", "from its start to the last packet"},
-                    {"last_number", "", "the number of the last packet"},
-                    {"time_per_packet", "us", "mean"},
-                    {"rate", "Kbyte/s", "of the packets' bytes; 1000 bytes a Kbyte"}},
-                   consume});
+    for (auto kind : {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), successor_kind(), consumer_kind()})
+        catalogue.add(std::move(kind));
 }
 
 } // namespace placedpar

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "netlist/elaborate/draft.hpp"
+#include "netlist/kinds/device_kind.hpp"
+#include "text/reporter.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// Converts and checks the value that a netlist gives to one attribute. Everything throws StatementRefused after having
+/// reported what is wrong.
+class AttributeValue {
+public:
+    AttributeValue(const Setting& setting, Reporter& reporter) : setting_(setting), reporter_(reporter) {}
+
+    /// Of the type that the description states, and within its range.
+    Value as(const AttributeDescription& attribute) const;
+    /// For an attribute that is only kept: any value but an array.
+    Value any() const;
+    std::string text() const;
+
+    [[noreturn]] void illegal(const std::string& value, const std::string& hint) const;
+    /// The attribute is none of `whose`: "a connection has no attribute ...".
+    [[noreturn]] void refuse_name(const std::string& whose, const std::vector<std::string>& known) const;
+
+private:
+    const Integer& integer() const;
+    double real(const ParameterDescription& description) const;
+    void check_range(const ParameterDescription& description, double number, const std::string& shown_number) const;
+    [[noreturn]] void wrong_type(const std::string& wanted) const;
+
+    const Setting& setting_;
+    Reporter& reporter_;
+};
+
+/// Whether the attribute, or the group that it belongs to, is among the names.
+bool names_attribute(const std::vector<std::string>& names, const std::string& attribute);
+
+} // namespace placedpar

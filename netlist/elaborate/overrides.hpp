@@ -1,0 +1,11 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace placedpar {
+
+/// `--set NAME=VALUE`: the val NAME takes the value of the expression VALUE. Only vals outside of blocks.
+using Overrides = std::map<std::string, std::string>;
+
+} // namespace placedpar

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/process_kind.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace placedpar {
+
+/// The kinds of processes and devices that a program knows, by name; netlists are read against it. Every catalogue
+/// knows the devices of this room; the process kinds, and other devices, are added by whoever makes it.
+class Catalogue {
+public:
+    Catalogue();
+
+    /// REQUIRES: no process kind of that name yet; throws std::logic_error otherwise.
+    void add(ProcessKind kind);
+    /// Null where there is none.
+    const ProcessKind* find(std::string_view name) const;
+    const std::map<std::string, ProcessKind, std::less<>>& kinds() const { return kinds_; }
+
+    /// REQUIRES: no device kind of that name and no model of the name of one of its models yet, and every attribute has
+    /// a default; throws std::logic_error otherwise.
+    void add_device(DeviceKind kind);
+    const std::map<std::string, std::shared_ptr<const DeviceKind>, std::less<>>& devices() const { return devices_; }
+    /// What nodes can be declared with, by the names of the models.
+    const std::map<std::string, NodeType, std::less<>>& node_types() const { return node_types_; }
+
+private:
+    std::map<std::string, ProcessKind, std::less<>> kinds_;
+    std::map<std::string, std::shared_ptr<const DeviceKind>, std::less<>> devices_;
+    std::map<std::string, NodeType, std::less<>> node_types_;
+};
+
+} // namespace placedpar

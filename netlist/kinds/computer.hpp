@@ -1,0 +1,20 @@
+#pragma once
+
+#include "netlist/kinds/device_kind.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+inline constexpr std::int64_t kilobyte = 1024, megabyte = 1024 * 1024;
+
+/// Attributes of devices that processes are placed on: memory, clock, speed of the links, cost of a channel operation.
+std::vector<AttributeDescription> computer_attributes();
+/// Attributes of the real configuration tool that have no meaning in a simulation.
+std::vector<std::string> attributes_of_the_real_tool();
+
+/// "20 MHz", for the drawing. REQUIRES: an integer, in Hz.
+std::string megahertz(const Value& frequency);
+
+} // namespace placedpar

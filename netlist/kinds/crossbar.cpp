@@ -1,0 +1,17 @@
+#include "netlist/kinds/devices.hpp"
+
+namespace placedpar {
+
+/// A bit takes 1.75 bit times to cross a C004 (C004 manual). It is not drawn: wires are drawn from end to end, with the
+/// number of switches on their way.
+DeviceKind crossbar() {
+    return {.name = "c004",
+            .noun = "a switch",
+            .about = "A crossbar switch: its crosspoints connect its links to each other.",
+            .models = {{.name = "C004", .links = 32}},
+            .links = LinkRole::crosses,
+            .crossing_delay = 175,
+            .drawing = {.shape = Drawing::Shape::hidden}};
+}
+
+} // namespace placedpar

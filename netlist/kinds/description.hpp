@@ -1,0 +1,69 @@
+#pragma once
+
+#include "netlist/kinds/process_kind.hpp"
+#include "runtime/channel.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Words to describe kinds with. A table of parameters reads
+///
+///     using namespace description;
+///     return {integer("count", {.unit = "packets", .by_default = 1000, .least = 1}, "packets that pass before it
+///     ends"),
+///             text("coding", {.by_default = "natural", .choices = {"natural", "gray"}}, "how a field is coded")};
+namespace placedpar::description {
+
+/// Without `by_default` the netlist must give the parameter.
+struct IntegerTraits {
+    std::string unit = "";
+    std::optional<std::int64_t> by_default = {};
+    std::optional<double> least = {}, most = {}; ///< both ends allowed
+};
+struct RealTraits {
+    std::string unit = "";
+    std::optional<double> by_default = {};
+    std::optional<double> least = {}, most = {}; ///< both ends allowed
+};
+struct TextTraits {
+    std::optional<std::string> by_default = {};
+    std::vector<std::string> choices = {}; ///< empty: any text
+};
+
+ParameterDescription integer(std::string name, IntegerTraits traits, std::string about);
+ParameterDescription real(std::string name, RealTraits traits, std::string about);
+ParameterDescription text(std::string name, TextTraits traits, std::string about);
+
+/// A channel end for messages of type T.
+template <class T>
+PortDescription port(std::string name, Direction direction, std::string protocol, std::string about) {
+    return {.name = std::move(name),
+            .direction = direction,
+            .optional = false,
+            .protocol = std::move(protocol),
+            .type = typeid(T),
+            .make_channel = [](std::string channel) { return std::make_unique<Channel<T>>(std::move(channel)); },
+            .about = std::move(about)};
+}
+
+template <class T>
+PortDescription input(std::string name, std::string protocol, std::string about) {
+    return port<T>(std::move(name), Direction::input, std::move(protocol), std::move(about));
+}
+
+template <class T>
+PortDescription output(std::string name, std::string protocol, std::string about) {
+    return port<T>(std::move(name), Direction::output, std::move(protocol), std::move(about));
+}
+
+/// The same port, which may stay unconnected.
+inline PortDescription optional(PortDescription port) {
+    port.optional = true;
+    return port;
+}
+
+} // namespace placedpar::description

@@ -1,0 +1,28 @@
+#include "netlist/kinds/device_kind.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+const AttributeDescription* DeviceKind::attribute(std::string_view wanted) const {
+    auto found = std::ranges::find_if(attributes, [&](const auto& known) { return known.value.name == wanted; });
+    return found == attributes.end() ? nullptr : &*found;
+}
+
+std::size_t count_nodes(const Network& network, std::string_view kind) {
+    auto is_one = [&](const Node& node) { return node.kind->name == kind; };
+    return static_cast<std::size_t>(std::ranges::count_if(network.nodes, is_one));
+}
+
+NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceModel& model) {
+    NodeType type{.preset = {}, .links = model.links, .needs_type = model.needs_type};
+    type.preset.type = model.type.empty() ? model.name : model.type;
+    type.preset.kind = kind;
+    type.preset.overlapped_acknowledge = model.overlapped_acknowledge;
+    type.preset.attributes = model.attributes;
+    for (const auto& attribute : kind->attributes)
+        type.preset.attributes.emplace(attribute.value.name, attribute.value.default_value.value());
+    return type;
+}
+
+} // namespace placedpar

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "netlist/kinds/parameter.hpp"
+#include "netlist/network/network.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+class Processor;  // runtime/hardware: what executes the processes placed on a node
+class Simulation; // runtime: what owns it
+
+/// What a wire finds at a device.
+enum class LinkRole {
+    ends,    ///< numbered links: a wire to one of them ends there
+    crosses, ///< numbered links: crosspoints lead a wire from one of them on to another, and out again
+    edge     ///< no links: the node itself is where the network ends
+};
+
+/// One attribute in the parentheses of a declaration.
+struct AttributeDescription {
+    ParameterDescription value;                          ///< its name, type, unit, range and default
+    bool decimal_suffixes = false;                       ///< 20M is 20 000 000, as for a frequency; else 20 971 520
+    std::string json_name = "";                          ///< in the JSON document
+    std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
+};
+
+/// A name that nodes are declared by, and what it says about them.
+struct DeviceModel {
+    std::string name;      ///< in the netlist: "B404"
+    std::string type = ""; ///< of its nodes: "T800" for the B404, which carries one; "": the name
+    int links = 0;         ///< link[0] to link[links - 1]
+    std::map<std::string, Value, std::less<>> attributes = {}; ///< those that differ from the kind's defaults
+    bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while it comes in
+    bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
+};
+
+/// How a device looks in the drawing of a network.
+struct Drawing {
+    enum class Shape { hidden, box, ellipse };
+    Shape shape = Shape::box;
+    std::string frame = "", heading = ""; ///< colours of a box
+    bool in_first_row = false;
+};
+
+/// A kind of device that a netlist can declare nodes of. It says all that reading, checking and printing a netlist must
+/// know of the device, and how it is simulated. A switch is one; so is an edge, which is no device in the hardware.
+struct DeviceKind {
+    std::string name;  ///< in the JSON document: "processor"
+    std::string noun;  ///< in a message: "a processor"
+    std::string about; ///< one line
+    std::vector<DeviceModel> models = {};
+    std::string refusal = ""; ///< not empty: known, but cannot be declared yet, and why
+    LinkRole links = LinkRole::ends;
+    std::vector<AttributeDescription> attributes = {};
+    std::vector<std::string> kept = {}; ///< attributes of the real tool: read and printed, not used by a simulation
+    bool runs_processes = false;        ///< processes can be placed on it; it must then be connected
+    /// What executes the processes placed on the node. Empty: they take no time.
+    std::function<Processor*(Simulation&, const Node&)> make_processor = {};
+    std::int64_t crossing_delay = 0; ///< of a bit that crosses it, in hundredths of a bit time
+    Drawing drawing = {};
+
+    /// Null where there is none.
+    const AttributeDescription* attribute(std::string_view name) const;
+    /// Whether attributes in parentheses may follow its name in a declaration.
+    bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
+};
+
+/// How many nodes of the network are of the device kind of this name.
+std::size_t count_nodes(const Network& network, std::string_view kind);
+
+/// A type that nodes can be declared with: a model of a kind, or what a `define` made of one.
+struct NodeType {
+    Node preset; ///< name empty
+    int links = 0;
+    bool needs_type = false; ///< as of DeviceModel
+};
+
+/// A node of the model with nothing said about it.
+NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceModel& model);
+
+} // namespace placedpar

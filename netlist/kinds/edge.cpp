@@ -1,0 +1,14 @@
+#include "netlist/kinds/devices.hpp"
+
+namespace placedpar {
+
+DeviceKind edge() {
+    return {.name = "edge",
+            .noun = "an edge",
+            .about = "Where the network ends; what lies behind it is not simulated.",
+            .models = {{.name = "edge"}},
+            .links = LinkRole::edge,
+            .drawing = {.shape = Drawing::Shape::ellipse}};
+}
+
+} // namespace placedpar

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "netlist/kinds/parameter.hpp"
+#include "netlist/network/direction.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <typeindex>
+#include <vector>
+
+namespace placedpar {
+
+class AnyChannel;         // runtime/channel.hpp: a channel of some protocol
+class ProcessEnvironment; // netlist/kinds/environment.hpp: what a running process sees of its netlist
+struct Network;           // netlist/network/network.hpp: a whole netlist, elaborated
+
+/// One channel end in the interface of a process kind; description.hpp makes them.
+struct PortDescription {
+    std::string name;
+    Direction direction;
+    bool optional;        ///< may stay unconnected; a port that is not optional must be connected
+    std::string protocol; ///< the protocol's name, for people
+    std::type_index type; ///< the C++ type that the channel carries; both ends must agree
+    std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
+    std::string about; ///< one line
+};
+
+/// One quantity that a process of this kind measures itself and reports at the end of a run.
+struct MeasurementDescription {
+    std::string name;
+    std::string unit;
+    std::string about;
+};
+
+/// What is wrong with a process beyond what ranges and single ports can say.
+struct Complaint {
+    std::size_t process = 0; ///< the process at fault; not always the one whose kind was asked
+    std::string about;       ///< the parameter or the port at fault, whose place is shown; "": the process
+    std::string message, hint;
+};
+
+/// A kind of process that a netlist can name in `use "kind" for process;`.
+struct ProcessKind {
+    std::string name;  ///< such as "ga.master"
+    std::string about; ///< a short paragraph
+    std::vector<PortDescription> ports = {};
+    std::vector<ParameterDescription> parameters = {};
+    std::vector<MeasurementDescription> measurements = {};
+    std::function<void(ProcessEnvironment&)> body = {};
+    /// Groups of ports of which a netlist connects all or none.
+    std::vector<std::vector<std::string>> together = {};
+    /// May be empty. Called for each process of the kind, with a network in which everything else is right.
+    std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
+
+    /// Null where there is none.
+    const PortDescription* port(std::string_view name) const;
+    const ParameterDescription* parameter(std::string_view name) const;
+};
+
+} // namespace placedpar

@@ -1,0 +1,96 @@
+#include "netlist/kinds/computer.hpp"
+#include "netlist/kinds/devices.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/simulation.hpp"
+
+#include <cctype>
+
+namespace placedpar {
+
+namespace {
+
+DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool overlapped_acknowledge) {
+    return {.name = std::move(name),
+            .links = links,
+            .attributes = {{"memory", memory_bytes}},
+            .overlapped_acknowledge = overlapped_acknowledge};
+}
+
+/// Memory: on the chip. The M212 has two links for the network; two of its four lead to its disk ports.
+///
+/// The databook names the T800, T805 and T425 as overlapping acknowledges, the T414 as not. Taken from there: the T801,
+/// T400, T222 and T225 are of the former's generation, the T212 and M212 of the T414's.
+std::vector<DeviceModel> chips() {
+    constexpr bool overlapped = true, separate = false;
+    return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
+            chip("T800", 4 * kilobyte, 4, overlapped), chip("T425", 4 * kilobyte, 4, overlapped),
+            chip("T414", 2 * kilobyte, 4, separate),   chip("T400", 2 * kilobyte, 2, overlapped),
+            chip("T225", 4 * kilobyte, 4, overlapped), chip("T222", 4 * kilobyte, 4, overlapped),
+            chip("T212", 2 * kilobyte, 4, separate),   chip("M212", 2 * kilobyte, 2, separate)};
+}
+
+/// The T800 may be written t800; its type stays T800.
+DeviceModel in_lower_case(DeviceModel model) {
+    model.type = model.name;
+    model.name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(model.name[0])));
+    return model;
+}
+
+struct Module {
+    std::string name, chip;
+    std::int64_t memory_bytes;
+};
+
+/// TRAMs: INMOS part numbers, as `trams.inc` names them; the memory is the module's.
+std::vector<Module> modules() {
+    return {{"B401", "T800", 32 * kilobyte}, {"B402", "T212", 8 * kilobyte}, {"B403", "T800", 1 * megabyte},
+            {"B404", "T800", 2 * megabyte},  {"B405", "T800", 8 * megabyte}, {"B411", "T800", 1 * megabyte},
+            {"B416", "T222", 64 * kilobyte}, {"B417", "T800", 4 * megabyte}};
+}
+
+DeviceModel carrying(const Module& module, DeviceModel chip) {
+    chip.type = chip.name;
+    chip.name = module.name;
+    chip.attributes["memory"] = module.memory_bytes;
+    return chip;
+}
+
+std::vector<DeviceModel> transputer_models() {
+    std::vector<DeviceModel> models{{.name = "processor", .links = 4, .needs_type = true}};
+    for (const DeviceModel& each : chips()) {
+        models.push_back(each);
+        models.push_back(in_lower_case(each));
+        for (const Module& module : modules())
+            if (module.chip == each.name)
+                models.push_back(carrying(module, each));
+    }
+    return models;
+}
+
+std::vector<AttributeDescription> transputer_attributes() {
+    auto attributes = computer_attributes();
+    for (auto& attribute : attributes)
+        if (attribute.value.name == "clock")
+            attribute.drawn = megahertz;
+    return attributes;
+}
+
+Processor* make_transputer(Simulation& simulation, const Node& node) {
+    return &simulation.add<Processor>(node.name, node.integer("clock"), Cycles{node.integer("channelcall")});
+}
+
+} // namespace
+
+DeviceKind transputer() {
+    return {.name = "processor",
+            .noun = "a processor",
+            .about = "A transputer, bare or on a module.",
+            .models = transputer_models(),
+            .attributes = transputer_attributes(),
+            .kept = attributes_of_the_real_tool(),
+            .runs_processes = true,
+            .make_processor = make_transputer,
+            .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0"}};
+}
+
+} // namespace placedpar

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// Names of arrays and their elements. Of several subscripts the last runs fastest.
+
+/// "out" for "out[2]"; the name itself without a subscript.
+std::string_view base_name(std::string_view name);
+/// The subscripts of a name: {2} for "out[2]", {0, 1} for "t[0][1]", empty for "t".
+std::vector<std::int64_t> subscripts_of(std::string_view name);
+/// "name[1][2]".
+std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts);
+/// The number of elements of an array; 1 for a single thing, which has no dimensions.
+std::size_t element_count(const std::vector<std::int64_t>& dimensions);
+/// The subscripts of the element at this position, counted from 0.
+std::vector<std::int64_t> element_subscripts(std::size_t position, const std::vector<std::int64_t>& dimensions);
+
+} // namespace placedpar

@@ -1,0 +1,53 @@
+#include "netlist/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+void mix_text(Fingerprint& fingerprint, std::string_view text) {
+    for (char c : text)
+        fingerprint.mix(static_cast<unsigned char>(c));
+}
+
+void mix_measurement(Fingerprint& fingerprint, const Measurement& measurement) {
+    mix_text(fingerprint, measurement.process);
+    mix_text(fingerprint, measurement.name);
+    if (const auto* number = std::get_if<double>(&measurement.value))
+        fingerprint.mix(std::bit_cast<std::uint64_t>(*number));
+    else
+        mix_text(fingerprint, std::get<std::string>(measurement.value));
+}
+
+const Measurement& find_measurement(const RunReport& report, std::string_view process, std::string_view name) {
+    auto found = std::ranges::find_if(report.measurements,
+                                      [&](const Measurement& m) { return m.process == process && m.name == name; });
+    if (found == report.measurements.end())
+        throw std::out_of_range(fmt::format("process {} measured no {}", process, name));
+    return *found;
+}
+
+} // namespace
+
+std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measurement>& measurements) {
+    Fingerprint fingerprint;
+    fingerprint.mix(events);
+    for (const Measurement& measurement : measurements)
+        mix_measurement(fingerprint, measurement);
+    return fingerprint.value();
+}
+
+double RunReport::measured(std::string_view process, std::string_view name) const {
+    return std::get<double>(find_measurement(*this, process, name).value);
+}
+
+const std::string& RunReport::measured_text(std::string_view process, std::string_view name) const {
+    return std::get<std::string>(find_measurement(*this, process, name).value);
+}
+
+} // namespace placedpar

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "netlist/kinds/environment.hpp"
+#include "runtime/simulation.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+struct ProcessorUse {
+    std::string name;
+    std::string type;
+    double busy; ///< fraction of the run
+};
+
+struct LinkUse {
+    std::string from, to; ///< "t[0].link[3]"
+    std::uint64_t bytes;
+    double occupied; ///< fraction of the run in which its wire carried their bits
+};
+
+struct ProcessUse {
+    std::string name;
+    std::string processor;
+    double waiting; ///< fraction of the run
+};
+
+/// What a run reports: how it ended, what the processes measured, and how the machine was used.
+struct RunReport {
+    RunResult result; ///< its fingerprint covers the measurements too
+    std::vector<Measurement> measurements;
+    std::vector<ProcessorUse> processors;
+    std::vector<LinkUse> links;
+    std::vector<ProcessUse> processes;
+
+    /// The measurement of that name by that process; throws std::out_of_range if there is none.
+    double measured(std::string_view process, std::string_view name) const;
+    const std::string& measured_text(std::string_view process, std::string_view name) const;
+};
+
+/// The fingerprint of a run: of the order of its events, and of what its processes measured.
+std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measurement>& measurements);
+
+} // namespace placedpar
