@@ -38,6 +38,15 @@ ParameterDescription bytes() {
                                 "length of a packet on the wire");
 }
 
+Packet first_packet(const ProcessEnvironment& environment) {
+    return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
+}
+
+// Each process passes a stated number of packets and then ends. Textbooks let these processes run for ever; here a
+// network of them ends, so that its run can be compared with another. A process that ends sooner than its neighbour
+// leaves the neighbour waiting: the report of the run lists it. A ring without a packet to begin with is a deadlock
+// from the start (examples/02-deadlock).
+
 /// `count` times: take a packet, compute, hand it on.
 template <class HandOn>
 void relay(ProcessEnvironment& environment, HandOn hand_on) {
@@ -49,10 +58,6 @@ void relay(ProcessEnvironment& environment, HandOn hand_on) {
         compute(work);
         hand_on(packet, i + 1 == packets);
     }
-}
-
-Packet first_packet(const ProcessEnvironment& environment) {
-    return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
 }
 
 void produce(ProcessEnvironment& environment) {

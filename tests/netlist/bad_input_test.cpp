@@ -1,7 +1,7 @@
 // Input that is no netlist at all, or a monstrous one: one clear diagnostic, in little time.
 
 #include "netlist/read.hpp"
-#include "small_catalogue.hpp"
+#include "tests/netlist/small_catalogue.hpp"
 #include "text/source.hpp"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
-#include "small_catalogue.hpp"
+#include "tests/netlist/small_catalogue.hpp"
 
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
@@ -35,13 +35,19 @@ private:
     std::uint64_t state_;
 };
 
-std::vector<std::string> seeds() {
+/// By name, whichever folder they lie in.
+std::vector<std::filesystem::path> netlists_below(const std::string& folder) {
     std::vector<std::filesystem::path> paths;
-    for (const auto* folder : {"/good", "/refusals"})
-        for (const auto& entry : std::filesystem::directory_iterator(netlist_folder() + folder))
-            if (entry.path().extension() == ".cfs")
-                paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".cfs")
+            paths.push_back(entry.path());
+    std::ranges::sort(paths, {}, [](const auto& path) { return path.filename(); });
+    return paths;
+}
+
+std::vector<std::string> seeds() {
+    auto paths = netlists_below(netlist_folder() + "/good");
+    std::ranges::move(netlists_below(netlist_folder() + "/refusals"), std::back_inserter(paths));
     std::vector<std::string> texts;
     for (const auto& path : paths) {
         std::ifstream in(path, std::ios::binary);

@@ -2,7 +2,7 @@
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
-#include "small_catalogue.hpp"
+#include "tests/netlist/small_catalogue.hpp"
 
 #include <doctest/doctest.h>
 

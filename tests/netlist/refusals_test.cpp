@@ -1,9 +1,9 @@
-// One small netlist for each thing that the language refuses, and beside it what is printed: the files
-// refusals/*.cfs and *.txt. To see what a change does, set PLACEDPAR_ACCEPT=1: the texts are then written
-// anew.
+// One small netlist for each thing that is refused, and beside it what is printed: refusals/STAGE/*.cfs and *.txt, the
+// stage being the folder of the room that finds the fault. To see what a change does, set PLACEDPAR_ACCEPT=1: the texts
+// are then written anew.
 
 #include "netlist/read.hpp"
-#include "small_catalogue.hpp"
+#include "tests/netlist/small_catalogue.hpp"
 
 #include <doctest/doctest.h>
 
@@ -19,10 +19,10 @@ namespace {
 
 std::vector<std::filesystem::path> refused_files() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(netlist_folder() + "/refusals"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(netlist_folder() + "/refusals"))
         if (entry.path().extension() == ".cfs")
             files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 
@@ -34,8 +34,8 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 /// Without the folder, which is another on every machine.
-std::string without_folder(std::string text) {
-    auto folder = netlist_folder() + "/refusals/";
+std::string without_folder(std::string text, const std::filesystem::path& file) {
+    auto folder = file.parent_path().string() + "/";
     for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
         text.erase(at, folder.size());
     return text;
@@ -49,7 +49,7 @@ TEST_CASE("every refusal says what is wrong, where, and what would be right") {
         CAPTURE(file.filename().string());
         auto result = read_netlist(file, small_catalogue());
         CHECK_FALSE(result.network);
-        auto text = without_folder(render(result.diagnostics));
+        auto text = without_folder(render(result.diagnostics), file);
         auto expected = std::filesystem::path(file).replace_extension(".txt");
         if (std::getenv("PLACEDPAR_ACCEPT") != nullptr)
             std::ofstream(expected) << text;

@@ -1,38 +1,49 @@
-#include "small_catalogue.hpp"
+#include "tests/netlist/small_catalogue.hpp"
+
+#include "netlist/kinds/description.hpp"
 
 namespace placedpar {
 
 namespace {
 
-struct Genome {};
-struct Error {};
+struct Genome {
+    int bits = 0;
+};
+struct Error {
+    int value = 0;
+};
 
-PortDescription port(const std::string& name, Direction direction, const std::string& protocol, std::type_index type,
-                     bool optional = false) {
-    return {name, direction, optional, protocol, type, {}, ""};
+ProcessKind master() {
+    using namespace description;
+    return {.name = "ga.master",
+            .about = "deals genomes out",
+            .ports = {optional(input<int>("in", "number", "")), output<Genome>("out", "genomes", ""),
+                      input<Error>("back", "errors", "")},
+            .parameters = {integer("population", {.unit = "individuals", .least = 2, .most = 10000}, ""),
+                           real("mutation", {.by_default = 0.01, .least = 0, .most = 1}, ""),
+                           text("code", {.by_default = "binary", .choices = {"binary", "gray"}}, "")}};
+}
+
+ProcessKind slave() {
+    using namespace description;
+    return {.name = "ga.slave",
+            .about = "evaluates genomes",
+            .ports = {input<Genome>("in", "genomes", ""), output<Error>("out", "errors", "")},
+            .parameters = {integer("cycles", {.unit = "cycles", .by_default = 1000, .least = 0}, "")}};
+}
+
+ProcessKind pump() {
+    return {.name = "pump", .about = "sends numbers", .ports = {description::output<int>("out", "number", "")}};
+}
+
+ProcessKind sink() {
+    return {.name = "sink", .about = "takes numbers", .ports = {description::input<int>("in", "number", "")}};
 }
 
 Catalogue make_catalogue() {
     Catalogue catalogue;
-    catalogue.add({"ga.master",
-                   "deals genomes out",
-                   {port("in", Direction::input, "number", typeid(int), true),
-                    port("out", Direction::output, "genomes", typeid(Genome)),
-                    port("back", Direction::input, "errors", typeid(Error))},
-                   {{"population", ParameterType::integer, "individuals", std::nullopt, 2, 10000, {}, ""},
-                    {"mutation", ParameterType::real, "", Value(0.01), 0, 1, {}, ""},
-                    {"code", ParameterType::text, "", Value(std::string("binary")), {}, {}, {"binary", "gray"}, ""}},
-                   {},
-                   {}});
-    catalogue.add({"ga.slave",
-                   "evaluates genomes",
-                   {port("in", Direction::input, "genomes", typeid(Genome)),
-                    port("out", Direction::output, "errors", typeid(Error))},
-                   {{"cycles", ParameterType::integer, "cycles", Value(std::int64_t{1000}), 0, std::nullopt, {}, ""}},
-                   {},
-                   {}});
-    catalogue.add({"pump", "sends numbers", {port("out", Direction::output, "number", typeid(int))}, {}, {}, {}});
-    catalogue.add({"sink", "takes numbers", {port("in", Direction::input, "number", typeid(int))}, {}, {}, {}});
+    for (auto kind : {master(), slave(), pump(), sink()})
+        catalogue.add(std::move(kind));
     return catalogue;
 }
 

@@ -1,0 +1,66 @@
+// Expressions, names and vals.
+
+#include "tests/netlist/good_networks.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+TEST_CASE("a val is overridden from outside") {
+    CHECK(good("cluster_of_n.cfs").nodes.size() == 4);
+    auto alone = good("cluster_of_n.cfs", {{"slaves", "0"}});
+    CHECK(alone.nodes.size() == 1);
+    CHECK(channel(alone, "m.out -> s.in").placement.kind == ChannelPlacement::Kind::soft);
+    CHECK(good("cluster_of_n.cfs", {{"slaves", "2 * 2 + 1"}}).nodes.size() == 6);
+    // a later val sees the override, and so does a frequency
+    CHECK(good_text("val a 1; val b a + 1; edge t[b];", {{"a", "4"}}).nodes.size() == 5);
+    CHECK(good_text("val f 20M; T800 (clock = f) t;", {{"f", "25M"}}).nodes[0].integer("clock") == 25'000'000);
+}
+
+TEST_CASE("M means a million in a frequency and 1048576 elsewhere") {
+    auto network = good_text("val m 2M; T800 (memory = m, clock = 17500k, linkspeed = m * 10) t;");
+    CHECK(network.nodes[0].integer("memory") == 2 * 1024 * 1024);
+    CHECK(network.nodes[0].integer("clock") == 17'500'000);
+    CHECK(network.nodes[0].integer("linkspeed") == 20'000'000);
+}
+
+TEST_CASE("names live to the end of their block") {
+    auto network =
+        good_text("T800 t; rep i = 0 for 3 { val t_of_i i * 10; process (interface (int n)) p; p (n = t_of_i);"
+                  "place p on t; use \"p.lku\" for p; } process p; use \"p.lku\" for p; place p on t;");
+    REQUIRE(network.processes.size() == 4);
+    CHECK(network.processes[0].name == "p");
+    CHECK(network.processes[2].name == "p_3");
+    CHECK(network.processes[2].parameters.at("n") == Value(std::int64_t{20}));
+    CHECK(network.processes[3].name == "p_4");
+    // a bare statement of an if belongs to the block around it
+    CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type == "T800");
+}
+
+TEST_CASE("expressions") {
+    auto integer = [](const std::string& expression) {
+        auto network = good_text("val a {1, 2, {3}[0]}; T800 t; process (interface (int n)) p; place p on t; "
+                                 "use \"p.lku\" for p; p (n = " +
+                                 expression + ");");
+        return std::get<std::int64_t>(network.processes[0].parameters.at("n"));
+    };
+    CHECK(integer("2 + 3 * 4") == 14);
+    CHECK(integer("(2 + 3) * 4") == 20);
+    CHECK(integer("10 - 4 - 3") == 3);
+    CHECK(integer("-7 / 2") == -3);
+    CHECK(integer("-7 % 2") == -1);
+    CHECK(integer("1 < 2 == TRUE && !0") == 1);
+    CHECK(integer("0 && 1 / 0") == 0); // the right side is not looked at
+    CHECK(integer("1 || 1 / 0") == 1);
+    CHECK(integer("0x1F") == 31);
+    CHECK(integer("2k") == 2048);
+    CHECK(integer("'a'") == 97);
+    CHECK(integer("'\\n' + '\\x41' + '\\101'") == 10 + 65 + 65);
+    CHECK(integer("(char) 42") == 42);
+    CHECK(integer("(int) 2.9 + (int) 2.5f") == 4);
+    CHECK(integer("a[0] + a[2]") == 4);
+    CHECK(integer("\"abc\"[1]") == 98);
+    CHECK(integer("\"abc\" == \"abc\"") == 1);
+    CHECK(integer("1.5 > 1") == 1);
+    CHECK(integer("9223372036854775807") == std::numeric_limits<std::int64_t>::max());
+}

@@ -1,0 +1,52 @@
+#include "netlist/kinds/catalogue.hpp"
+
+#include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/kinds/description.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+TEST_CASE("a name stands for one kind") {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    CHECK_THROWS_WITH_AS(add_csp_kinds(catalogue), "process kind \"csp.producer\" is in the catalogue already",
+                         std::logic_error);
+    CHECK_THROWS_WITH_AS(catalogue.add_device({.name = "edge", .noun = "an edge", .about = ""}),
+                         "device kind \"edge\" is in the catalogue already", std::logic_error);
+    CHECK_THROWS_WITH_AS(catalogue.add_device({.name = "x", .noun = "an x", .about = "", .models = {{.name = "T800"}}}),
+                         "node type \"T800\" is in the catalogue already", std::logic_error);
+    CHECK_THROWS_AS(
+        catalogue.add_device(
+            {.name = "y", .noun = "a y", .about = "", .attributes = {{.value = description::integer("n", {}, "")}}}),
+        std::logic_error);
+}
+
+TEST_CASE("the catalogue lists device kinds, and each says all that the stages ask") {
+    Catalogue catalogue;
+    std::vector<std::string> names;
+    for (const auto& [name, kind] : catalogue.devices()) {
+        CAPTURE(name);
+        names.push_back(name);
+        CHECK_FALSE(kind->noun.empty());
+        CHECK_FALSE(kind->about.empty());
+        CHECK_FALSE(kind->models.empty());
+        for (const AttributeDescription& attribute : kind->attributes) {
+            CHECK_FALSE(attribute.json_name.empty());
+            CHECK_FALSE(attribute.value.about.empty());
+        }
+    }
+    CHECK(names == std::vector<std::string>{"bus device", "c004", "edge", "processor", "workstation"});
+}
+
+TEST_CASE("models preset the attributes of their kind") {
+    Catalogue catalogue;
+    const NodeType& module = catalogue.node_types().at("B416");
+    CHECK(module.preset.type == "T222");
+    CHECK(module.preset.integer("memory") == 64 * 1024);
+    CHECK(module.preset.integer("clock") == 20'000'000);
+    CHECK(module.links == 4);
+    CHECK(catalogue.node_types().at("m212").links == 2);
+    CHECK(catalogue.node_types().at("m212").preset.type == "M212");
+    CHECK_THROWS_AS(module.preset.integer("colour"), std::logic_error);
+}
