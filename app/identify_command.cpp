@@ -75,7 +75,7 @@ bool uses_spool(const Record& record, const Question& question) {
 /// A record, and what was asked of it.
 struct Case {
     Parameters machine;
-    std::vector<TextFault> warnings;
+    std::vector<Diagnostic> warnings;
     Record record;
     IdentificationWay way;
     Question question;
@@ -121,8 +121,11 @@ Case read_case(const IdentifyOptions& options) {
     return asked;
 }
 
-boost::json::object warning_json(const TextFault& warning) {
-    return {{"line", warning.line}, {"column", warning.column}, {"message", warning.message}, {"hint", warning.hint}};
+boost::json::object warning_json(const Diagnostic& warning) {
+    return {{"line", warning.location.line},
+            {"column", warning.location.column},
+            {"message", warning.message},
+            {"hint", warning.hint}};
 }
 
 /// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
@@ -171,7 +174,7 @@ ExitCode identify_record(const IdentifyOptions& options, const std::string& comm
     Case asked = read_case(options);
     boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
     boost::json::array& warnings = json["warnings"].emplace_array();
-    for (const TextFault& warning : asked.warnings)
+    for (const Diagnostic& warning : asked.warnings)
         warnings.push_back(warning_json(warning));
     ExitCode code = identify_case(options, asked, json);
     if (!options.json.empty())

@@ -14,7 +14,7 @@ namespace {
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
                                    const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter) {
     for (const auto& problem : source.problems)
-        reporter.error({source.file, problem.line, problem.column}, problem.message);
+        reporter.error(problem.location, problem.message);
     if (reporter.failed())
         return std::nullopt;
     TokenStream tokens(source.file, path, reporter);

@@ -30,17 +30,22 @@ std::string caret_line(std::string_view before) {
     return result + "^\n";
 }
 
+/// Where the part of a long line begins that is shown, so that the caret is about in its middle.
+std::size_t excerpt_start(std::string_view line, std::size_t caret) {
+    if (line.size() <= widest_excerpt || caret <= widest_excerpt / 2)
+        return 0;
+    auto start = std::min(caret - widest_excerpt / 2, line.size() - widest_excerpt / 2);
+    while (start < caret && continues_character(line[start]))
+        ++start;
+    return start;
+}
+
 std::string excerpt(const Location& location) {
     if (!location.file || location.line == 0)
         return "";
     auto line = printable(location.file->line(location.line));
     auto caret = std::min(location.column == 0 ? 0 : location.column - 1, line.size());
-    std::size_t start = 0;
-    if (line.size() > widest_excerpt && caret > widest_excerpt / 2) {
-        start = std::min(caret - widest_excerpt / 2, line.size() - widest_excerpt / 2);
-        while (start < caret && continues_character(line[start]))
-            ++start;
-    }
+    auto start = excerpt_start(line, caret);
     auto shown = line.substr(start, widest_excerpt);
     std::string lead = start > 0 ? "..." : "";
     std::string tail = start + shown.size() < line.size() ? "..." : "";
@@ -54,6 +59,18 @@ std::string heading(const Location& location) {
 }
 
 } // namespace
+
+Diagnostic error_at(std::size_t line, std::size_t column, std::string message, std::string hint) {
+    return {Severity::error, std::move(message), {nullptr, line, column}, std::move(hint), {}};
+}
+
+Diagnostic warning_at(std::size_t line, std::size_t column, std::string message, std::string hint) {
+    return {Severity::warning, std::move(message), {nullptr, line, column}, std::move(hint), {}};
+}
+
+bool has_errors(const std::vector<Diagnostic>& diagnostics) {
+    return std::ranges::any_of(diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
 
 std::string render(const Diagnostic& diagnostic) {
     auto word = diagnostic.severity == Severity::error ? "error" : "warning";

@@ -15,14 +15,21 @@ struct SecondPlace {
     Location location;
 };
 
-/// One thing that is wrong: what, where, what would be right, and the other place it has to do with.
+/// One thing that is wrong with a text: what, where, what would be right, and the other places it has to do with.
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string message;
     Location location;
-    std::string hint;                ///< what would be right; "" if there is nothing to say
-    std::vector<SecondPlace> others; ///< mostly none or one
+    std::string hint = "";                ///< what would be right; "" if there is nothing to say
+    std::vector<SecondPlace> others = {}; ///< mostly none or one
 };
+
+/// One in a text whose name only the caller knows.
+Diagnostic error_at(std::size_t line, std::size_t column, std::string message, std::string hint = "");
+Diagnostic warning_at(std::size_t line, std::size_t column, std::string message, std::string hint = "");
+
+/// Whether one of them is an error: then the text cannot be used.
+bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// As compilers print it: `path:line:column: error: message`, the source line, a caret under the column,
 /// then `hint: ...` and the second places as notes. Ends with a newline. Tabs are shown as they are and the

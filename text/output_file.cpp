@@ -1,5 +1,7 @@
 #include "text/output_file.hpp"
 
+#include "text/user_error.hpp"
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
@@ -8,7 +10,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const char* reason) {
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path.string(), reason));
+    throw UserError(fmt::format("{}: cannot be written: {}", path.string(), reason));
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }
@@ -43,7 +44,7 @@ bool may_write(const fs::path& path, const struct stat& file) {
 
 /// Where the content goes in the end. Throws when that is a folder or must not be written.
 fs::path destination_of(const fs::path& path) {
-    struct stat file {};
+    struct stat file = {};
     bool there = ::stat(path.c_str(), &file) == 0;
     if (there && S_ISDIR(file.st_mode))
         refuse(path, EISDIR);
@@ -73,8 +74,7 @@ bool are_one_file(const fs::path& a, const fs::path& b) {
 }
 
 bool takes_standard_output(const fs::path& path) {
-    struct stat file {
-    }, standard_output{};
+    struct stat file = {}, standard_output = {};
     return ::stat(path.c_str(), &file) == 0 && S_ISREG(file.st_mode) && ::fstat(STDOUT_FILENO, &standard_output) == 0 &&
            file.st_dev == standard_output.st_dev && file.st_ino == standard_output.st_ino;
 }
@@ -87,7 +87,7 @@ OutputFile::OutputFile(const fs::path& path)
       file_(std::fopen(written_.c_str(), "wb")) {
     if (!file_)
         refuse(name_, errno);
-    struct stat before {};
+    struct stat before = {};
     if (written_ != destination_ && ::stat(destination_.c_str(), &before) == 0 &&
         ::fchmod(::fileno(file_), before.st_mode & 07777) != 0)
         note_error();
@@ -137,9 +137,9 @@ void write_whole(const fs::path& path, std::string_view content) {
 
 void require_writable(const fs::path& path) {
     if (takes_standard_output(path))
-        refuse(path, "standard output goes there; say another name");
+        refuse(path, "standard output goes there; choose another name");
     if (!is_written_as_it_goes(destination_of(path)))
-        OutputFile file(path); // and away with it
+        OutputFile file(path); // which its end removes
 }
 
 void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
@@ -147,10 +147,10 @@ void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
         if (outputs[i].empty())
             continue;
         if (!input.empty() && are_one_file(outputs[i], input))
-            refuse(outputs[i], "it is what is read; say another name");
+            refuse(outputs[i], "the output file is also the input; choose another name");
         for (std::size_t j = 0; j < i; ++j)
             if (!outputs[j].empty() && are_one_file(outputs[i], outputs[j]))
-                refuse(outputs[i], "it would be written twice; say two names");
+                refuse(outputs[i], "two outputs have this name; choose two");
     }
 }
 

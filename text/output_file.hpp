@@ -12,7 +12,7 @@ namespace placedpar {
 /// A device or a pipe has no name to take: it is written as it goes.
 class OutputFile {
 public:
-    /// Throws std::runtime_error, naming the file and the reason.
+    /// Throws UserError, naming the file and the reason.
     explicit OutputFile(const std::filesystem::path&);
     /// Nothing has been written unless finish() was called.
     ~OutputFile();
@@ -21,7 +21,7 @@ public:
 
     /// What goes wrong here is told by finish(), so that it can be called where nothing may throw.
     void write(std::string_view) noexcept;
-    /// Throws std::runtime_error when the file could not be written whole.
+    /// Throws UserError when the file could not be written whole.
     void finish();
 
 private:
@@ -35,14 +35,14 @@ private:
     int error_ = 0;
 };
 
-/// Throws std::runtime_error, naming the file and the reason.
+/// Throws UserError, naming the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
-/// Throws std::runtime_error if an OutputFile of this path is sure to fail, so that a long run is not lost: in a
+/// Throws UserError if an OutputFile of this path is sure to fail, so that a long run is not lost: in a
 /// folder that is not there, a file that nobody may write, the file that standard output goes to.
 void require_writable(const std::filesystem::path&);
 
-/// Throws std::runtime_error if one of the outputs is also the input or another output. Those that are empty, of
+/// Throws UserError if one of the outputs is also the input or another output. Those that are empty, of
 /// outputs and input, are passed over.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 

@@ -62,65 +62,81 @@ std::string_view without_mark(std::string_view comment) {
 }
 
 /// What is wrong with a row as a whole, if anything.
-void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<TextFault>& faults) {
+void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<Diagnostic>& faults) {
     if (open_quote > 0)
-        faults.push_back({true, row.line, open_quote, "the quote is not closed", "a quote ends on the line it begins"});
+        faults.push_back(
+            error_at(row.line, open_quote, "the quote is not closed", "a quote ends on the line it begins"));
     std::string_view inside = line.substr(0, line.find_last_not_of(blanks) + 1);
     if (std::size_t end = inside.find('\r'); end != std::string_view::npos)
-        faults.push_back({true, row.line, end + 1, "a carriage return within a line", "lines end in LF or in CR LF"});
+        faults.push_back(error_at(row.line, end + 1, "a carriage return within a line", "lines end in LF or in CR LF"));
 }
 
-void check_header(std::string_view line, const TextRow& header, std::vector<TextFault>& faults) {
+void check_header(std::string_view line, const TextRow& header, std::vector<Diagnostic>& faults) {
     if (std::size_t mark = line.find_first_of(";\t"); header.cells.size() == 1 && mark != std::string_view::npos)
-        faults.push_back({true, header.line, mark + 1,
-                          fmt::format("the columns are separated by {}", line[mark] == ';' ? "semicolons" : "tabs"),
-                          "separate them by commas, and write numbers with a point"});
+        faults.push_back(
+            error_at(header.line, mark + 1,
+                     fmt::format("the columns are separated by {}", line[mark] == ';' ? "semicolons" : "tabs"),
+                     "separate them by commas, and write numbers with a point"));
 }
 
-void add_row(TextTable& table, TextRow row, std::vector<TextFault>& faults) {
+void add_row(TextTable& table, TextRow row, std::vector<Diagnostic>& faults) {
     if (row.cells.size() == table.header.cells.size())
         table.rows.push_back(std::move(row));
     else
-        faults.push_back(
-            {true, row.line, row.cells.back().column,
-             fmt::format("{} values, expected {}", row.cells.size(), table.header.cells.size()),
-             fmt::format("the header on line {} has {} columns", table.header.line, table.header.cells.size())});
+        faults.push_back(error_at(
+            row.line, row.cells.back().column,
+            fmt::format("{} values, expected {}", row.cells.size(), table.header.cells.size()),
+            fmt::format("the header on line {} has {} columns", table.header.line, table.header.cells.size())));
+}
+
+/// Cuts the first line off the text.
+std::string_view take_line(std::string_view& text) {
+    std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(blanks) == std::string_view::npos; }
+
+/// A line that is neither blank nor a comment: the header, or a row below it.
+void add_line(TextTable& table, std::string_view line, std::size_t number, std::vector<Diagnostic>& faults) {
+    std::size_t open_quote = 0;
+    TextRow row{number, split_line(line, open_quote)};
+    check_row(line, row, open_quote, faults);
+    if (!table.header.cells.empty())
+        return add_row(table, std::move(row), faults);
+    check_header(line, row, faults);
+    table.header = std::move(row);
+}
+
+/// Of a number beyond the range of a double: too near to 0 rather than too large.
+bool is_tiny(std::string_view number) {
+    return number.find("e-") != std::string_view::npos || number.find("E-") != std::string_view::npos;
 }
 
 } // namespace
 
-TextTable split_table(std::string_view text, std::vector<TextFault>& faults) {
+TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // as spreadsheets write it
     if (text.starts_with(byte_order_mark))
         text.remove_prefix(byte_order_mark.size());
     TextTable table;
     for (std::size_t number = 1; !text.empty(); ++number) {
-        std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (line.find_first_not_of(blanks) == std::string_view::npos)
-            continue;
-        if (line.starts_with('#')) {
-            if (table.header.cells.empty())
-                table.description += std::string(without_mark(line)) + "\n";
-            continue;
-        }
-        std::size_t open_quote = 0;
-        TextRow row{number, split_line(line, open_quote)};
-        check_row(line, row, open_quote, faults);
-        if (!table.header.cells.empty()) {
-            add_row(table, std::move(row), faults);
-            continue;
-        }
-        check_header(line, row, faults);
-        table.header = std::move(row);
-        if (refuses(faults)) // then the rows cannot be told
+        std::string_view line = take_line(text);
+        bool above_header = table.header.cells.empty();
+        if (line.starts_with('#') && above_header)
+            table.description += std::string(without_mark(line)) + "\n";
+        if (!is_blank(line) && !line.starts_with('#'))
+            add_line(table, line, number, faults);
+        bool was_header = above_header && !table.header.cells.empty();
+        if (was_header && has_errors(faults)) // then the rows cannot be told
             return table;
     }
     return table;
 }
 
-double number_in(const TextCell& cell, std::size_t line, std::vector<TextFault>& faults) {
+double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults) {
     double value = 0;
     const char* end = cell.text.data() + cell.text.size();
     const char* begin = cell.text.data() + (cell.text.starts_with('+') && !cell.text.starts_with("+-") ? 1 : 0);
@@ -128,17 +144,14 @@ double number_in(const TextCell& cell, std::size_t line, std::vector<TextFault>&
     if (error == std::errc() && stop == end && std::isfinite(value))
         return value;
     bool out_of_range = error == std::errc::result_out_of_range && stop == end;
-    bool tiny = cell.text.find("e-") != std::string::npos || cell.text.find("E-") != std::string::npos;
-    if (out_of_range && tiny)
+    if (out_of_range && is_tiny(cell.text))
         return 0;
-    faults.push_back({true, line, cell.column,
-                      cell.text.empty() ? "no value"
-                      : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
-                                        : fmt::format("\"{}\" is not a finite number", cell.text),
-                      "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"});
+    faults.push_back(error_at(line, cell.column,
+                              cell.text.empty() ? "no value"
+                              : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
+                                                : fmt::format("\"{}\" is not a finite number", cell.text),
+                              "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"));
     return 0;
 }
-
-bool refuses(const std::vector<TextFault>& faults) { return std::ranges::any_of(faults, &TextFault::refused); }
 
 } // namespace placedpar

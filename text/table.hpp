@@ -1,19 +1,13 @@
 #pragma once
 
+#include "text/diagnostic.hpp"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace placedpar {
-
-/// Something wrong in a text, with the place. Lines and columns count from 1; line 0 is the text as a whole.
-struct TextFault {
-    bool refused; ///< or else a warning: the text can be used
-    std::size_t line, column;
-    std::string message;
-    std::string hint; ///< what would be right; "" if there is nothing to say
-};
 
 struct TextCell {
     std::string text; ///< without the blanks around it
@@ -35,14 +29,11 @@ struct TextTable {
 };
 
 /// Splits a text into a table. Faults: a row longer or shorter than the header, which is left out; a quote that is not
-/// closed, a carriage return within a line, a header whose columns are separated by semicolons or tabs. Of the rows
-/// below a faulty header nothing is said.
-TextTable split_table(std::string_view text, std::vector<TextFault>& faults);
+/// closed, a carriage return within a line, a header whose columns are separated by semicolons or tabs. Below a faulty
+/// header no row is read. Appends to the faults; they must hold no error yet.
+TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults);
 
 /// The cell as a finite number; a fault, and 0, when it is none.
-double number_in(const TextCell& cell, std::size_t line, std::vector<TextFault>& faults);
-
-/// Is any of them a reason to refuse the text?
-bool refuses(const std::vector<TextFault>& faults);
+double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults);
 
 } // namespace placedpar

@@ -27,14 +27,14 @@ NamedCells named_cells(const TextRow& row) {
 
 bool header_is_right(const TextRow& header) { return std::ranges::equal(header.cells, columns, {}, &TextCell::text); }
 
-void refuse(std::vector<TextFault>& faults, std::size_t line, const TextCell& cell, std::string message,
+void refuse(std::vector<Diagnostic>& faults, std::size_t line, const TextCell& cell, std::string message,
             std::string hint) {
-    faults.push_back({true, line, cell.column, std::move(message), std::move(hint)});
+    faults.push_back(error_at(line, cell.column, std::move(message), std::move(hint)));
 }
 
 /// Reads the text that defines which parameters there are.
 std::vector<Parameter> parameters_of(std::string_view text) {
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     TextTable table = split_table(text, faults);
     std::vector<Parameter> parameters;
     for (const TextRow& row : table.rows) {
@@ -86,18 +86,18 @@ void Parameters::set(std::string_view name, double value) { entry(name).value = 
 
 void Parameters::put(Parameter parameter) { entry(parameter.name) = std::move(parameter); }
 
-void Parameters::read(std::string_view text, std::vector<TextFault>& faults) {
+void Parameters::read(std::string_view text, std::vector<Diagnostic>& faults) {
     TextTable table = split_table(text, faults);
     if (!header_is_right(table.header)) {
-        faults.push_back({true, table.header.line, table.header.cells.empty() ? 0u : 1u,
-                          "not the header of a table of parameters", "name,value,unit,mark,source"});
+        faults.push_back(error_at(table.header.line, table.header.cells.empty() ? 0u : 1u,
+                                  "not the header of a table of parameters", "name,value,unit,mark,source"));
         return;
     }
     for (const TextRow& row : table.rows)
         read_row(row, faults);
 }
 
-void Parameters::read_row(const TextRow& row, std::vector<TextFault>& faults) {
+void Parameters::read_row(const TextRow& row, std::vector<Diagnostic>& faults) {
     const auto& [name, number, unit_name, mark, source] = named_cells(row);
     if (!find(name.text)) {
         refuse(faults, row.line, name, fmt::format("the machine has no parameter \"{}\"", name.text),

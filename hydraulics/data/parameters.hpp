@@ -46,12 +46,12 @@ public:
     /// Reads a text whose rows replace the parameters of the same name; any unit of the quantity is converted.
     /// Faults: an unknown name, a unit of another quantity, no number or one out of the parameter's range
     /// (parameter_range.hpp), an unknown mark.
-    void read(std::string_view text, std::vector<TextFault>& faults);
+    void read(std::string_view text, std::vector<Diagnostic>& faults);
 
 private:
     /// Throws UnknownParameter.
     Parameter& entry(std::string_view name);
-    void read_row(const TextRow& row, std::vector<TextFault>& faults);
+    void read_row(const TextRow& row, std::vector<Diagnostic>& faults);
 
     std::vector<Parameter> parameters_;
 };

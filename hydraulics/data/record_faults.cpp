@@ -56,10 +56,11 @@ double median_step(std::span<const double> time_s) {
 }
 
 /// The fault between two neighbouring samples, if there is one.
-std::optional<TextFault> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
-                                       std::size_t line_before) {
+std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
+                                        std::size_t line_before) {
     auto fault = [&](bool refused, std::string message, std::string hint) {
-        return TextFault{refused, line, time.column, std::move(message), std::move(hint)};
+        return refused ? error_at(line, time.column, std::move(message), std::move(hint))
+                       : warning_at(line, time.column, std::move(message), std::move(hint));
     };
     if (step_s == 0)
         return fault(true, fmt::format("the same time as on line {}, with other readings", line_before),
@@ -81,22 +82,22 @@ std::optional<TextFault> fault_of_step(double step_s, double period_s, const Tex
 
 } // namespace
 
-void drop_repeated_rows(TextTable& table, std::vector<TextFault>& faults) {
+void drop_repeated_rows(TextTable& table, std::vector<Diagnostic>& faults) {
     std::vector<TextRow> kept;
     for (TextRow& row : table.rows) {
         if (!kept.empty() && same_text(kept.back(), row))
-            faults.push_back({false, row.line, 1, fmt::format("repeats line {}", kept.back().line), "used once"});
+            faults.push_back(warning_at(row.line, 1, fmt::format("repeats line {}", kept.back().line), "used once"));
         else
             kept.push_back(std::move(row));
     }
     table.rows = std::move(kept);
 }
 
-void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<TextFault>& faults) {
+void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<Diagnostic>& faults) {
     record.period_s = median_step(record.time_s);
     if (!(record.period_s > 0)) {
-        faults.push_back({true, table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",
-                          "rows must be in order of time"});
+        faults.push_back(error_at(table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",
+                                  "rows must be in order of time"));
         return;
     }
     for (std::size_t i = 1; i < record.size(); ++i)
@@ -104,15 +105,16 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
                                        table.rows[i].cells[time.index], table.rows[i].line, table.rows[i - 1].line))
             faults.push_back(std::move(*fault));
     if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
-        faults.push_back({false, time.place.line, time.place.column,
-                          fmt::format("samples are {:.6g} {} apart, which is unusual", number, time.unit.name),
-                          likely_units(Quantity::time, number, ordinary_period_s)});
+        faults.push_back(
+            warning_at(time.place.line, time.place.column,
+                       fmt::format("samples are {:.6g} {} apart, which is unusual", number, time.unit.name),
+                       likely_units(Quantity::time, number, ordinary_period_s)));
 }
 
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
-                   HeaderPlace place, std::vector<TextFault>& faults) {
+                   HeaderPlace place, std::vector<Diagnostic>& faults) {
     auto warn = [&](std::string message, std::string hint) {
-        faults.push_back({false, place.line, place.column, std::move(message), std::move(hint)});
+        faults.push_back(warning_at(place.line, place.column, std::move(message), std::move(hint)));
     };
     auto [least, most] = std::ranges::minmax(values);
     if (least == most)

@@ -50,19 +50,20 @@ Destination destination_of(const std::string& name, Record& record) {
     return {&record.of(*link, *sensor), sensor};
 }
 
-std::vector<Column> read_header(const TextRow& header, Record& record, std::vector<TextFault>& faults) {
+std::vector<Column> read_header(const TextRow& header, Record& record, std::vector<Diagnostic>& faults) {
     std::vector<Column> columns;
     for (std::size_t i = 0; i < header.cells.size(); ++i) {
         const TextCell& cell = header.cells[i];
         auto [name, unit_name] = name_and_unit(cell.text);
         auto refuse = [&](std::string message, std::string hint) {
-            faults.push_back({true, header.line, cell.column, std::move(message), std::move(hint)});
+            faults.push_back(error_at(header.line, cell.column, std::move(message), std::move(hint)));
         };
         Destination destination = destination_of(name, record);
         const Unit* unit = unit_named(unit_name);
         if (!destination.values)
-            faults.push_back({false, header.line, cell.column, fmt::format("column \"{}\" is not used", name),
-                              "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"});
+            faults.push_back(
+                warning_at(header.line, cell.column, fmt::format("column \"{}\" is not used", name),
+                           "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"));
         else if (!unit || unit->quantity != destination.quantity())
             refuse(unit_name.empty()
                        ? fmt::format("column \"{}\" has no unit", name)
@@ -74,28 +75,30 @@ std::vector<Column> read_header(const TextRow& header, Record& record, std::vect
         else
             columns.push_back({i, cell.column, name, unit, destination.values, destination.sensor});
     }
-    if (refuses(faults))
+    if (has_errors(faults))
         return columns;
     if (std::ranges::find(columns, "time", &Column::name) == columns.end())
-        faults.push_back({true, header.line, 1, "there is no column \"time\"", "the first column is mostly time [s]"});
+        faults.push_back(
+            error_at(header.line, 1, "there is no column \"time\"", "the first column is mostly time [s]"));
     else if (columns.size() == 1)
         faults.push_back(
-            {true, header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"});
+            error_at(header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"));
     return columns;
 }
 
 /// In this room's unit.
-double value_in(const TextRow& row, const Column& column, std::vector<TextFault>& faults) {
+double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
     const TextCell& cell = row.cells[column.index];
     double value = number_in(cell, row.line, faults) * column.unit->factor;
     if (std::abs(value) <= largest_reading)
         return value;
-    faults.push_back({true, row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
-                      "leave a row out where a reading is missing"});
+    faults.push_back(error_at(row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
+                              "leave a row out where a reading is missing"));
     return 0;
 }
 
-void check(Record& record, const TextTable& table, const std::vector<Column>& columns, std::vector<TextFault>& faults) {
+void check(Record& record, const TextTable& table, const std::vector<Column>& columns,
+           std::vector<Diagnostic>& faults) {
     for (const Column& column : columns)
         if (HeaderPlace place{table.header.line, column.at}; column.sensor)
             check_channel(column.name, *column.sensor, *column.unit, *column.values, place, faults);
@@ -126,36 +129,36 @@ std::string print_number(double value, int decimals) {
 ReadRecord read_record(std::string_view text) {
     ReadRecord read;
     TextTable table = split_table(text, read.faults);
-    if (table.rows.empty() && refuses(read.faults))
+    if (table.rows.empty() && has_errors(read.faults))
         return read;
     if (table.header.cells.empty()) {
-        read.faults.push_back({true, 0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"});
+        read.faults.push_back(error_at(0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"));
         return read;
     }
     if (table.rows.empty()) { // a header, or a file whose line ends were lost
-        read.faults.push_back({true, 0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
-                               "below the header, a line for each instant; lines end in LF or in CR LF"});
+        read.faults.push_back(error_at(0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
+                                       "below the header, a line for each instant; lines end in LF or in CR LF"));
         return read;
     }
     Record record;
     record.description = table.description;
-    std::vector<TextFault> of_header;
+    std::vector<Diagnostic> of_header;
     std::vector<Column> columns = read_header(table.header, record, of_header);
     read.faults.insert(read.faults.end(), of_header.begin(), of_header.end());
-    if (refuses(of_header))
+    if (has_errors(of_header))
         return read;
     drop_repeated_rows(table, read.faults);
     for (const TextRow& row : table.rows)
         for (const Column& column : columns)
             column.values->push_back(value_in(row, column, read.faults));
-    bool whole = !refuses(read.faults);
+    bool whole = !has_errors(read.faults);
     if (whole && record.size() < fewest_samples)
         read.faults.push_back(
-            {true, 0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""});
+            error_at(0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""));
     else if (whole)
         check(record, table, columns, read.faults);
-    std::ranges::stable_sort(read.faults, {}, &TextFault::line);
-    if (!refuses(read.faults))
+    std::ranges::stable_sort(read.faults, {}, [](const Diagnostic& fault) { return fault.location.line; });
+    if (!has_errors(read.faults))
         read.record = std::move(record);
     return read;
 }

@@ -12,7 +12,7 @@ namespace placedpar::hydraulics {
 
 struct ReadRecord {
     std::optional<Record> record; ///< none when a fault refuses the text
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
 };
 
 /// Reads a record from comma-separated values. The header names each column and its unit, in any order:

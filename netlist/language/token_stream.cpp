@@ -91,11 +91,10 @@ void TokenStream::open(const std::filesystem::path& path, const Token& name, con
         throw GiveUp{};
     }
     for (const auto& problem : loaded.problems) {
-        if (problem.line == 0)
+        if (problem.location.line == 0)
             reporter_.error(name.at, fmt::format("cannot include \"{}\": {}", name.text, problem.message));
         else
-            reporter_.error({loaded.file, problem.line, problem.column}, problem.message, "",
-                            {{"included here", name.at}});
+            reporter_.error(problem.location, problem.message, "", {{"included here", name.at}});
     }
     if (loaded.problems.empty())
         open_.push_back({Lexer(loaded.file, reporter_), real, name.at});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "netlist/language/lexer.hpp"
+#include "text/load_source.hpp"
 
 #include <deque>
 #include <filesystem>

@@ -77,9 +77,9 @@ class Files(unittest.TestCase):
         text = netlist.read_text(encoding="utf-8")
         (self.folder / "link.json").symlink_to(netlist)
         both = self.folder / "both.json"
-        for arguments, reason in ((["--json", netlist], "it is what is read"),
-                                  (["--trace", self.folder / ".." / self.folder.name / "mine.cfs"], "it is what is read"),
-                                  (["--json", self.folder / "link.json"], "it is what is read"),
+        for arguments, reason in ((["--json", netlist], "the output file is also the input"),
+                                  (["--trace", self.folder / ".." / self.folder.name / "mine.cfs"], "the output file is also the input"),
+                                  (["--json", self.folder / "link.json"], "the output file is also the input"),
                                   (["--json", both, "--trace", self.folder / "." / "both.json"], "written twice"),
                                   (["--json", ""], "it takes a name"), (["--trace", ""], "it takes a name")):
             run = placedpar("run", netlist, *arguments)
@@ -107,7 +107,7 @@ class Files(unittest.TestCase):
             before = {path: path.read_text(encoding="utf-8") for path in self.folder.iterdir()}
             run = placedpar(*arguments)
             self.assertEqual(run.returncode, 1, arguments)
-            self.assertIn("it is what is read", run.stderr)
+            self.assertIn("the output file is also the input", run.stderr)
             self.assertEqual({path: path.read_text(encoding="utf-8") for path in self.folder.iterdir()}, before)
 
     def test_identify_writes_what_it_found(self):

@@ -159,7 +159,7 @@ class Identification(unittest.TestCase):
             self.assertEqual(path.read_text(encoding="utf-8"), before)
         self.assertEqual(list(self.folder.iterdir()), [path])
         record = self.file("own.csv", STEP.read_text(encoding="utf-8"))
-        self.assertIn("it is what is read", self.refused(record, "--json", record))
+        self.assertIn("the output file is also the input", self.refused(record, "--json", record))
         self.assertEqual(record.read_text(encoding="utf-8"), STEP.read_text(encoding="utf-8"))
         self.assertIn("cannot be written", self.refused(STEP, "--json", self.folder / "none" / "result.json"))
 

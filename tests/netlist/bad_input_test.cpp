@@ -2,7 +2,7 @@
 
 #include "netlist/read.hpp"
 #include "tests/netlist/small_catalogue.hpp"
-#include "text/source.hpp"
+#include "text/load_source.hpp"
 
 #include <doctest/doctest.h>
 
@@ -43,16 +43,6 @@ TEST_CASE("what is no text file") {
     std::ofstream(folder / "large.cfs") << std::string(largest_source_bytes + 10, ' ');
     CHECK(first_message(read_netlist(folder / "large.cfs", small_catalogue())).starts_with("the file is too large"));
     std::filesystem::remove_all(folder);
-}
-
-TEST_CASE("a source takes the memory of its text, not of the largest text that there may be") {
-    auto path = std::filesystem::temp_directory_path() / "placedpar_small_source_test.cfs";
-    std::ofstream(path) << repeated("T800 a;\n", 100);
-    LoadedSource loaded = load_source(path);
-    std::filesystem::remove(path);
-    CHECK(loaded.problems.empty());
-    CHECK(loaded.file->text() == repeated("T800 a;\n", 100));
-    CHECK(loaded.file->text().capacity() < 10'000);
 }
 
 TEST_CASE("a netlist of many large files is refused before it fills the memory") {

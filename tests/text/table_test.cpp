@@ -9,20 +9,21 @@ using namespace placedpar;
 namespace {
 
 std::string only_fault(std::string_view text) {
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     split_table(text, faults);
     REQUIRE(faults.size() == 1);
-    CHECK(faults[0].refused);
-    return std::to_string(faults[0].line) + ":" + std::to_string(faults[0].column) + ": " + faults[0].message;
+    CHECK(faults[0].severity == Severity::error);
+    return std::to_string(faults[0].location.line) + ":" + std::to_string(faults[0].location.column) + ": " +
+           faults[0].message;
 }
 
 double number(std::string text, std::string* message = nullptr) {
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     double value = number_in({std::move(text), 7}, 3, faults);
     if (message) {
         REQUIRE(faults.size() == 1);
-        CHECK(faults[0].line == 3);
-        CHECK(faults[0].column == 7);
+        CHECK(faults[0].location.line == 3);
+        CHECK(faults[0].location.column == 7);
         *message = faults[0].message;
     } else {
         CHECK(faults.empty());
@@ -33,7 +34,7 @@ double number(std::string text, std::string* message = nullptr) {
 } // namespace
 
 TEST_CASE("cells, comments, description, and where each cell stands") {
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     TextTable table =
         split_table("# one\n#two \n\n a , b\t,c\n# not a description\n1, 2 ,\"x, \"\"y\"\"\"\n\n4,,6", faults);
     CHECK(faults.empty());
@@ -51,7 +52,7 @@ TEST_CASE("cells, comments, description, and where each cell stands") {
 }
 
 TEST_CASE("CR LF, a byte order mark, and no last line end") {
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     TextTable table = split_table("\xef\xbb\xbf# d\r\na,b\r\n1,2\r\n3,4", faults);
     CHECK(faults.empty());
     CHECK(table.description == "d\n");
@@ -60,7 +61,7 @@ TEST_CASE("CR LF, a byte order mark, and no last line end") {
 }
 
 TEST_CASE("nothing at all") {
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     for (const char* text : {"", "\n\n", "# only this\n", "\xef\xbb\xbf", "\r\n"}) {
         TextTable table = split_table(text, faults);
         CHECK(table.header.cells.empty());

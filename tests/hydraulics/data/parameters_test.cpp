@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::string_view header = "name,value,unit,mark,source\n";
 
-std::vector<TextFault> faults_of(const std::string& rows, Parameters* machine = nullptr) {
+std::vector<Diagnostic> faults_of(const std::string& rows, Parameters* machine = nullptr) {
     Parameters read = Parameters::excavator();
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     read.read(std::string(header) + rows, faults);
     if (machine)
         *machine = read;
@@ -87,9 +87,9 @@ TEST_CASE("what is wrong with a user's file is said with its place") {
     auto check = [](const std::string& row, std::size_t column, const char* message) {
         auto faults = faults_of(row);
         REQUIRE(faults.size() == 1);
-        CHECK(faults[0].refused);
-        CHECK(faults[0].line == 2);
-        CHECK(faults[0].column == column);
+        CHECK(faults[0].severity == Severity::error);
+        CHECK(faults[0].location.line == 2);
+        CHECK(faults[0].location.column == column);
         CHECK(faults[0].message == message);
     };
     check("boom.colour,1,in,ours,\n", 1, "the machine has no parameter \"boom.colour\"");
@@ -101,12 +101,12 @@ TEST_CASE("what is wrong with a user's file is said with its place") {
     check("noise.pressure,-5,psi,ours,\n", 16, "noise.pressure cannot be -5");
     check("boom.inlet_area,32,in^2,ours\n", 25, "4 values, expected 5");
 
-    std::vector<TextFault> faults;
+    std::vector<Diagnostic> faults;
     Parameters machine = Parameters::excavator();
     machine.read("time [s],boom.angle [deg]\n0,1\n", faults);
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].message == "not the header of a table of parameters");
     faults.clear();
     machine.read("", faults);
-    CHECK(refuses(faults));
+    CHECK(has_errors(faults));
 }

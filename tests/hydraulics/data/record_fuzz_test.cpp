@@ -44,10 +44,10 @@ std::string mutated(std::string text, RandomStream& random) {
 
 void check_faults(const ReadRecord& read, const std::string& text) {
     auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-    for (const TextFault& fault : read.faults) {
-        CHECK(fault.line <= lines);
-        CHECK(fault.column <= text.size() + 1);
-        CHECK((fault.line == 0) == (fault.column == 0));
+    for (const Diagnostic& fault : read.faults) {
+        CHECK(fault.location.line <= lines);
+        CHECK(fault.location.column <= text.size() + 1);
+        CHECK((fault.location.line == 0) == (fault.location.column == 0));
         CHECK_FALSE(fault.message.empty());
     }
 }
@@ -80,7 +80,7 @@ TEST_CASE("whatever becomes of a text, it is a record that can be used or a refu
         std::string text = mutated(good, random);
         CAPTURE(text);
         ReadRecord read = read_record(text);
-        REQUIRE(read.record.has_value() != refuses(read.faults));
+        REQUIRE(read.record.has_value() != has_errors(read.faults));
         check_faults(read, text);
         (read.record ? read_well : refused)++;
         if (read.record)

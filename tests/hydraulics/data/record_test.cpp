@@ -27,11 +27,12 @@ std::string rows(int first, int last) {
 /// "error 3:5: message | hint" for each fault.
 std::string record_faults(const std::string& text) {
     ReadRecord read = read_record(text);
-    CHECK(read.record.has_value() != refuses(read.faults));
+    CHECK(read.record.has_value() != has_errors(read.faults));
     std::string all;
-    for (const TextFault& fault : read.faults)
-        all += fmt::format("{} {}:{}: {}{}{}\n", fault.refused ? "error" : "warning", fault.line, fault.column,
-                           fault.message, fault.hint.empty() ? "" : " | ", fault.hint);
+    for (const Diagnostic& fault : read.faults)
+        all += fmt::format("{} {}:{}: {}{}{}\n", fault.severity == Severity::error ? "error" : "warning",
+                           fault.location.line, fault.location.column, fault.message, fault.hint.empty() ? "" : " | ",
+                           fault.hint);
     return all;
 }
 

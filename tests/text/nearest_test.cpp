@@ -1,0 +1,33 @@
+#include "text/nearest.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+TEST_CASE("single letters left out, put in, replaced or swapped") {
+    CHECK(edit_distance("", "") == 0);
+    CHECK(edit_distance("", "abc") == 3);
+    CHECK(edit_distance("master", "master") == 0);
+    CHECK(edit_distance("mastr", "master") == 1);
+    CHECK(edit_distance("masster", "master") == 1);
+    CHECK(edit_distance("mister", "master") == 1);
+    CHECK(edit_distance("amster", "master") == 1);
+    CHECK(edit_distance("slave", "master") == 5);
+}
+
+TEST_CASE("the nearest name, if one is near enough to be meant") {
+    const std::vector<std::string> names{"slave", "master", "Host", "ga.master"};
+    CHECK(nearest_name("mastr", names) == "master");
+    CHECK(nearest_name("MASTER", names) == "master");
+    CHECK(nearest_name("host", names) == "Host");
+    CHECK(nearest_name("island", names).empty());
+    CHECK(nearest_name("", names).empty());
+    CHECK(nearest_name("master", {"master"}).empty()); // it is there: another thing is wrong
+    CHECK(nearest_name("ab", {"ac", "ad"}) == "ac");   // the first of equals
+    CHECK(nearest_name(std::string(1000, 'x'), {std::string(1001, 'x')}).empty());
+}
+
+TEST_CASE("as a hint") {
+    CHECK(did_you_mean("mastr", {"slave", "master"}) == "did you mean \"master\"?");
+    CHECK(did_you_mean("island", {"slave", "master"}).empty());
+}

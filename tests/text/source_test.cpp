@@ -1,0 +1,80 @@
+#include "text/load_source.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace placedpar;
+
+namespace {
+
+/// "2:6: message" of the only problem.
+std::string problem_of(const LoadedSource& loaded) {
+    REQUIRE(loaded.problems.size() == 1);
+    REQUIRE(loaded.file);
+    const Diagnostic& problem = loaded.problems[0];
+    CHECK(problem.severity == Severity::error);
+    CHECK(problem.location.file == loaded.file);
+    return std::to_string(problem.location.line) + ":" + std::to_string(problem.location.column) + ": " +
+           problem.message;
+}
+
+} // namespace
+
+TEST_CASE("the lines of a source") {
+    SourceFile file("a.txt", "one\r\ntwo\n\nfour");
+    CHECK(file.path() == "a.txt");
+    CHECK(file.line(1) == "one");
+    CHECK(file.line(2) == "two");
+    CHECK(file.line(3).empty());
+    CHECK(file.line(4) == "four");
+    CHECK(file.line(0).empty());
+    CHECK(file.line(5).empty());
+}
+
+TEST_CASE("a location as people read it") {
+    auto file = std::make_shared<SourceFile>("a.txt", "one");
+    CHECK(Location{file, 1, 3}.text() == "a.txt:1:3");
+    CHECK(Location{file, 0, 0}.text() == "a.txt");
+    CHECK(Location{}.text().empty());
+}
+
+TEST_CASE("what is no text is refused with its place, and can still be shown") {
+    CHECK(problem_of(check_source("a", std::string("a;\n\tval \0 x", 11))) ==
+          "2:6: this is no text but a binary file: it holds the byte 0x00");
+    CHECK(problem_of(check_source("a", "\x7f"
+                                       "ELF")) == "1:1: this is no text but a binary file: it holds the byte 0x7f");
+    CHECK(problem_of(check_source("a", "short\n" + std::string(longest_source_line + 1, 'x'))) ==
+          "2:10001: the line is too long: it has 10001 characters, 10000 are allowed");
+    CHECK(problem_of(check_source("a", std::string(largest_source_bytes + 1, '\n'))) ==
+          "0:0: the file is too large: it may have 16777216 bytes");
+}
+
+TEST_CASE("what is text") {
+    LoadedSource loaded = check_source("a", "\xef\xbb\xbf"
+                                            "Stra\xdf"
+                                            "e\t1\r\n\f" +
+                                                std::string(longest_source_line - 1, 'x'));
+    CHECK(loaded.problems.empty());
+    CHECK(loaded.file->line(1) == "Stra\xdf"
+                                  "e\t1");
+    CHECK(check_source("a", "").problems.empty());
+}
+
+TEST_CASE("a file that cannot be read is a problem of the whole file") {
+    auto folder = std::filesystem::temp_directory_path();
+    CHECK(problem_of(load_source(folder / "placedpar_no_such_file")) == "0:0: there is no such file");
+    CHECK(problem_of(load_source(folder)) == "0:0: this is a directory, not a file");
+    CHECK(problem_of(load_source("/dev/null")) == "0:0: this is no regular file");
+}
+
+TEST_CASE("a source takes the memory of its text, not of the largest text that there may be") {
+    auto path = std::filesystem::temp_directory_path() / "placedpar_small_source_test.txt";
+    std::ofstream(path) << std::string(800, 'x');
+    LoadedSource loaded = load_source(path);
+    std::filesystem::remove(path);
+    CHECK(loaded.problems.empty());
+    CHECK(loaded.file->text() == std::string(800, 'x'));
+    CHECK(loaded.file->text().capacity() < 10'000);
+}

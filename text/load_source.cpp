@@ -1,0 +1,108 @@
+#include "text/load_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+using File = std::shared_ptr<const SourceFile>;
+
+bool is_text(char c) {
+    auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x20 ? byte != 0x7f : (c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v');
+}
+
+Diagnostic problem_at(const File& file, std::size_t line, std::size_t column, std::string message) {
+    return {.severity = Severity::error, .message = std::move(message), .location = {file, line, column}};
+}
+
+/// The first byte that no text holds.
+std::optional<Diagnostic> binary_problem(const File& file) {
+    const std::string& text = file->text();
+    auto odd = std::ranges::find_if_not(text, is_text);
+    if (odd == text.end())
+        return std::nullopt;
+    auto line = static_cast<std::size_t>(std::count(text.begin(), odd, '\n')) + 1;
+    auto start = std::find(std::make_reverse_iterator(odd), text.rend(), '\n').base();
+    return problem_at(
+        file, line, static_cast<std::size_t>(odd - start) + 1,
+        fmt::format("this is no text but a binary file: it holds the byte 0x{:02x}", static_cast<unsigned char>(*odd)));
+}
+
+/// The first line that is too long. Its length counts a carriage return at its end.
+std::optional<Diagnostic> long_line_problem(const File& file) {
+    const std::string& text = file->text();
+    std::size_t number = 1;
+    for (std::size_t start = 0; start < text.size(); ++number) {
+        auto end = std::min(text.find('\n', start), text.size());
+        if (end - start > longest_source_line)
+            return problem_at(file, number, longest_source_line + 1,
+                              fmt::format("the line is too long: it has {} characters, {} are allowed", end - start,
+                                          longest_source_line));
+        start = end + 1;
+    }
+    return std::nullopt;
+}
+
+LoadedSource refused(std::string shown_path, std::string message) {
+    auto file = std::make_shared<const SourceFile>(std::move(shown_path), "");
+    return {file, {problem_at(file, 0, 0, std::move(message))}};
+}
+
+/// "" where the path can be opened as a file.
+std::string why_not_a_file(const std::filesystem::path& path) {
+    std::error_code error;
+    auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        return "there is no such file";
+    if (status.type() == std::filesystem::file_type::directory)
+        return "this is a directory, not a file";
+    if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
+        return "the file cannot be read: " + error.message();
+    if (status.type() != std::filesystem::file_type::regular)
+        return "this is no regular file";
+    return "";
+}
+
+} // namespace
+
+LoadedSource check_source(std::string shown_path, std::string text) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (text.starts_with(byte_order_mark))
+        text.erase(0, byte_order_mark.size());
+    if (text.size() > largest_source_bytes)
+        return refused(std::move(shown_path),
+                       fmt::format("the file is too large: it may have {} bytes", largest_source_bytes));
+    auto file = std::make_shared<const SourceFile>(std::move(shown_path), std::move(text));
+    auto problem = binary_problem(file);
+    if (!problem)
+        problem = long_line_problem(file);
+    return {file, problem ? std::vector{std::move(*problem)} : std::vector<Diagnostic>{}};
+}
+
+LoadedSource load_source(const std::filesystem::path& path) {
+    if (auto why = why_not_a_file(path); !why.empty())
+        return refused(path.string(), why);
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        return refused(path.string(), "the file cannot be opened for reading");
+    std::string text;
+    std::array<char, 1 << 16> piece;
+    while (text.size() <= largest_source_bytes + 3 && in) { // three bytes may be a byte order mark
+        in.read(piece.data(), piece.size());
+        text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    }
+    if (in.bad())
+        return refused(path.string(), "the file cannot be read to its end");
+    text.shrink_to_fit(); // it is kept for as long as one of its lines may have to be shown
+    return check_source(path.string(), std::move(text));
+}
+
+} // namespace placedpar
