@@ -1,4 +1,5 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/language/syntax.hpp"
 
 #include <fmt/format.h>
 
@@ -27,99 +28,123 @@ public:
     void run() {
         std::vector<std::size_t> left;
         for (std::size_t i = 0; i < c_.network.channels.size(); ++i)
-            if (!place_as_told(i))
-                left.push_back(i);
+            attempt([&] {
+                if (!place_as_told(i))
+                    left.push_back(i);
+            });
         for (auto i : left)
-            choose(i);
+            attempt([&] { choose(i); });
         for (auto& channel : c_.network.channels)
             if (channel.placement.kind != ChannelPlacement::Kind::soft)
                 channel.placement.shared = load(channel.placement) > 1;
     }
 
 private:
+    /// A step that refuses what it finds has reported why.
+    template <class Step>
+    static void attempt(Step step) {
+        try {
+            step();
+        } catch (const StatementRefused&) {
+            // the next channel is tried
+        }
+    }
+
+    bool place_as_told(std::size_t index) {
+        auto told_wire = told(index);
+        if (told_wire)
+            carry(c_.network.channels[index], told_wire->connection, told_wire->at);
+        return told_wire.has_value();
+    }
+
     std::size_t& load(const ChannelPlacement& carrier) {
         return load_[carrier.connection * 2 + (carrier.from_a_to_b ? 1 : 0)];
     }
 
     std::string node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
 
-    /// What the netlist says about the connection: by one of the ends, or by `place c1 on c2`. True where it
-    /// says something, also where that was refused.
-    bool place_as_told(std::size_t index) {
-        auto& channel = c_.network.channels[index];
-        std::optional<std::size_t> told;
-        auto told_at = channel.connected;
+    /// A wire that the netlist names for a channel, and where it does.
+    struct Told {
+        std::size_t connection;
+        Location at;
+    };
+
+    /// What the netlist says about the wire: by one of the ends, or by `place c1 on c2`. Nothing where it says nothing.
+    /// Throws StatementRefused where what it says was refused, and reported.
+    std::optional<Told> told(std::size_t index) {
+        auto by_end = told_by_ends(c_.network.channels[index]);
+        auto by_connection = told_by_connection(index);
+        return by_connection ? by_connection : by_end;
+    }
+
+    std::optional<Told> told_by_ends(const NetworkChannel& channel) {
+        std::optional<Told> told;
         for (const auto* end : {&channel.from, &channel.to}) {
-            if (end->at_edge())
-                continue;
             auto placed = c_.draft.placements.find({end->process, end->port});
-            if (placed == c_.draft.placements.end())
+            if (end->at_edge() || placed == c_.draft.placements.end())
                 continue;
-            auto connection = connection_placed(*end, placed->second);
-            if (!connection)
-                return true;
-            if (told && *told != *connection)
-                return refuse(placed->second.at,
-                              fmt::format("the two ends of the channel \"{}\" are placed on different "
-                                          "connections",
-                                          channel.name));
-            told = connection;
-            told_at = placed->second.at;
+            Told here{connection_placed(*end, placed->second), placed->second.at};
+            if (told && told->connection != here.connection)
+                refuse(here.at, fmt::format("the two ends of the channel \"{}\" are placed on different connections",
+                                            channel.name));
+            told = here;
         }
-        auto draft =
-            c_.draft_channel[index] == nowhere ? nowhere : c_.draft.channels[c_.draft_channel[index]].connection;
-        auto by_connection = c_.draft.connection_placements.find(draft);
-        if (by_connection != c_.draft.connection_placements.end()) {
-            auto wire = c_.connection_named.find(by_connection->second.wire);
-            if (wire == c_.connection_named.end())
-                return refuse(by_connection->second.at,
-                              fmt::format("the connection \"{}\" wires no links",
-                                          c_.draft.connections[by_connection->second.wire].name));
-            told = wire->second;
-            told_at = by_connection->second.at;
-        }
-        if (!told)
-            return false;
-        carry(channel, *told, told_at);
-        return true;
+        return told;
     }
 
-    bool refuse(const Location& at, std::string message, std::string hint = "", std::vector<SecondPlace> others = {}) {
+    std::optional<Told> told_by_connection(std::size_t index) {
+        auto draft = c_.draft_channel[index];
+        auto placed =
+            c_.draft.connection_placements.find(draft == nowhere ? nowhere : c_.draft.channels[draft].connection);
+        if (placed == c_.draft.connection_placements.end())
+            return std::nullopt;
+        const auto& [wire, at] = placed->second;
+        auto found = c_.connection_named.find(wire);
+        if (found == c_.connection_named.end())
+            refuse(at, fmt::format("the connection \"{}\" wires no links", c_.draft.connections[wire].name));
+        return Told{found->second, at};
+    }
+
+    [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
+                             std::vector<SecondPlace> others = {}) {
         c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
-        return true;
+        throw StatementRefused{};
     }
 
-    std::optional<std::size_t> connection_placed(const ChannelEnd& end, const DraftPlacement& placement) {
+    std::size_t connection_placed(const ChannelEnd& end, const DraftPlacement& placement) {
         const auto& process = c_.draft.processes[end.process];
-        auto name = process.name + "." + end.port;
         if (process.node == nowhere)
-            return std::nullopt; // reported
-        if (placement.where.at_edge()) {
-            auto found = between_.find({process.node, placement.where.node});
-            if (found != between_.end())
-                return found->second.front();
-            refuse(placement.at,
-                   fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it", name,
-                               node_name(placement.where.node), node_name(process.node)));
-            return std::nullopt;
-        }
-        if (placement.where.node != process.node) {
-            refuse(placement.at,
-                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"", name,
-                               node_name(placement.where.node), node_name(process.node)),
-                   "", {{"the process is placed here", process.placed}});
-            return std::nullopt;
-        }
-        auto found = c_.connection_at.find({placement.where.node, placement.where.link});
-        if (found != c_.connection_at.end())
-            return found->second;
-        refuse(placement.at,
-               fmt::format("the channel \"{}\" is placed on \"{}.link[{}]\", which is connected to nothing", name,
-                           node_name(placement.where.node), placement.where.link));
-        return std::nullopt;
+            throw StatementRefused{}; // reported
+        auto channel = process.name + "." + end.port;
+        return placement.where.at_edge() ? connection_to_edge(channel, process, placement)
+                                         : connection_at_link(channel, process, placement);
     }
 
-    /// Lets a connection carry the channel, if it leads from the one end to the other.
+    std::size_t connection_to_edge(const std::string& channel, const DraftProcess& process,
+                                   const DraftPlacement& placement) {
+        auto found = between_.find({process.node, placement.where.node});
+        if (found == between_.end())
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it", channel,
+                               node_name(placement.where.node), node_name(process.node)));
+        return found->second.front();
+    }
+
+    std::size_t connection_at_link(const std::string& channel, const DraftProcess& process,
+                                   const DraftPlacement& placement) {
+        if (placement.where.node != process.node)
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
+                               channel, node_name(placement.where.node), node_name(process.node)),
+                   "", {{"the process is placed here", process.placed}});
+        auto found = c_.connection_at.find({placement.where.node, placement.where.link});
+        if (found == c_.connection_at.end())
+            refuse(placement.at, fmt::format("the channel \"{}\" is placed on \"{}\", which is connected to nothing",
+                                             channel, link_name(c_.draft.nodes, placement.where)));
+        return found->second;
+    }
+
+    /// Lets a connection carry the channel, if it leads from one of its ends to the other.
     void carry(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         bool to_edge = channel.from.at_edge() || channel.to.at_edge();
@@ -130,18 +155,20 @@ private:
         if (from == nowhere || to == nowhere)
             return edge_missing(channel);
         bool forwards = connection.a.node == from && connection.b.node == to;
-        if (!forwards && !(connection.b.node == from && connection.a.node == to)) {
-            refuse(at,
-                   fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\", but is placed on a wire between \"{}\" "
-                               "and \"{}\"",
-                               channel.name, node_name(from), node_name(to), node_name(connection.a.node),
-                               node_name(connection.b.node)),
-                   "", {{"the wire is connected here", connection.connected}});
-            return;
-        }
+        if (!forwards && !(connection.b.node == from && connection.a.node == to))
+            refuse_wire(channel, connection, at);
         channel.placement = {to_edge ? ChannelPlacement::Kind::edge : ChannelPlacement::Kind::link, index, forwards,
                              false};
         ++load(channel.placement);
+    }
+
+    [[noreturn]] void refuse_wire(const NetworkChannel& channel, const LinkConnection& connection, const Location& at) {
+        refuse(at,
+               fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\", but is placed on a wire between \"{}\" and "
+                           "\"{}\"",
+                           channel.name, node_name(channel.from.node), node_name(channel.to.node),
+                           node_name(connection.a.node), node_name(connection.b.node)),
+               "", {{"the wire is connected here", connection.connected}});
     }
 
     void choose(std::size_t index) {

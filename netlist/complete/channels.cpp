@@ -65,13 +65,10 @@ private:
                                      fmt::format("the process \"{}\" has no channel \"{}\"", process.name, end.port),
                                      "declare its interface: process (interface (input in, output out)) name;",
                                      {{"the process is declared here", process.declared}});
-        std::vector<std::string> names;
-        for (const auto& port : kind->ports)
-            names.push_back(port.name);
         c_.reporter.error(end.at,
                           fmt::format("the kind \"{}\" of \"{}\" has no channel \"{}\"", kind->name, process.name,
                                       base_name(end.port)),
-                          did_you_mean(base_name(end.port), names));
+                          did_you_mean(base_name(end.port), names_in(kind->ports)));
     }
 
     void add(std::size_t index) {
@@ -85,22 +82,29 @@ private:
         }
         if (a->direction == b->direction)
             return refuse_direction(draft, a->direction);
+        if (a->port != nullptr && b->port != nullptr && a->port->type != b->port->type)
+            refuse_protocols(draft, *a->port, *b->port);
         bool forwards = a->direction == Direction::output;
         const auto &from = forwards ? draft.a : draft.b, &to = forwards ? draft.b : draft.a;
-        if (a->port != nullptr && b->port != nullptr && a->port->type != b->port->type)
-            c_.reporter.error(draft.at,
-                              fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}", shown(draft.a),
-                                          a->port->protocol, shown(draft.b), b->port->protocol));
-        NetworkChannel channel;
-        channel.from = end_of(from);
-        channel.to = end_of(to);
-        channel.name = draft.connection != nowhere ? c_.draft.connections[draft.connection].name
-                                                   : fmt::format("{} -> {}", shown(from), shown(to));
-        channel.connected = draft.at;
         bind(from, Direction::output);
         bind(to, Direction::input);
+        add_channel({.name = draft.connection != nowhere ? c_.draft.connections[draft.connection].name
+                                                         : fmt::format("{} -> {}", shown(from), shown(to)),
+                     .from = end_of(from),
+                     .to = end_of(to),
+                     .placement = {},
+                     .connected = draft.at},
+                    index);
+    }
+
+    void add_channel(NetworkChannel channel, std::size_t draft) {
         c_.network.channels.push_back(std::move(channel));
-        c_.draft_channel.push_back(index);
+        c_.draft_channel.push_back(draft);
+    }
+
+    void refuse_protocols(const DraftChannel& draft, const PortDescription& a, const PortDescription& b) {
+        c_.reporter.error(draft.at, fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}",
+                                                shown(draft.a), a.protocol, shown(draft.b), b.protocol));
     }
 
     void refuse_direction(const DraftChannel& draft, Direction direction) {
@@ -134,30 +138,36 @@ private:
     /// has it.
     void add_placed(std::size_t index, const PortDeclaration& port, const std::string& name,
                     const DraftPlacement& placement) {
-        auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
-        std::size_t edge = placement.where.at_edge() ? placement.where.node : nowhere;
-        if (wire != c_.connection_at.end()) {
-            const auto& connection = c_.network.connections[wire->second];
-            edge = connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
-        }
         const auto& process = c_.draft.processes[index];
+        std::size_t edge = edge_behind(placement.where);
         if (edge == nowhere)
-            return c_.reporter.error(
-                placement.at,
-                fmt::format("the channel \"{}.{}\" is placed, but connected to nothing", process.name, name),
-                fmt::format("connect {}.{} to ...;", process.name, name));
-        NetworkChannel channel;
+            return refuse_placed(process, name, placement);
         ChannelEnd inner{index, name, process.node}, outer{nowhere, "", edge};
-        bool out = port.direction == Direction::output;
-        channel.from = out ? inner : outer;
-        channel.to = out ? outer : inner;
         auto inner_name = process.name + "." + name;
         const auto& edge_name = c_.draft.nodes[edge].name;
-        channel.name = out ? inner_name + " -> " + edge_name : edge_name + " -> " + inner_name;
-        channel.connected = placement.at;
+        bool out = port.direction == Direction::output;
         bind({index, nowhere, name, placement.at}, port.direction);
-        c_.network.channels.push_back(std::move(channel));
-        c_.draft_channel.push_back(nowhere);
+        add_channel({.name = out ? inner_name + " -> " + edge_name : edge_name + " -> " + inner_name,
+                     .from = out ? inner : outer,
+                     .to = out ? outer : inner,
+                     .placement = {},
+                     .connected = placement.at},
+                    nowhere);
+    }
+
+    /// The edge that this is, or that the link leads to; nowhere if there is none.
+    std::size_t edge_behind(const LinkEnd& end) const {
+        auto wire = c_.connection_at.find({end.node, end.link});
+        if (wire == c_.connection_at.end())
+            return end.at_edge() ? end.node : nowhere;
+        const auto& connection = c_.network.connections[wire->second];
+        return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
+    }
+
+    void refuse_placed(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
+        c_.reporter.error(placement.at,
+                          fmt::format("the channel \"{}.{}\" is placed, but connected to nothing", process.name, port),
+                          fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
     void finish_process(std::size_t index) {
@@ -219,42 +229,56 @@ private:
     void check_kind(std::size_t index, const ProcessKind& kind) {
         const auto& process = c_.draft.processes[index];
         for (const auto& port : kind.ports) {
-            std::vector<std::vector<std::int64_t>> used;
-            for (const auto& binding : bindings_[index])
-                if (base_name(binding.port) == port.name)
-                    used.push_back(subscripts_of(binding.port));
+            auto used = subscripts_used(index, port.name);
             if (used.empty() && !port.optional)
                 refuse_unconnected(index, process.declared, port.name);
-            std::sort(used.begin(), used.end());
-            for (std::size_t i = 0; i < used.size(); ++i)
-                if (!used[i].empty() && (used[i].size() > 1 || used[i][0] != static_cast<std::int64_t>(i)))
-                    return c_.reporter.error(process.declared,
-                                             fmt::format("the channels {}[...] of \"{}\" are not numbered 0, 1, 2 ...",
-                                                         port.name, process.name),
-                                             fmt::format("{}[{}] is connected to nothing", port.name, i));
-                else if (used[i].empty() && used.size() > 1)
-                    return c_.reporter.error(process.declared, fmt::format("the channel \"{}\" of \"{}\" is connected "
-                                                                           "both with and without a subscript",
-                                                                           port.name, process.name));
+            if (!check_numbering(process, port.name, used))
+                return;
         }
         check_placed(index);
+    }
+
+    /// Of the ends of one port that are connected, in order.
+    std::vector<std::vector<std::int64_t>> subscripts_used(std::size_t index, const std::string& port) const {
+        std::vector<std::vector<std::int64_t>> used;
+        for (const auto& binding : bindings_[index])
+            if (base_name(binding.port) == port)
+                used.push_back(subscripts_of(binding.port));
+        std::ranges::sort(used);
+        return used;
+    }
+
+    /// False where the ends are neither one without a subscript nor numbered from 0 on.
+    bool check_numbering(const DraftProcess& process, const std::string& port,
+                         const std::vector<std::vector<std::int64_t>>& used) {
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (!used[i].empty() && (used[i].size() > 1 || used[i][0] != static_cast<std::int64_t>(i))) {
+                c_.reporter.error(
+                    process.declared,
+                    fmt::format("the channels {}[...] of \"{}\" are not numbered 0, 1, 2 ...", port, process.name),
+                    fmt::format("{}[{}] is connected to nothing", port, i));
+                return false;
+            } else if (used[i].empty() && used.size() > 1) {
+                c_.reporter.error(process.declared,
+                                  fmt::format("the channel \"{}\" of \"{}\" is connected both with and without a "
+                                              "subscript",
+                                              port, process.name));
+                return false;
+            }
+        return true;
     }
 
     /// Without an interface, what is placed must be connected.
     void check_placed(std::size_t index) {
         const auto& placements = c_.draft.placements;
         for (auto placed = placements.lower_bound({index, ""});
-             placed != placements.end() && placed->first.first == index; ++placed) {
-            const auto& port = placed->first.second;
-            if (std::any_of(bindings_[index].begin(), bindings_[index].end(),
-                            [&](const PortBinding& binding) { return binding.port == port; }))
-                continue;
-            const auto& process = c_.draft.processes[index];
-            c_.reporter.error(
-                placed->second.at,
-                fmt::format("the channel \"{}.{}\" is placed, but connected to nothing", process.name, port),
-                fmt::format("connect {}.{} to ...;", process.name, port));
-        }
+             placed != placements.end() && placed->first.first == index; ++placed)
+            if (const auto& port = placed->first.second; !is_bound(index, port))
+                refuse_placed(c_.draft.processes[index], port, placed->second);
+    }
+
+    bool is_bound(std::size_t index, const std::string& port) const {
+        return std::ranges::find(bindings_[index], port, &PortBinding::port) != bindings_[index].end();
     }
 
     Completion& c_;

@@ -54,18 +54,17 @@ private:
         return found == parameters.end() ? nullptr : &*found;
     }
 
-    void refuse_unknown(const Setting& setting) {
-        std::vector<std::string> names;
+    std::vector<std::string> known_names() const {
         if (kind_ != nullptr)
-            for (const auto& parameter : kind_->parameters)
-                names.push_back(parameter.name);
-        else if (draft_.interface)
-            for (const auto& parameter : draft_.interface->parameters)
-                names.push_back(parameter.name);
+            return names_in(kind_->parameters);
+        return draft_.interface ? names_in(draft_.interface->parameters) : std::vector<std::string>{};
+    }
+
+    void refuse_unknown(const Setting& setting) {
         auto whose = kind_ != nullptr ? fmt::format("the kind \"{}\"", kind_->name)
                                       : fmt::format("the process \"{}\"", draft_.name);
         c_.reporter.error(setting.at, fmt::format("{} has no parameter \"{}\"", whose, setting.name),
-                          did_you_mean(setting.name, names));
+                          did_you_mean(setting.name, known_names()));
     }
 
     void take_for_kind(const Setting& setting, const ParameterDescription& known) {
@@ -120,8 +119,7 @@ private:
     }
 
     void take_for_stand_in(const Setting& setting, const ParameterDeclaration& declared) {
-        auto type =
-            declared.type == "float" || declared.type == "double" ? ParameterType::real : ParameterType::integer;
+        auto type = declared.is_real() ? ParameterType::real : ParameterType::integer;
         if (declared.type == "char" && declared.dimensions.size() == 1 && setting.value.text() != nullptr)
             result_[declared.name] = *setting.value.text();
         else

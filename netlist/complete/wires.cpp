@@ -46,30 +46,37 @@ private:
             return; // reached from the processors at the ends of the chain, or from nowhere
         LinkConnection connection;
         connection.a = at_switch(wire.a) ? wire.b : wire.a;
+        connection.b = other_end(wire, connection.a);
         connection.connected = wire.at;
         std::vector<std::size_t> pieces{first};
-        auto reached = other_end(wire, connection.a);
-        while (at_switch(reached)) {
-            auto crosspoint = crosspoint_at_.find(socket(reached));
-            if (crosspoint == crosspoint_at_.end())
-                return leads_nowhere(wire, reached, "the switch sets no crosspoint for it");
-            auto leaves = other_end(c_.draft.crosspoints[crosspoint->second], reached);
-            connection.crossings.push_back({reached.node, reached.link, leaves.link});
-            auto next = wire_at_.find(socket(leaves));
-            if (next == wire_at_.end())
-                return leads_nowhere(wire, leaves, "no wire leaves the switch there");
-            pieces.push_back(next->second);
-            reached = other_end(c_.draft.wires[next->second], leaves);
-        }
-        connection.b = reached;
+        while (at_switch(connection.b))
+            if (!cross(connection, pieces))
+                return;
         for (auto piece : pieces)
             done_[piece] = true;
         add(std::move(connection), pieces);
     }
 
-    void leads_nowhere(const DraftWire& wire, const LinkEnd& at, const std::string& why) {
-        c_.reporter.warning(
-            wire.at, fmt::format("the wire ends at \"{}.link[{}]\": {}", c_.draft.nodes[at.node].name, at.link, why));
+    /// Through the switch at the far end and along the wire beyond it. False where the way ends there.
+    bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces) {
+        auto reached = connection.b;
+        auto crosspoint = crosspoint_at_.find(socket(reached));
+        if (crosspoint == crosspoint_at_.end())
+            return leads_nowhere(connection, reached, "the switch sets no crosspoint for it");
+        auto leaves = other_end(c_.draft.crosspoints[crosspoint->second], reached);
+        connection.crossings.push_back({reached.node, reached.link, leaves.link});
+        auto next = wire_at_.find(socket(leaves));
+        if (next == wire_at_.end())
+            return leads_nowhere(connection, leaves, "no wire leaves the switch there");
+        pieces.push_back(next->second);
+        connection.b = other_end(c_.draft.wires[next->second], leaves);
+        return true;
+    }
+
+    bool leads_nowhere(const LinkConnection& connection, const LinkEnd& at, const std::string& why) {
+        c_.reporter.warning(connection.connected,
+                            fmt::format("the wire ends at \"{}\": {}", link_name(c_.draft.nodes, at), why));
+        return false;
     }
 
     void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {
@@ -80,28 +87,31 @@ private:
                             c_.draft.nodes[connection.a.node].name));
         if (connection.a.at_edge() && connection.b.at_edge())
             return c_.reporter.error(connection.connected, "two edges cannot be connected, through a switch neither");
-        auto place = c_.network.connections.size();
         std::optional<std::int64_t> speed;
-        for (auto piece : pieces) {
-            auto named = c_.draft.wires[piece].connection;
-            if (named == nowhere)
-                continue;
-            const auto& attributes = c_.draft.connections[named];
-            c_.connection_named.emplace(named, place);
-            if (connection.name.empty())
-                connection.name = attributes.name;
-            connection.metres += attributes.metres.value_or(0);
-            if (speed && attributes.bits_per_second && *speed != *attributes.bits_per_second)
-                return c_.reporter.error(attributes.declared,
-                                         fmt::format("the pieces of one connection run at {} and {} bit/s", *speed,
-                                                     *attributes.bits_per_second));
-            speed = attributes.bits_per_second ? attributes.bits_per_second : speed;
-        }
+        for (auto piece : pieces)
+            if (auto named = c_.draft.wires[piece].connection; named != nowhere)
+                if (!add_attributes(connection, speed, named))
+                    return;
         connection.bits_per_second = speed ? *speed : speed_of_ends(connection);
         for (const auto& end : {connection.a, connection.b})
             if (!end.at_edge())
-                c_.connection_at.emplace(socket(end), place);
+                c_.connection_at.emplace(socket(end), c_.network.connections.size());
         c_.network.connections.push_back(std::move(connection));
+    }
+
+    /// Of one piece of the wire. False where its speed is another than of the pieces before it.
+    bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
+        const auto& attributes = c_.draft.connections[named];
+        c_.connection_named.emplace(named, c_.network.connections.size());
+        if (connection.name.empty())
+            connection.name = attributes.name;
+        connection.metres += attributes.metres.value_or(0);
+        bool differs = speed && attributes.bits_per_second && *speed != *attributes.bits_per_second;
+        if (differs)
+            c_.reporter.error(attributes.declared, fmt::format("the pieces of one connection run at {} and {} bit/s",
+                                                               *speed, *attributes.bits_per_second));
+        speed = attributes.bits_per_second ? attributes.bits_per_second : speed;
+        return !differs;
     }
 
     std::int64_t speed_of_ends(const LinkConnection& connection) {

@@ -6,11 +6,9 @@
 namespace placedpar {
 
 void Elaborator::refuse_unknown_port(const DraftProcess& process, const Reference& reference) {
-    std::vector<std::string> names;
-    for (const auto& port : process.interface->ports)
-        names.push_back(port.name);
     refuse(reference.field_at, fmt::format("the process \"{}\" has no channel \"{}\"", process.name, reference.field),
-           did_you_mean(reference.field, names), {{"the process is declared here", process.declared}});
+           did_you_mean(reference.field, names_in(process.interface->ports)),
+           {{"the process is declared here", process.declared}});
 }
 
 void Elaborator::perform(const ConnectStatement& form, const Location& at) {

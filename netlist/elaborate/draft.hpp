@@ -47,6 +47,8 @@ struct ParameterDeclaration {
     std::vector<std::int64_t> dimensions;
     std::optional<Constant> default_value;
     Location at;
+
+    bool is_real() const { return type == "float" || type == "double"; }
 };
 
 struct Interface {

@@ -60,6 +60,8 @@ private:
     void perform(const ProcessDeclaration& form, const Location& at);
     void perform(const ParameterSetting& form, const Location& at);
     void perform(const UseStatement& form, const Location& at);
+    void apply_process_attributes(DraftProcess& pattern, const std::vector<Setting>& settings);
+    void declare_process(const Declarator& name, const DraftProcess& pattern);
     std::shared_ptr<const Interface> interface(const std::vector<InterfaceEntry>& entries);
 
     // connect.cpp
@@ -89,9 +91,14 @@ private:
     Elements elements(const Reference& reference, const Found& found);
     /// One element, completely subscripted.
     std::size_t element(const Reference& reference, const Found& found);
+    std::size_t host(const Location& used);
     LinkEnd link_end(const Reference& reference, const Found& found);
+    int link_number(const Reference& reference, const Node& node, int links);
     [[noreturn]] void refuse_unknown_port(const DraftProcess& process, const Reference& reference);
     DraftChannelEnd port_end(const Reference& reference, const Found& found);
+    const PortDeclaration& declared_port(const DraftProcess& process, const Reference& reference);
+    void check_subscripts(const PortDeclaration& port, const Reference& reference,
+                          const std::vector<std::int64_t>& given);
     std::vector<std::int64_t> subscripts(const std::vector<ExpressionPointer>& expressions);
 
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",

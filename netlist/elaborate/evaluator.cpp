@@ -27,7 +27,7 @@ void Evaluator::step(const Location& at) {
     }
 }
 
-Constant Evaluator::evaluate_name(const NameUse& use, const Location& at) {
+Constant Evaluator::value_of(const NameUse& use, const Location& at) {
     const auto* symbol = scopes_.find(use.name);
     if (symbol == nullptr)
         refuse_undefined(reporter_, scopes_, use.name, at);
@@ -54,7 +54,7 @@ Constant Evaluator::evaluate_logical(const BinaryOperation& operation, const Loc
     return integer_constant(left || truth(*operation.right) ? 1 : 0);
 }
 
-Constant Evaluator::evaluate_array(const ArrayConstant& array, const Location& at) {
+Constant Evaluator::value_of(const ArrayConstant& array, const Location& at) {
     auto elements = std::make_shared<std::vector<Constant>>();
     int depth = 0;
     for (const auto& element : array.elements) {
@@ -73,59 +73,50 @@ Constant Evaluator::evaluate_array(const ArrayConstant& array, const Location& a
 Constant Evaluator::evaluate(const Expression& expression) {
     step(expression.at);
     try {
-        return std::visit(
-            [&](const auto& form) -> Constant {
-                using Form = std::decay_t<decltype(form)>;
-                if constexpr (std::is_same_v<Form, NameUse>) {
-                    return evaluate_name(form, expression.at);
-                } else if constexpr (std::is_same_v<Form, UnaryOperation>) {
-                    return apply_unary(form.symbol, evaluate(*form.operand));
-                } else if constexpr (std::is_same_v<Form, BinaryOperation>) {
-                    if (form.symbol == "&&" || form.symbol == "||")
-                        return evaluate_logical(form, expression.at);
-                    auto left = evaluate(*form.left);
-                    return apply_binary(form.symbol, left, evaluate(*form.right));
-                } else if constexpr (std::is_same_v<Form, CastOperation>) {
-                    return apply_cast(form.type, evaluate(*form.operand));
-                } else if constexpr (std::is_same_v<Form, SubscriptOperation>) {
-                    auto array = evaluate(*form.array);
-                    return apply_subscript(array, evaluate(*form.subscript));
-                } else if constexpr (std::is_same_v<Form, ArrayConstant>) {
-                    return evaluate_array(form, expression.at);
-                } else {
-                    return Constant{form.value, 0};
-                }
-            },
-            expression.form);
+        return std::visit([&](const auto& form) { return value_of(form, expression.at); }, expression.form);
     } catch (const NoResult& problem) {
         refuse(expression.at, problem.message, problem.hint);
     }
+}
+
+Constant Evaluator::value_of(const BinaryOperation& operation, const Location& at) {
+    if (operation.symbol == "&&" || operation.symbol == "||")
+        return evaluate_logical(operation, at);
+    auto left = evaluate(*operation.left);
+    return apply_binary(operation.symbol, left, evaluate(*operation.right));
+}
+
+Constant Evaluator::value_of(const UnaryOperation& operation, const Location&) {
+    return apply_unary(operation.symbol, evaluate(*operation.operand));
+}
+
+Constant Evaluator::value_of(const CastOperation& operation, const Location&) {
+    return apply_cast(operation.type, evaluate(*operation.operand));
+}
+
+Constant Evaluator::value_of(const SubscriptOperation& operation, const Location&) {
+    auto array = evaluate(*operation.array);
+    return apply_subscript(array, evaluate(*operation.subscript));
 }
 
 Integer Evaluator::integer(const Expression& expression, std::string_view whose) {
     auto value = evaluate(expression);
     if (const auto* integer = value.integer())
         return *integer;
-    refuse(expression.at, fmt::format("wrong type for {}: {} is {}", whose, shown(value), type_name(value)),
-           "it takes an integer");
-}
-
-double Evaluator::real(const Expression& expression, std::string_view whose) {
-    auto value = evaluate(expression);
-    if (const auto* integer = value.integer())
-        return static_cast<double>(integer->value);
-    if (const auto* real = value.real())
-        return *real;
-    refuse(expression.at, fmt::format("wrong type for {}: {} is {}", whose, shown(value), type_name(value)),
-           "it takes a number");
+    wrong_type(expression, value, whose, "it takes an integer");
 }
 
 std::string Evaluator::text(const Expression& expression, std::string_view whose) {
     auto value = evaluate(expression);
     if (const auto* text = value.text())
         return *text;
+    wrong_type(expression, value, whose, "it takes a string: \"...\"");
+}
+
+void Evaluator::wrong_type(const Expression& expression, const Constant& value, std::string_view whose,
+                           std::string hint) {
     refuse(expression.at, fmt::format("wrong type for {}: {} is {}", whose, shown(value), type_name(value)),
-           "it takes a string: \"...\"");
+           std::move(hint));
 }
 
 bool Evaluator::condition(const Expression& expression) { return integer(expression, "a condition").value != 0; }

@@ -21,7 +21,6 @@ public:
 
     /// For `whose`, such as `the attribute "memory"`: "wrong type for ...".
     Integer integer(const Expression& expression, std::string_view whose);
-    double real(const Expression& expression, std::string_view whose);
     std::string text(const Expression& expression, std::string_view whose);
     bool condition(const Expression& expression);
 
@@ -29,9 +28,18 @@ public:
     void step(const Location& at);
 
 private:
-    Constant evaluate_name(const NameUse& use, const Location& at);
+    Constant value_of(const IntegerLiteral& literal, const Location&) { return {literal.value}; }
+    Constant value_of(const RealLiteral& literal, const Location&) { return {literal.value}; }
+    Constant value_of(const TextLiteral& literal, const Location&) { return {literal.value}; }
+    Constant value_of(const NameUse& use, const Location& at);
+    Constant value_of(const UnaryOperation& operation, const Location& at);
+    Constant value_of(const BinaryOperation& operation, const Location& at);
+    Constant value_of(const CastOperation& operation, const Location& at);
+    Constant value_of(const SubscriptOperation& operation, const Location& at);
+    Constant value_of(const ArrayConstant& array, const Location& at);
     Constant evaluate_logical(const BinaryOperation& operation, const Location& at);
-    Constant evaluate_array(const ArrayConstant& array, const Location& at);
+    [[noreturn]] void wrong_type(const Expression& expression, const Constant& value, std::string_view whose,
+                                 std::string hint);
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {});
 

@@ -63,27 +63,33 @@ void Elaborator::perform(const ProcessDeclaration& form, const Location&) {
     if (form.attributes.interface)
         pattern.interface = interface(*form.attributes.interface);
     for (const auto* list : {&process_defaults_, &settings})
-        for (const auto& setting : *list) {
-            if (!is_process_attribute(setting.name))
-                refuse(setting.at, fmt::format("a process has no attribute \"{}\"", setting.name),
-                       did_you_mean(setting.name, process_attribute_names()));
-            apply_process_attribute(pattern, setting, reporter_);
-        }
+        apply_process_attributes(pattern, *list);
     if (form.names.empty()) {
         process_defaults_.insert(process_defaults_.end(), settings.begin(), settings.end());
         default_interface_ = pattern.interface;
     }
-    auto weight = 1 + entry_count(pattern.interface.get()) + pattern.other.size();
     for (const auto& name : form.names)
-        declare(
-            name, Category::process, draft_.processes.size(),
-            [&](std::string unique) {
-                auto process = pattern;
-                process.name = std::move(unique);
-                process.declared = name.at;
-                draft_.processes.push_back(std::move(process));
-            },
-            weight);
+        declare_process(name, pattern);
+}
+
+void Elaborator::apply_process_attributes(DraftProcess& pattern, const std::vector<Setting>& settings) {
+    for (const auto& setting : settings) {
+        if (!is_process_attribute(setting.name))
+            refuse(setting.at, fmt::format("a process has no attribute \"{}\"", setting.name),
+                   did_you_mean(setting.name, process_attribute_names()));
+        apply_process_attribute(pattern, setting, reporter_);
+    }
+}
+
+void Elaborator::declare_process(const Declarator& name, const DraftProcess& pattern) {
+    auto add = [&](std::string unique) {
+        auto process = pattern;
+        process.name = std::move(unique);
+        process.declared = name.at;
+        draft_.processes.push_back(std::move(process));
+    };
+    auto weight = 1 + entry_count(pattern.interface.get()) + pattern.other.size();
+    declare(name, Category::process, draft_.processes.size(), add, weight);
 }
 
 void Elaborator::perform(const ParameterSetting& form, const Location&) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar {
 
 Elaborator::Found Elaborator::find(const Reference& reference) {
@@ -14,15 +16,20 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
                fmt::format("\"{}\" is {}, nothing that can be connected or placed", reference.name, describe(*symbol)));
     if (things->first != nowhere)
         return {things->category, things->dimensions, things->first};
-    if (host_ == nowhere) { // the predefined edge comes into being when it is first used
-        host_ = draft_.nodes.size();
-        auto node = catalogue_.node_types().find("edge")->second.preset;
-        node.name = claim_name("host");
-        node.declared = reference.at;
-        draft_.nodes.push_back(std::move(node));
-        draft_.links.push_back(0);
-    }
-    return {Category::node, {}, host_};
+    return {Category::node, {}, host(reference.at)};
+}
+
+/// The predefined edge comes into being when it is first used.
+std::size_t Elaborator::host(const Location& used) {
+    if (host_ != nowhere)
+        return host_;
+    host_ = draft_.nodes.size();
+    auto node = catalogue_.node_types().find("edge")->second.preset;
+    node.name = claim_name("host");
+    node.declared = used;
+    draft_.nodes.push_back(std::move(node));
+    draft_.links.push_back(0);
+    return host_;
 }
 
 std::vector<std::int64_t> Elaborator::subscripts(const std::vector<ExpressionPointer>& expressions) {
@@ -65,26 +72,28 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
 LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
     auto node = element(reference, found);
     const auto& declared = draft_.nodes[node];
-    if (declared.kind->links == LinkRole::edge) {
-        if (!reference.field.empty())
-            refuse(reference.field_at, fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
-        return {node, -1};
-    }
+    if (declared.kind->links != LinkRole::edge)
+        return {node, link_number(reference, declared, draft_.links[node])};
+    if (!reference.field.empty())
+        refuse(reference.field_at, fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
+    return {node, -1};
+}
+
+int Elaborator::link_number(const Reference& reference, const Node& node, int links) {
     if (reference.field.empty())
-        refuse(reference.at, fmt::format("a link of \"{}\" is missing", declared.name),
-               fmt::format("such as {}.link[0]", declared.name));
+        refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
+               fmt::format("such as {}.link[0]", node.name));
     if (reference.field != "link")
         refuse(reference.field_at, fmt::format("a node has no \"{}\"", reference.field),
-               fmt::format("its links are {}.link[0] and so on", declared.name));
+               fmt::format("its links are {}.link[0] and so on", node.name));
     auto given = subscripts(reference.field_subscripts);
     if (given.size() != 1)
         refuse(reference.field_at, fmt::format("wrong number of subscripts: \"link\" has 1, here are {}", given.size()),
-               fmt::format("such as {}.link[0]", declared.name));
-    auto links = draft_.links[node];
+               fmt::format("such as {}.link[0]", node.name));
     if (given[0] < 0 || given[0] >= links)
-        refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", declared.name, given[0]),
-               fmt::format("a {} has the links 0 to {}", declared.type, links - 1));
-    return {node, static_cast<int>(given[0])};
+        refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", node.name, given[0]),
+               fmt::format("a {} has the links 0 to {}", node.type, links - 1));
+    return static_cast<int>(given[0]);
 }
 
 /// `p.out[1]`, or an edge channel. Of a process without an interface every port is taken as it comes: its
@@ -106,24 +115,32 @@ DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& fo
         count_things(1, reference.field_at);
         return end;
     }
-    for (const auto& port : process.interface->ports) {
-        if (port.name != reference.field)
-            continue;
-        if (given.size() != port.dimensions.size())
-            refuse(reference.field_at,
-                   fmt::format("{}: \"{}\" has {}, here are {}",
-                               given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
-                                                                     : "wrong number of subscripts",
-                               port.name, port.dimensions.size(), given.size()),
-                   "", {{"declared here", port.at}});
-        for (std::size_t i = 0; i < given.size(); ++i)
-            if (given[i] < 0 || given[i] >= port.dimensions[i])
-                refuse(reference.field_subscripts[i]->at,
-                       fmt::format("the subscript {} is outside of \"{}\"", given[i], port.name),
-                       fmt::format("it goes from 0 to {}", port.dimensions[i] - 1), {{"declared here", port.at}});
-        return end;
-    }
-    refuse_unknown_port(process, reference);
+    check_subscripts(declared_port(process, reference), reference, given);
+    return end;
+}
+
+const PortDeclaration& Elaborator::declared_port(const DraftProcess& process, const Reference& reference) {
+    const auto& ports = process.interface->ports;
+    auto found = std::ranges::find(ports, reference.field, &PortDeclaration::name);
+    if (found == ports.end())
+        refuse_unknown_port(process, reference);
+    return *found;
+}
+
+void Elaborator::check_subscripts(const PortDeclaration& port, const Reference& reference,
+                                  const std::vector<std::int64_t>& given) {
+    if (given.size() != port.dimensions.size())
+        refuse(reference.field_at,
+               fmt::format("{}: \"{}\" has {}, here are {}",
+                           given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
+                                                                 : "wrong number of subscripts",
+                           port.name, port.dimensions.size(), given.size()),
+               "", {{"declared here", port.at}});
+    for (std::size_t i = 0; i < given.size(); ++i)
+        if (given[i] < 0 || given[i] >= port.dimensions[i])
+            refuse(reference.field_subscripts[i]->at,
+                   fmt::format("the subscript {} is outside of \"{}\"", given[i], port.name),
+                   fmt::format("it goes from 0 to {}", port.dimensions[i] - 1), {{"declared here", port.at}});
 }
 
 } // namespace placedpar

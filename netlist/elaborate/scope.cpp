@@ -1,5 +1,10 @@
 #include "netlist/elaborate/scope.hpp"
 
+#include "netlist/network/names.hpp"
+
+#include <algorithm>
+#include <iterator>
+
 namespace placedpar {
 
 std::string describe(const Symbol& symbol) {
@@ -60,8 +65,7 @@ std::vector<std::string> Scopes::predefined_node_types() const {
 std::vector<std::string> Scopes::names() const {
     std::vector<std::string> names;
     for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-        for (const auto& [name, symbol] : *scope)
-            names.push_back(name);
+        std::ranges::move(keys_of(*scope), std::back_inserter(names));
     return names;
 }
 

@@ -11,44 +11,68 @@ namespace placedpar {
 Token Lexer::read_number() {
     Token token{TokenKind::integer, "", {}, 0, here()};
     auto start = position_;
-    bool real = false;
-    if (peek() == '0' && (peek(1) == 'x' || peek(1) == 'X')) {
-        advance();
-        advance();
-        while (is_hex_digit(peek()))
-            advance();
-        token = read_integer(std::string_view(text()).substr(start + 2, position_ - start - 2), 16, token);
-    } else {
-        while (is_digit(peek()))
-            advance();
-        if (peek() == '.') {
-            real = true;
-            advance();
-            while (is_digit(peek()))
-                advance();
-        }
-        auto sign = peek(1) == '+' || peek(1) == '-' ? 1U : 0U;
-        if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) {
-            real = true;
-            advance();
-            advance();
-            while (is_digit(peek()))
-                advance();
-        }
-        auto digits = std::string_view(text()).substr(start, position_ - start);
-        auto float_suffix = peek() == 'f' || peek() == 'F' || peek() == 'l' || peek() == 'L';
-        token = real || float_suffix ? read_real(digits, token) : read_integer(digits, 10, token);
-    }
-    auto suffix = position_;
-    while (in_name(peek()))
-        advance();
-    if (suffix != position_)
-        reporter_.error(
-            token.at,
-            fmt::format("\"{}\" is no number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
-            "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l");
+    if (peek() == '0' && (peek(1) == 'x' || peek(1) == 'X'))
+        token = read_hexadecimal(token);
+    else
+        token = read_decimal(token);
+    refuse_letters_behind(token, start);
     token.text = text().substr(start, position_ - start);
     return token;
+}
+
+Token Lexer::read_hexadecimal(Token token) {
+    advance();
+    advance();
+    auto start = position_;
+    while (is_hex_digit(peek()))
+        advance();
+    return read_integer(std::string_view(text()).substr(start, position_ - start), 16, token);
+}
+
+Token Lexer::read_decimal(Token token) {
+    auto start = position_;
+    skip_digits();
+    bool real = skip_fraction();
+    real = skip_exponent() || real;
+    auto digits = std::string_view(text()).substr(start, position_ - start);
+    return real || at_float_suffix() ? read_real(digits, token) : read_integer(digits, 10, token);
+}
+
+void Lexer::skip_digits() {
+    while (is_digit(peek()))
+        advance();
+}
+
+bool Lexer::skip_fraction() {
+    if (peek() != '.')
+        return false;
+    advance();
+    skip_digits();
+    return true;
+}
+
+bool Lexer::skip_exponent() {
+    auto sign = peek(1) == '+' || peek(1) == '-' ? 1U : 0U;
+    if ((peek() != 'e' && peek() != 'E') || !is_digit(peek(1 + sign)))
+        return false;
+    advance();
+    advance();
+    skip_digits();
+    return true;
+}
+
+bool Lexer::at_float_suffix() const { return peek() == 'f' || peek() == 'F' || peek() == 'l' || peek() == 'L'; }
+
+/// `5q` is no number, and not the number 5 before the name q either.
+void Lexer::refuse_letters_behind(const Token& token, std::size_t start) {
+    if (!in_name(peek()))
+        return;
+    while (in_name(peek()))
+        advance();
+    reporter_.error(
+        token.at,
+        fmt::format("\"{}\" is no number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
+        "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l");
 }
 
 Token Lexer::read_real(std::string_view digits, Token token) {
@@ -56,7 +80,7 @@ Token Lexer::read_real(std::string_view digits, Token token) {
     auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), token.real);
     if (problem == std::errc::result_out_of_range)
         reporter_.error(token.at, "the number is beyond the range of a double");
-    if (peek() == 'f' || peek() == 'F' || peek() == 'l' || peek() == 'L')
+    if (at_float_suffix())
         advance();
     return token;
 }

@@ -63,14 +63,7 @@ Token Lexer::read_string() {
             token.kind = TokenKind::illegal;
             return token;
         }
-        if (peek() == '\\') {
-            auto start = here();
-            advance();
-            token.text += read_escaped(start);
-        } else {
-            token.text += peek();
-            advance();
-        }
+        token.text += read_one();
     }
     advance();
     if (token.text.size() > longest_string)
@@ -78,23 +71,20 @@ Token Lexer::read_string() {
     return token;
 }
 
+char Lexer::read_one() {
+    auto start = here();
+    char c = peek();
+    advance();
+    return c == '\\' ? read_escaped(start) : c;
+}
+
 Token Lexer::read_character() {
     Token token{TokenKind::integer, "", {}, 0, here()};
     auto start = position_;
     advance();
-    if (at_end() || peek() == '\n' || peek() == '\'') {
-        reporter_.error(token.at, "a character constant holds one character", "such as 'a' or '\\n'");
-        if (peek() == '\'')
-            advance();
-        token.kind = TokenKind::illegal;
-        return token;
-    }
-    char c = peek();
-    auto escape = here();
-    advance();
-    if (c == '\\')
-        c = read_escaped(escape);
-    token.integer.value = token.integer.decimal = static_cast<unsigned char>(c);
+    if (at_end() || peek() == '\n' || peek() == '\'')
+        return refuse_empty_character(token);
+    token.integer.value = token.integer.decimal = static_cast<unsigned char>(read_one());
     if (peek() == '\'') {
         advance();
     } else {
@@ -103,6 +93,14 @@ Token Lexer::read_character() {
         skip_line();
     }
     token.text = text().substr(start, position_ - start);
+    return token;
+}
+
+Token Lexer::refuse_empty_character(Token token) {
+    reporter_.error(token.at, "a character constant holds one character", "such as 'a' or '\\n'");
+    if (peek() == '\'')
+        advance();
+    token.kind = TokenKind::illegal;
     return token;
 }
 

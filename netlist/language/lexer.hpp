@@ -24,14 +24,29 @@ private:
     void skip_comment();
     void skip_line_comment();
     Token read_name();
+    Token read_symbol();
+    Token read_directive();
+
+    // lex_number.cpp
     Token read_number();
+    Token read_hexadecimal(Token token);
+    Token read_decimal(Token token);
+    void skip_digits();
+    /// Whether there is one.
+    bool skip_fraction();
+    bool skip_exponent();
+    bool at_float_suffix() const;
+    void refuse_letters_behind(const Token& token, std::size_t start);
     Token read_integer(std::string_view digits, int base, Token token);
     Token read_real(std::string_view digits, Token token);
     void apply_suffix(Token& token);
+
+    // lex_text.cpp
     Token read_string();
     Token read_character();
-    Token read_symbol();
-    Token read_directive();
+    Token refuse_empty_character(Token token);
+    /// A character of a string or a character constant, its escape resolved.
+    char read_one();
     char read_escaped(const Location& start);
     char read_numeric_escape(int base, int most_digits, const Location& start);
 

@@ -94,25 +94,35 @@ std::vector<InterfaceEntry> Parser::parse_interface() {
     expect("(", "behind \"interface\"");
     if (accept(")"))
         return entries;
-    std::optional<std::variant<Direction, std::string>> type;
+    std::optional<EntryType> type;
     do {
-        const auto& word = tokens_.peek();
-        if (word.is_word("input") || word.is_word("output"))
-            type = tokens_.take().text == "input" ? Direction::input : Direction::output;
-        else if (word.kind == TokenKind::name && is_parameter_type(word.text))
-            type = tokens_.take().text;
+        if (auto here = parse_entry_type())
+            type = here;
         else if (!type || tokens_.peek(1).kind == TokenKind::name)
-            refuse(word.at, fmt::format("illegal token in an interface: {}", describe(word)),
+            refuse(tokens_.peek().at, fmt::format("illegal token in an interface: {}", describe(tokens_.peek())),
                    "an interface lists channels, \"input in\", and parameters, \"int n = 3\"");
-        InterfaceEntry entry{*type, parse_declarator("a channel or parameter"), nullptr};
-        if (tokens_.peek().is("=") && std::holds_alternative<Direction>(*type))
-            refuse(tokens_.peek().at, "a channel has no default value");
-        if (accept("="))
-            entry.default_value = parse_expression();
-        entries.push_back(std::move(entry));
+        entries.push_back(parse_entry(*type));
     } while (accept(","));
     expect(")", "behind the interface");
     return entries;
+}
+
+std::optional<EntryType> Parser::parse_entry_type() {
+    const auto& word = tokens_.peek();
+    if (word.is_word("input") || word.is_word("output"))
+        return tokens_.take().text == "input" ? Direction::input : Direction::output;
+    if (word.kind == TokenKind::name && is_parameter_type(word.text))
+        return tokens_.take().text;
+    return std::nullopt;
+}
+
+InterfaceEntry Parser::parse_entry(const EntryType& type) {
+    InterfaceEntry entry{type, parse_declarator("a channel or parameter"), nullptr};
+    if (tokens_.peek().is("=") && std::holds_alternative<Direction>(type))
+        refuse(tokens_.peek().at, "a channel has no default value");
+    if (accept("="))
+        entry.default_value = parse_expression();
+    return entry;
 }
 
 } // namespace placedpar

@@ -11,28 +11,13 @@ namespace {
 
 /// How strongly an operator binds, C's order; 0 for what is no operator of two operands.
 int strength(const Token& token) {
-    struct Operator {
-        std::string_view symbol;
-        int strength;
-    };
-    static constexpr std::array<Operator, 13> operators{{{"||", 1},
-                                                         {"&&", 2},
-                                                         {"==", 3},
-                                                         {"!=", 3},
-                                                         {"<", 4},
-                                                         {">", 4},
-                                                         {"<=", 4},
-                                                         {">=", 4},
-                                                         {"+", 5},
-                                                         {"-", 5},
-                                                         {"*", 6},
-                                                         {"/", 6},
-                                                         {"%", 6}}};
+    static constexpr std::array<std::string_view, 6> weakest_first{
+        " || ", " && ", " == != ", " < > <= >= ", " + - ", " * / % "};
+    auto is_in = [symbol = " " + token.text + " "](auto level) { return level.find(symbol) != level.npos; };
     if (token.kind != TokenKind::symbol)
         return 0;
-    auto found = std::find_if(operators.begin(), operators.end(),
-                              [&](const Operator& known) { return known.symbol == token.text; });
-    return found == operators.end() ? 0 : found->strength;
+    auto found = std::ranges::find_if(weakest_first, is_in);
+    return found == weakest_first.end() ? 0 : static_cast<int>(found - weakest_first.begin()) + 1;
 }
 
 bool is_cast_type(const Token& token) {
@@ -87,15 +72,18 @@ ExpressionPointer Parser::parse_unary() {
         auto height = operand->height + 1;
         return make(symbol.at, UnaryOperation{symbol.text, std::move(operand)}, height);
     }
-    if (token.is("(") && is_cast_type(tokens_.peek(1)) && tokens_.peek(2).is(")")) {
-        auto at = tokens_.take().at;
-        auto type = tokens_.take().text;
-        tokens_.take();
-        auto operand = parse_unary();
-        auto height = operand->height + 1;
-        return make(at, CastOperation{type, std::move(operand)}, height);
-    }
+    if (token.is("(") && is_cast_type(tokens_.peek(1)) && tokens_.peek(2).is(")"))
+        return parse_cast();
     return parse_postfix();
+}
+
+ExpressionPointer Parser::parse_cast() {
+    auto at = tokens_.take().at;
+    auto type = tokens_.take().text;
+    tokens_.take();
+    auto operand = parse_unary();
+    auto height = operand->height + 1;
+    return make(at, CastOperation{type, std::move(operand)}, height);
 }
 
 ExpressionPointer Parser::parse_postfix() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace placedpar {
 
@@ -37,15 +38,18 @@ bool Parser::accept(std::string_view symbol) {
 
 void Parser::expect(std::string_view symbol, std::string_view where) {
     if (!accept(symbol))
-        refuse(tokens_.peek().at,
-               fmt::format("\"{}\" is missing {}: {} stands here", symbol, where, describe(tokens_.peek())));
+        refuse_missing(symbol, where);
 }
 
 void Parser::expect_word(std::string_view word, std::string_view where) {
     if (!tokens_.peek().is_word(word))
-        refuse(tokens_.peek().at,
-               fmt::format("\"{}\" is missing {}: {} stands here", word, where, describe(tokens_.peek())));
+        refuse_missing(word, where);
     tokens_.take();
+}
+
+void Parser::refuse_missing(std::string_view what, std::string_view where) {
+    const auto& here = tokens_.peek();
+    refuse(here.at, fmt::format("\"{}\" is missing {}: {} stands here", what, where, describe(here)));
 }
 
 void Parser::expect_semicolon(std::string_view statement) {
@@ -117,26 +121,22 @@ Statement Parser::parse_statement() {
 }
 
 Statement Parser::parse_keyword_statement(const Token& word) {
-    if (word.text == "val")
-        return parse_val();
-    if (word.text == "define")
-        return parse_define();
-    if (word.text == "connection")
-        return parse_connection();
-    if (word.text == "input" || word.text == "output")
-        return parse_edge_channel();
-    if (word.text == "process")
-        return parse_process();
-    if (word.text == "connect")
-        return parse_connect();
-    if (word.text == "use")
-        return parse_use();
-    if (word.text == "place")
-        return parse_place();
-    if (word.text == "rep")
-        return parse_rep();
-    if (word.text == "if")
-        return parse_if();
+    using Parse = Statement (Parser::*)();
+    static const std::map<std::string_view, Parse> forms{
+        {"val", &Parser::parse_val},
+        {"define", &Parser::parse_define},
+        {"connection", &Parser::parse_connection},
+        {"input", &Parser::parse_edge_channel},
+        {"output", &Parser::parse_edge_channel},
+        {"process", &Parser::parse_process},
+        {"connect", &Parser::parse_connect},
+        {"use", &Parser::parse_use},
+        {"place", &Parser::parse_place},
+        {"rep", &Parser::parse_rep},
+        {"if", &Parser::parse_if},
+    };
+    if (auto form = forms.find(word.text); form != forms.end())
+        return (this->*form->second)();
     refuse(word.at, fmt::format("no statement begins with \"{}\"", word.text),
            word.text == "else" ? "it belongs to an \"if\" just before it" : "");
 }

@@ -45,6 +45,9 @@ private:
     Attribute parse_attribute();
     ProcessAttributes parse_process_attributes();
     std::vector<InterfaceEntry> parse_interface();
+    /// A channel's direction or a parameter's type, if one stands here.
+    std::optional<EntryType> parse_entry_type();
+    InterfaceEntry parse_entry(const EntryType& type);
     bool behind_attributes_comes_name();
 
     // parse_mapping.cpp
@@ -59,6 +62,7 @@ private:
     // parse_expression.cpp
     ExpressionPointer parse_expression(int weakest = 0);
     ExpressionPointer parse_unary();
+    ExpressionPointer parse_cast();
     ExpressionPointer parse_postfix();
     ExpressionPointer parse_primary();
     ExpressionPointer parse_array_constant();
@@ -69,6 +73,7 @@ private:
     void expect_word(std::string_view word, std::string_view where);
     void expect_semicolon(std::string_view statement);
     Token expect_name(std::string_view what);
+    [[noreturn]] void refuse_missing(std::string_view what, std::string_view where);
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "");
 
     /// Counts the depth while it lives.

@@ -80,9 +80,12 @@ struct Declarator {
     std::vector<ExpressionPointer> dimensions;
 };
 
+/// A channel's direction, or a parameter's type such as "int".
+using EntryType = std::variant<Direction, std::string>;
+
 /// One entry of `interface (...)`: a channel end or a parameter.
 struct InterfaceEntry {
-    std::variant<Direction, std::string> type; ///< a channel's direction, or a parameter's type such as "int"
+    EntryType type;
     Declarator declarator;
     ExpressionPointer default_value; ///< null where there is none, and for channels
 };

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace placedpar {
 
 namespace {
@@ -73,14 +76,8 @@ void TokenStream::include(const Token& directive) {
 
 void TokenStream::open(const std::filesystem::path& path, const Token& name, const Token& directive) {
     auto real = real_path(path);
-    for (std::size_t i = 0; i < open_.size(); ++i)
-        if (open_[i].path == real) {
-            std::vector<SecondPlace> others;
-            for (std::size_t k = i + 1; k < open_.size(); ++k)
-                others.push_back({"on the way from the file to itself, included here", open_[k].included_at});
-            reporter_.error(name.at, fmt::format("\"{}\" includes itself", name.text), "", std::move(others));
-            return;
-        }
+    if (includes_itself(real, name))
+        return;
     auto shown = std::filesystem::path(directive.at.file->path()).parent_path() / name.text;
     std::error_code error;
     auto loaded = load_source(std::filesystem::exists(shown, error) ? shown : real);
@@ -90,14 +87,29 @@ void TokenStream::open(const std::filesystem::path& path, const Token& name, con
         reporter_.error(name.at, fmt::format("more than {} bytes are included", most_included_bytes));
         throw GiveUp{};
     }
-    for (const auto& problem : loaded.problems) {
+    report_problems(loaded, name);
+    if (loaded.problems.empty())
+        open_.push_back({Lexer(loaded.file, reporter_), real, name.at});
+}
+
+/// Whether it does; then that is reported.
+bool TokenStream::includes_itself(const std::filesystem::path& real, const Token& name) {
+    auto same = std::ranges::find(open_, real, &Open::path);
+    if (same == open_.end())
+        return false;
+    std::vector<SecondPlace> others;
+    for (auto between = std::next(same); between != open_.end(); ++between)
+        others.push_back({"on the way from the file to itself, included here", between->included_at});
+    reporter_.error(name.at, fmt::format("\"{}\" includes itself", name.text), "", std::move(others));
+    return true;
+}
+
+void TokenStream::report_problems(const LoadedSource& loaded, const Token& name) {
+    for (const auto& problem : loaded.problems)
         if (problem.location.line == 0)
             reporter_.error(name.at, fmt::format("cannot include \"{}\": {}", name.text, problem.message));
         else
             reporter_.error(problem.location, problem.message, "", {{"included here", name.at}});
-    }
-    if (loaded.problems.empty())
-        open_.push_back({Lexer(loaded.file, reporter_), real, name.at});
 }
 
 } // namespace placedpar

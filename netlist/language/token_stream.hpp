@@ -39,6 +39,8 @@ private:
     void fill(std::size_t count);
     void include(const Token& directive);
     void open(const std::filesystem::path& path, const Token& name, const Token& directive);
+    bool includes_itself(const std::filesystem::path& real, const Token& name);
+    void report_problems(const LoadedSource& loaded, const Token& name);
 
     Reporter& reporter_;
     std::vector<Open> open_;

@@ -21,4 +21,21 @@ std::size_t element_count(const std::vector<std::int64_t>& dimensions);
 /// The subscripts of the element at this position, counted from 0.
 std::vector<std::int64_t> element_subscripts(std::size_t position, const std::vector<std::int64_t>& dimensions);
 
+/// The names of things that have one.
+template <class Things>
+std::vector<std::string> names_in(const Things& things) {
+    std::vector<std::string> names;
+    for (const auto& thing : things)
+        names.push_back(thing.name);
+    return names;
+}
+/// The same of a map by name.
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+    std::vector<std::string> names;
+    for (const auto& [name, thing] : map)
+        names.push_back(name);
+    return names;
+}
+
 } // namespace placedpar

@@ -63,24 +63,33 @@ private:
     /// Wires between a node and the first one: the rows of the drawing. What belongs into the first row comes first.
     void find_levels() {
         level_.assign(n_.nodes.size(), nowhere);
-        std::vector<std::vector<std::size_t>> neighbours(n_.nodes.size());
+        auto neighbours = neighbours_of_nodes();
+        for (bool first_row : {true, false})
+            for (std::size_t start = 0; start < n_.nodes.size(); ++start)
+                if (level_[start] == nowhere && (!first_row || n_.nodes[start].kind->drawing.in_first_row))
+                    spread_from(start, neighbours);
+    }
+
+    using Neighbours = std::vector<std::vector<std::size_t>>;
+
+    Neighbours neighbours_of_nodes() const {
+        Neighbours neighbours(n_.nodes.size());
         for (const auto& connection : n_.connections) {
             neighbours[connection.a.node].push_back(connection.b.node);
             neighbours[connection.b.node].push_back(connection.a.node);
         }
-        for (bool first_row : {true, false})
-            for (std::size_t start = 0; start < n_.nodes.size(); ++start) {
-                if (level_[start] != nowhere || (first_row && !n_.nodes[start].kind->drawing.in_first_row))
-                    continue;
-                std::vector<std::size_t> reached{start};
-                level_[start] = 0;
-                for (std::size_t i = 0; i < reached.size(); ++i)
-                    for (auto next : neighbours[reached[i]])
-                        if (level_[next] == nowhere) {
-                            level_[next] = level_[reached[i]] + 1;
-                            reached.push_back(next);
-                        }
-            }
+        return neighbours;
+    }
+
+    void spread_from(std::size_t start, const Neighbours& neighbours) {
+        std::vector<std::size_t> reached{start};
+        level_[start] = 0;
+        for (std::size_t i = 0; i < reached.size(); ++i)
+            for (auto next : neighbours[reached[i]])
+                if (level_[next] == nowhere) {
+                    level_[next] = level_[reached[i]] + 1;
+                    reached.push_back(next);
+                }
     }
 
     void print_node(std::size_t index) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar {
 
 namespace json = boost::json;
@@ -101,7 +103,7 @@ private:
         object["ports"] = list(process.ports, [&](const PortBinding& binding) {
             json::object port;
             port["port"] = binding.port;
-            port["direction"] = word(binding.direction);
+            port["direction"] = placedpar::word(binding.direction);
             port["channel"] = n_.channels[binding.channel].name;
             return port;
         });
@@ -125,58 +127,65 @@ private:
         object["name"] = channel.name;
         object["from"] = end_object(channel.from);
         object["to"] = end_object(channel.to);
-        json::object carrier;
-        carrier["kind"] = channel.placement.kind == ChannelPlacement::Kind::soft   ? "soft"
-                          : channel.placement.kind == ChannelPlacement::Kind::link ? "link"
-                                                                                   : "edge";
-        if (channel.placement.kind != ChannelPlacement::Kind::soft) {
-            const auto& connection = n_.connections[channel.placement.connection];
-            carrier["connection"] = channel.placement.connection;
-            carrier["from"] = link_object(channel.placement.from_a_to_b ? connection.a : connection.b);
-            carrier["to"] = link_object(channel.placement.from_a_to_b ? connection.b : connection.a);
-            carrier["shared"] = channel.placement.shared;
-        }
-        object["carrier"] = carrier;
+        object["carrier"] = carrier_object(channel.placement);
         return object;
+    }
+
+    static const char* word(ChannelPlacement::Kind kind) {
+        return kind == ChannelPlacement::Kind::soft ? "soft" : kind == ChannelPlacement::Kind::link ? "link" : "edge";
+    }
+
+    json::object carrier_object(const ChannelPlacement& placement) const {
+        json::object carrier;
+        carrier["kind"] = word(placement.kind);
+        if (placement.kind == ChannelPlacement::Kind::soft)
+            return carrier;
+        const auto& connection = n_.connections[placement.connection];
+        carrier["connection"] = placement.connection;
+        carrier["from"] = link_object(placement.from_a_to_b ? connection.a : connection.b);
+        carrier["to"] = link_object(placement.from_a_to_b ? connection.b : connection.a);
+        carrier["shared"] = placement.shared;
+        return carrier;
     }
 
     const Network& n_;
 };
 
+bool is_flat(const json::value& value) {
+    auto plain = [](const json::value& entry) { return !entry.is_structured(); };
+    if (const auto* object = value.if_object())
+        return std::ranges::all_of(*object, [&](const auto& pair) { return plain(pair.value()); });
+    return !value.is_array() || std::ranges::all_of(value.get_array(), plain);
+}
+
+void write(const json::value& value, std::string& out, const std::string& indent);
+
+/// Each entry on a line of its own; `write_entry` writes one of them.
+template <class Entries, class WriteEntry>
+void write_lines(const Entries& entries, std::string_view brackets, std::string& out, const std::string& indent,
+                 WriteEntry write_entry) {
+    std::string_view before = "\n";
+    out += brackets[0];
+    for (const auto& entry : entries) {
+        out.append(before).append(indent).append("  ");
+        write_entry(entry);
+        before = ",\n";
+    }
+    out.append("\n").append(indent) += brackets[1];
+}
+
 /// Objects and arrays of objects on lines of their own, what is flat on one line.
 void write(const json::value& value, std::string& out, const std::string& indent) {
-    auto is_flat = [](const auto& container, auto element) {
-        for (const auto& entry : container)
-            if (element(entry).is_structured())
-                return false;
-        return true;
-    };
-    auto of_pair = [](const json::key_value_pair& pair) -> const json::value& { return pair.value(); };
-    auto of_value = [](const json::value& entry) -> const json::value& { return entry; };
     const auto inner = indent + "  ";
-    bool first = true;
-    auto begin_entry = [&] {
-        out.append(first ? "\n" : ",\n").append(inner);
-        first = false;
-    };
-    if (value.is_object() && !is_flat(value.get_object(), of_pair)) {
-        out += "{";
-        for (const auto& pair : value.get_object()) {
-            begin_entry();
+    if (is_flat(value))
+        out += json::serialize(value);
+    else if (value.is_object())
+        write_lines(value.get_object(), "{}", out, indent, [&](const json::key_value_pair& pair) {
             out.append(json::serialize(json::string_view(pair.key()))).append(": ");
             write(pair.value(), out, inner);
-        }
-        out.append("\n").append(indent).append("}");
-    } else if (value.is_array() && !is_flat(value.get_array(), of_value)) {
-        out += "[";
-        for (const auto& entry : value.get_array()) {
-            begin_entry();
-            write(entry, out, inner);
-        }
-        out.append("\n").append(indent).append("]");
-    } else {
-        out += json::serialize(value);
-    }
+        });
+    else
+        write_lines(value.get_array(), "[]", out, indent, [&](const json::value& entry) { write(entry, out, inner); });
 }
 
 } // namespace
