@@ -78,8 +78,10 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     : network_(network), seed_(seed) {
     make_processors();
     make_links();
+    make_multiplexers();
     make_channels(catalogue);
     make_processes(catalogue);
+    expect_partners();
 }
 
 void Machine::make_processors() {
@@ -92,6 +94,9 @@ void Machine::make_processors() {
 void Machine::make_links() {
     for (const LinkConnection& connection : network_.connections)
         links_.push_back(&simulation_.add<Link>(timing_of(connection, network_.nodes)));
+}
+
+void Machine::make_multiplexers() {
     multiplexers_.resize(links_.size());
     for (const NetworkChannel& channel : network_.channels)
         if (shares_link(channel) && !multiplexers_[channel.placement.connection])
@@ -131,6 +136,9 @@ void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
 void Machine::make_processes(const Catalogue& catalogue) {
     for (const ProcessInstance& process : network_.processes)
         processes_.push_back(&make_process(process, kind_of(process, catalogue)));
+}
+
+void Machine::expect_partners() {
     for (std::size_t i = 0; i < channels_.size(); ++i)
         channels_[i]->expect(processes_[network_.channels[i].from.process],
                              processes_[network_.channels[i].to.process]);

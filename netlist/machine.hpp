@@ -33,10 +33,12 @@ public:
 private:
     void make_processors();
     void make_links();
+    void make_multiplexers();
     Multiplexer& make_multiplexer(std::size_t connection);
     void make_channels(const Catalogue&);
     void carry(AnyChannel&, const NetworkChannel&);
     void make_processes(const Catalogue&);
+    void expect_partners();
     Process& make_process(const ProcessInstance&, const ProcessKind&);
 
     // machine_report.cpp

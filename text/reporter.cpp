@@ -15,6 +15,11 @@ void Reporter::error(const Location& location, std::string message, std::string 
         throw GiveUp{};
 }
 
+void Reporter::give_up(const Location& location, std::string message, std::vector<SecondPlace> others) {
+    error(location, std::move(message), "", std::move(others));
+    throw GiveUp{};
+}
+
 void Reporter::warning(const Location& location, std::string message, std::string hint) {
     if (diagnostics_.size() < 10 * most_errors)
         diagnostics_.push_back({Severity::warning, std::move(message), location, std::move(hint), {}});

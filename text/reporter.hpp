@@ -22,6 +22,8 @@ public:
     /// Keeps one error a place: a second one there says nothing new. Throws GiveUp after the last error that is kept.
     void error(const Location& location, std::string message, std::string hint = "",
                std::vector<SecondPlace> others = {});
+    /// The last error: there is no sense in reading on.
+    [[noreturn]] void give_up(const Location& location, std::string message, std::vector<SecondPlace> others = {});
     void warning(const Location& location, std::string message, std::string hint = "");
 
     bool failed() const { return errors_ > 0; }

@@ -46,11 +46,9 @@ private:
         const auto& process = c_.draft.processes[end.process];
         const auto* kind = c_.kinds[end.process];
         const auto* port = kind == nullptr ? nullptr : kind->port(base_name(end.port));
-        if (process.interface) {
-            for (const auto& declared : process.interface->ports)
-                if (declared.name == base_name(end.port))
-                    return End{declared.direction, port};
-        }
+        const auto* declared = process.interface ? find_named(process.interface->ports, base_name(end.port)) : nullptr;
+        if (declared != nullptr)
+            return End{declared->direction, port};
         if (port != nullptr)
             return End{port->direction, port};
         if (!c_.kind_refused[end.process])
@@ -187,9 +185,7 @@ private:
     /// The port's position among the kind's ports, or in the interface of a stand-in.
     std::size_t order(std::size_t index, std::string_view port) const {
         auto position = [&](const auto& ports) {
-            auto found = std::find_if(ports.begin(), ports.end(),
-                                      [&](const auto& known) { return known.name == base_name(port); });
-            return static_cast<std::size_t>(found - ports.begin());
+            return static_cast<std::size_t>(find_named(ports, base_name(port)) - ports.data());
         };
         const auto* kind = c_.kinds[index];
         return kind != nullptr ? position(kind->ports) : position(c_.draft.processes[index].interface->ports);

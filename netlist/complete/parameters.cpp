@@ -46,12 +46,7 @@ private:
     }
 
     const ParameterDeclaration* declaration(const std::string& name) const {
-        if (!draft_.interface)
-            return nullptr;
-        const auto& parameters = draft_.interface->parameters;
-        auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const ParameterDeclaration& known) { return known.name == name; });
-        return found == parameters.end() ? nullptr : &*found;
+        return draft_.interface ? find_named(draft_.interface->parameters, name) : nullptr;
     }
 
     std::vector<std::string> known_names() const {
@@ -187,12 +182,10 @@ private:
 
 } // namespace
 
-void complete_parameters(Completion& completion, std::size_t process) {
-    try {
-        Parameters(completion, process).run();
-    } catch (const StatementRefused&) {
-        // an attribute set by a statement was refused, and reported
-    }
+void complete_parameters(Completion& completion, std::size_t process) try {
+    Parameters(completion, process).run();
+} catch (const StatementRefused&) {
+    // an attribute set by a statement was refused, and reported
 }
 
 } // namespace placedpar

@@ -32,7 +32,7 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
     if (kind != nullptr || process.kind.empty() || is_program_file(process.kind))
         return kind;
     c.kind_refused[index] = true;
-    auto guess = did_you_mean(process.kind, keys_of(c.catalogue.kinds()));
+    auto guess = did_you_mean(process.kind, c.catalogue.kind_names());
     c.reporter.error(used, fmt::format("there is no process kind \"{}\"", process.kind),
                      guess.empty() ? "`placedpar kinds` lists them; a program file ends in .lku, .c8h and the like"
                                    : guess);

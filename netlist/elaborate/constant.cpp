@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -76,11 +77,8 @@ bool is_comparison(const std::string& symbol) {
 Constant integer_constant(std::int64_t value) { return {Integer{value, value}}; }
 
 std::string type_name(const Constant& constant) {
-    if (constant.integer() != nullptr)
-        return "an integer";
-    if (constant.real() != nullptr)
-        return "a real number";
-    return constant.text() != nullptr ? "a string" : "an array";
+    static constexpr std::array names{"an integer", "a real number", "a string", "an array"};
+    return names[constant.value.index()];
 }
 
 std::string shown(const Constant& constant) {

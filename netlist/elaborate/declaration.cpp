@@ -24,12 +24,10 @@ std::string Elaborator::claim_name(const std::string& name) {
 
 void Elaborator::count_things(std::size_t count, const Location& at) {
     draft_.things += count;
-    if (draft_.things <= most_things)
-        return;
-    reporter_.error(at, fmt::format("the network is too large: it may have {} processors, processes and channel ends "
-                                    "in all",
-                                    most_things));
-    throw GiveUp{};
+    if (draft_.things > most_things)
+        reporter_.give_up(at, fmt::format("the network is too large: it may have {} processors, processes and channel "
+                                          "ends in all",
+                                          most_things));
 }
 
 std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {

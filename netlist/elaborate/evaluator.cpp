@@ -20,11 +20,9 @@ void Evaluator::refuse(const Location& at, std::string message, std::string hint
 }
 
 void Evaluator::step(const Location& at) {
-    if (++steps_ > most_steps) {
-        reporter_.error(at,
-                        fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
-        throw GiveUp{};
-    }
+    if (++steps_ > most_steps)
+        reporter_.give_up(at,
+                          fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
 }
 
 Constant Evaluator::value_of(const NameUse& use, const Location& at) {
@@ -70,13 +68,11 @@ Constant Evaluator::value_of(const ArrayConstant& array, const Location& at) {
     return {ConstantArray(std::move(elements)), depth};
 }
 
-Constant Evaluator::evaluate(const Expression& expression) {
+Constant Evaluator::evaluate(const Expression& expression) try {
     step(expression.at);
-    try {
-        return std::visit([&](const auto& form) { return value_of(form, expression.at); }, expression.form);
-    } catch (const NoResult& problem) {
-        refuse(expression.at, problem.message, problem.hint);
-    }
+    return std::visit([&](const auto& form) { return value_of(form, expression.at); }, expression.form);
+} catch (const NoResult& problem) {
+    refuse(expression.at, problem.message, problem.hint);
 }
 
 Constant Evaluator::value_of(const BinaryOperation& operation, const Location& at) {

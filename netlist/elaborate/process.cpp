@@ -11,9 +11,8 @@ namespace {
 
 template <typename Entries>
 void check_unique(const Entries& entries, const Declarator& declarator, Reporter& reporter) {
-    auto known =
-        std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.name == declarator.name; });
-    if (known == entries.end())
+    const auto* known = find_named(entries, declarator.name);
+    if (known == nullptr)
         return;
     reporter.error(declarator.at, fmt::format("\"{}\" is twice in the interface", declarator.name), "",
                    {{"first declared here", known->at}});

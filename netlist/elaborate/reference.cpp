@@ -120,11 +120,9 @@ DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& fo
 }
 
 const PortDeclaration& Elaborator::declared_port(const DraftProcess& process, const Reference& reference) {
-    const auto& ports = process.interface->ports;
-    auto found = std::ranges::find(ports, reference.field, &PortDeclaration::name);
-    if (found == ports.end())
-        refuse_unknown_port(process, reference);
-    return *found;
+    if (const auto* port = find_named(process.interface->ports, reference.field))
+        return *port;
+    refuse_unknown_port(process, reference);
 }
 
 void Elaborator::check_subscripts(const PortDeclaration& port, const Reference& reference,

@@ -1,9 +1,8 @@
 #include "netlist/elaborate/scope.hpp"
 
-#include "netlist/network/names.hpp"
-
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 
 namespace placedpar {
 
@@ -65,7 +64,7 @@ std::vector<std::string> Scopes::predefined_node_types() const {
 std::vector<std::string> Scopes::names() const {
     std::vector<std::string> names;
     for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-        std::ranges::move(keys_of(*scope), std::back_inserter(names));
+        std::ranges::copy(std::views::keys(*scope), std::back_inserter(names));
     return names;
 }
 

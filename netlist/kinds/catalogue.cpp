@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <ranges>
 #include <stdexcept>
 
 namespace placedpar {
@@ -30,6 +33,12 @@ void Catalogue::add(ProcessKind kind) {
 const ProcessKind* Catalogue::find(std::string_view name) const {
     auto found = kinds_.find(name);
     return found == kinds_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Catalogue::kind_names() const {
+    std::vector<std::string> names;
+    std::ranges::copy(std::views::keys(kinds_), std::back_inserter(names));
+    return names;
 }
 
 void Catalogue::add_device(DeviceKind kind) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace placedpar {
 
@@ -22,6 +23,8 @@ public:
     /// Null where there is none.
     const ProcessKind* find(std::string_view name) const;
     const std::map<std::string, ProcessKind, std::less<>>& kinds() const { return kinds_; }
+
+    std::vector<std::string> kind_names() const;
 
     /// REQUIRES: no device kind of that name and no model of the name of one of its models yet, and every attribute has
     /// a default; throws std::logic_error otherwise.

@@ -60,17 +60,11 @@ public:
     /// All the ends of a port that is an array, in the order of their subscripts.
     template <class T>
     std::vector<Output<T>> outputs(std::string_view port) const {
-        std::vector<Output<T>> ends;
-        for (AnyChannel* each : all(port))
-            ends.push_back(channel<T>(*each).out());
-        return ends;
+        return ends<Output<T>>(port, [this](AnyChannel& each) { return channel<T>(each).out(); });
     }
     template <class T>
     std::vector<Input<T>> inputs(std::string_view port) const {
-        std::vector<Input<T>> ends;
-        for (AnyChannel* each : all(port))
-            ends.push_back(channel<T>(*each).in());
-        return ends;
+        return ends<Input<T>>(port, [this](AnyChannel& each) { return channel<T>(each).in(); });
     }
 
     /// The stream of the run's seed and the given name: two processes that name the same stream draw the
@@ -98,6 +92,13 @@ private:
         if (auto* typed = dynamic_cast<Channel<T>*>(&any))
             return *typed;
         throw std::logic_error(fmt::format("process {}: channel {} has another protocol", process_, any.name()));
+    }
+    template <class End, class EndOf>
+    std::vector<End> ends(std::string_view port, EndOf end_of) const {
+        std::vector<End> result;
+        for (AnyChannel* each : all(port))
+            result.push_back(end_of(*each));
+        return result;
     }
     AnyChannel* find(std::string_view port) const;
     AnyChannel& require(std::string_view port) const;

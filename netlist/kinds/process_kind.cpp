@@ -1,17 +1,13 @@
 #include "netlist/kinds/process_kind.hpp"
 
-#include <algorithm>
+#include "netlist/network/names.hpp"
 
 namespace placedpar {
 
-const PortDescription* ProcessKind::port(std::string_view wanted) const {
-    auto found = std::ranges::find(ports, wanted, &PortDescription::name);
-    return found == ports.end() ? nullptr : &*found;
-}
+const PortDescription* ProcessKind::port(std::string_view wanted) const { return find_named(ports, wanted); }
 
 const ParameterDescription* ProcessKind::parameter(std::string_view wanted) const {
-    auto found = std::ranges::find(parameters, wanted, &ParameterDescription::name);
-    return found == parameters.end() ? nullptr : &*found;
+    return find_named(parameters, wanted);
 }
 
 } // namespace placedpar

@@ -23,31 +23,23 @@ Token Lexer::read_number() {
 Token Lexer::read_hexadecimal(Token token) {
     advance();
     advance();
-    auto start = position_;
-    while (is_hex_digit(peek()))
-        advance();
-    return read_integer(std::string_view(text()).substr(start, position_ - start), 16, token);
+    return read_integer(take_while(is_hex_digit), 16, token);
 }
 
 Token Lexer::read_decimal(Token token) {
     auto start = position_;
-    skip_digits();
+    take_while(is_digit);
     bool real = skip_fraction();
     real = skip_exponent() || real;
     auto digits = std::string_view(text()).substr(start, position_ - start);
     return real || at_float_suffix() ? read_real(digits, token) : read_integer(digits, 10, token);
 }
 
-void Lexer::skip_digits() {
-    while (is_digit(peek()))
-        advance();
-}
-
 bool Lexer::skip_fraction() {
     if (peek() != '.')
         return false;
     advance();
-    skip_digits();
+    take_while(is_digit);
     return true;
 }
 
@@ -57,7 +49,7 @@ bool Lexer::skip_exponent() {
         return false;
     advance();
     advance();
-    skip_digits();
+    take_while(is_digit);
     return true;
 }
 
@@ -67,8 +59,7 @@ bool Lexer::at_float_suffix() const { return peek() == 'f' || peek() == 'F' || p
 void Lexer::refuse_letters_behind(const Token& token, std::size_t start) {
     if (!in_name(peek()))
         return;
-    while (in_name(peek()))
-        advance();
+    take_while(in_name);
     reporter_.error(
         token.at,
         fmt::format("\"{}\" is no number", text().substr(start, std::min<std::size_t>(60, position_ - start))),

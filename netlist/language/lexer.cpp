@@ -51,6 +51,13 @@ void Lexer::advance() {
     ++position_;
 }
 
+std::string_view Lexer::take_while(bool (*belongs)(char)) {
+    auto start = position_;
+    while (belongs(peek()))
+        advance();
+    return std::string_view(text()).substr(start, position_ - start);
+}
+
 void Lexer::skip_comment() {
     auto start = here();
     advance();
@@ -113,10 +120,7 @@ Token Lexer::next() {
 
 Token Lexer::read_name() {
     Token token{TokenKind::name, "", {}, 0, here()};
-    auto start = position_;
-    while (in_name(peek()))
-        advance();
-    token.text = text().substr(start, position_ - start);
+    token.text = take_while(in_name);
     return token;
 }
 
@@ -125,10 +129,7 @@ Token Lexer::read_directive() {
     advance();
     while (peek() == ' ' || peek() == '\t')
         advance();
-    auto start = position_;
-    while (in_name(peek()))
-        advance();
-    token.text = text().substr(start, position_ - start);
+    token.text = take_while(in_name);
     return token;
 }
 

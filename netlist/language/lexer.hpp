@@ -31,7 +31,6 @@ private:
     Token read_number();
     Token read_hexadecimal(Token token);
     Token read_decimal(Token token);
-    void skip_digits();
     /// Whether there is one.
     bool skip_fraction();
     bool skip_exponent();
@@ -50,6 +49,8 @@ private:
     char read_escaped(const Location& start);
     char read_numeric_escape(int base, int most_digits, const Location& start);
 
+    /// The characters from here on of which the predicate holds.
+    std::string_view take_while(bool (*belongs)(char));
     bool at_end() const { return position_ >= text().size(); }
     char peek(std::size_t ahead = 0) const;
     void advance();

@@ -16,11 +16,9 @@ bool is_reserved(std::string_view word) {
 }
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
-    if (++parser.depth_ > deepest_nesting) {
-        parser.reporter_.error(parser.tokens_.peek().at,
-                               fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
-        throw GiveUp{};
-    }
+    if (++parser.depth_ > deepest_nesting)
+        parser.reporter_.give_up(parser.tokens_.peek().at,
+                                 fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
 }
 
 void Parser::refuse(const Location& at, std::string message, std::string hint) {
@@ -81,12 +79,10 @@ Statements Parser::parse_netlist() {
     return statements;
 }
 
-void Parser::parse_into(Statements& statements) {
-    try {
-        statements.push_back(parse_statement());
-    } catch (const StatementRefused&) {
-        recover();
-    }
+void Parser::parse_into(Statements& statements) try {
+    statements.push_back(parse_statement());
+} catch (const StatementRefused&) {
+    recover();
 }
 
 /// To behind the next `;`, over whole blocks, but not out of the block that we are in.
@@ -145,11 +141,9 @@ Statement Parser::parse_block() {
     auto opening = tokens_.take();
     BlockStatement block;
     while (!tokens_.peek().is("}")) {
-        if (tokens_.peek().kind == TokenKind::end) {
-            reporter_.error(tokens_.peek().at, "\"}\" is missing at the end of the file", "",
-                            {{"the block begins here", opening.at}});
-            throw GiveUp{};
-        }
+        if (tokens_.peek().kind == TokenKind::end)
+            reporter_.give_up(tokens_.peek().at, "\"}\" is missing at the end of the file",
+                              {{"the block begins here", opening.at}});
         parse_into(block.statements);
     }
     tokens_.take();

@@ -38,10 +38,9 @@ Token TokenStream::take() {
 void TokenStream::fill(std::size_t count) {
     while (ahead_.size() < count) {
         auto token = open_.back().lexer.next();
-        if (++tokens_ > most_tokens) {
-            reporter_.error(token.at, fmt::format("the netlist is too large: it has more than {} words", most_tokens));
-            throw GiveUp{};
-        }
+        if (++tokens_ > most_tokens)
+            reporter_.give_up(token.at,
+                              fmt::format("the netlist is too large: it has more than {} words", most_tokens));
         if (token.kind == TokenKind::directive)
             include(token);
         else if (token.kind == TokenKind::end && open_.size() > 1)
@@ -67,10 +66,8 @@ void TokenStream::include(const Token& directive) {
             ahead_.push_back(std::move(name));
         return;
     }
-    if (++includes_ > most_includes) {
-        reporter_.error(directive.at, fmt::format("more than {} files are included", most_includes));
-        throw GiveUp{};
-    }
+    if (++includes_ > most_includes)
+        reporter_.give_up(directive.at, fmt::format("more than {} files are included", most_includes));
     open(open_.back().path.parent_path() / name.text, name, directive);
 }
 
@@ -83,10 +80,8 @@ void TokenStream::open(const std::filesystem::path& path, const Token& name, con
     auto loaded = load_source(std::filesystem::exists(shown, error) ? shown : real);
     included_.push_back(loaded.file->path());
     included_bytes_ += loaded.file->text().size();
-    if (included_bytes_ > most_included_bytes) {
-        reporter_.error(name.at, fmt::format("more than {} bytes are included", most_included_bytes));
-        throw GiveUp{};
-    }
+    if (included_bytes_ > most_included_bytes)
+        reporter_.give_up(name.at, fmt::format("more than {} bytes are included", most_included_bytes));
     report_problems(loaded, name);
     if (loaded.problems.empty())
         open_.push_back({Lexer(loaded.file, reporter_), real, name.at});

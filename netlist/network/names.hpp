@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,17 +27,15 @@ std::vector<std::int64_t> element_subscripts(std::size_t position, const std::ve
 template <class Things>
 std::vector<std::string> names_in(const Things& things) {
     std::vector<std::string> names;
-    for (const auto& thing : things)
-        names.push_back(thing.name);
+    std::ranges::transform(things, std::back_inserter(names), [](const auto& thing) { return thing.name; });
     return names;
 }
-/// The same of a map by name.
-template <class Map>
-std::vector<std::string> keys_of(const Map& map) {
-    std::vector<std::string> names;
-    for (const auto& [name, thing] : map)
-        names.push_back(name);
-    return names;
+
+/// The thing of that name; null if there is none.
+template <class Things>
+auto find_named(Things& things, std::string_view name) -> decltype(&*things.begin()) {
+    auto found = std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });
+    return found == things.end() ? nullptr : &*found;
 }
 
 } // namespace placedpar

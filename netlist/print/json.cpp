@@ -68,67 +68,56 @@ private:
     }
 
     json::object link_object(const LinkEnd& end) const {
-        json::object object;
-        object["node"] = n_.nodes[end.node].name;
+        json::object object{{"node", n_.nodes[end.node].name}};
         if (!end.at_edge())
             object["link"] = end.link;
         return object;
     }
 
+    json::object crossing_object(const SwitchCrossing& crossing) const {
+        return {
+            {"node", n_.nodes[crossing.node].name}, {"from_link", crossing.from_link}, {"to_link", crossing.to_link}};
+    }
+
     json::object connection_object(const LinkConnection& connection) const {
-        json::object object;
-        object["name"] = connection.name;
-        object["a"] = link_object(connection.a);
-        object["b"] = link_object(connection.b);
-        object["bits_per_second"] = connection.bits_per_second;
-        object["metres"] = connection.metres;
-        object["crossings"] = list(connection.crossings, [&](const SwitchCrossing& crossing) {
-            json::object crossed;
-            crossed["node"] = n_.nodes[crossing.node].name;
-            crossed["from_link"] = crossing.from_link;
-            crossed["to_link"] = crossing.to_link;
-            return crossed;
-        });
-        return object;
+        return {{"name", connection.name},
+                {"a", link_object(connection.a)},
+                {"b", link_object(connection.b)},
+                {"bits_per_second", connection.bits_per_second},
+                {"metres", connection.metres},
+                {"crossings", list(connection.crossings, [&](const auto& each) { return crossing_object(each); })}};
+    }
+
+    json::object port_object(const PortBinding& binding) const {
+        return {{"port", binding.port},
+                {"direction", placedpar::word(binding.direction)},
+                {"channel", n_.channels[binding.channel].name}};
     }
 
     json::object process_object(const ProcessInstance& process) const {
-        json::object object;
-        object["name"] = process.name;
-        object["kind"] = as_utf8(process.kind);
-        object["stand_in"] = process.stand_in;
-        object["node"] = n_.nodes[process.node].name;
-        object["high_priority"] = process.high_priority;
-        object["parameters"] = to_json(process.parameters);
-        object["ports"] = list(process.ports, [&](const PortBinding& binding) {
-            json::object port;
-            port["port"] = binding.port;
-            port["direction"] = placedpar::word(binding.direction);
-            port["channel"] = n_.channels[binding.channel].name;
-            return port;
-        });
+        json::object object{{"name", process.name},
+                            {"kind", as_utf8(process.kind)},
+                            {"stand_in", process.stand_in},
+                            {"node", n_.nodes[process.node].name},
+                            {"high_priority", process.high_priority},
+                            {"parameters", to_json(process.parameters)},
+                            {"ports", list(process.ports, [&](const auto& each) { return port_object(each); })}};
         if (!process.other.empty())
             object["other"] = to_json(process.other);
         return object;
     }
 
     json::object end_object(const ChannelEnd& end) const {
-        json::object object;
         if (end.at_edge())
-            object["edge"] = n_.nodes[end.node].name;
-        else
-            object["process"] = n_.processes[end.process].name;
-        object["port"] = end.port;
-        return object;
+            return {{"edge", n_.nodes[end.node].name}, {"port", end.port}};
+        return {{"process", n_.processes[end.process].name}, {"port", end.port}};
     }
 
     json::object channel_object(const NetworkChannel& channel) const {
-        json::object object;
-        object["name"] = channel.name;
-        object["from"] = end_object(channel.from);
-        object["to"] = end_object(channel.to);
-        object["carrier"] = carrier_object(channel.placement);
-        return object;
+        return {{"name", channel.name},
+                {"from", end_object(channel.from)},
+                {"to", end_object(channel.to)},
+                {"carrier", carrier_object(channel.placement)}};
     }
 
     static const char* word(ChannelPlacement::Kind kind) {
