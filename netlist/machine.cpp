@@ -52,14 +52,17 @@ std::int64_t crossing_delay(const LinkConnection& connection, const std::vector<
     return hundredths;
 }
 
-/// 5 ns for a metre of wire (transmission line), and the switches. A link overlaps its acknowledges where both of its
-/// ends can.
+/// 5 ns for a metre of wire (transmission line), and the switches.
+Time wire_delay(const LinkConnection& connection, const std::vector<Node>& nodes) {
+    return Time{static_cast<std::int64_t>(connection.metres * 5000.0)} +
+           duration_of(crossing_delay(connection, nodes), 100 * connection.bits_per_second);
+}
+
+/// A link overlaps its acknowledges where both of its ends can.
 LinkTiming timing_of(const LinkConnection& connection, const std::vector<Node>& nodes) {
-    LinkTiming timing{.bits_per_second = connection.bits_per_second};
+    LinkTiming timing{.bits_per_second = connection.bits_per_second, .wire_delay = wire_delay(connection, nodes)};
     for (const LinkEnd& end : {connection.a, connection.b})
         timing.overlapped_acknowledge = timing.overlapped_acknowledge && nodes[end.node].overlapped_acknowledge;
-    timing.wire_delay = Time{static_cast<std::int64_t>(connection.metres * 5000.0)} +
-                        duration_of(crossing_delay(connection, nodes), 100 * connection.bits_per_second);
     return timing;
 }
 

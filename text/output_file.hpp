@@ -19,7 +19,7 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// What goes wrong here is told by finish(), so that it can be called where nothing may throw.
+    /// finish() reports what goes wrong here, so that this can be called where nothing may throw.
     void write(std::string_view) noexcept;
     /// Throws UserError when the file could not be written whole.
     void finish();
@@ -38,12 +38,11 @@ private:
 /// Throws UserError, naming the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
-/// Throws UserError if an OutputFile of this path is sure to fail, so that a long run is not lost: in a
-/// folder that is not there, a file that nobody may write, the file that standard output goes to.
+/// Throws UserError if an OutputFile of this path is sure to fail, so that a long run is not lost: in a folder that is
+/// not there, a file without permission to write, the file that standard output goes to.
 void require_writable(const std::filesystem::path&);
 
-/// Throws UserError if one of the outputs is also the input or another output. Those that are empty, of
-/// outputs and input, are passed over.
+/// Throws UserError if one of the outputs is also the input or another output. An empty path is no file.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
 } // namespace placedpar

@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// Writes to standard output, at once: everything that a command prints goes this way, so that a report lost on its
-/// way to a full disk is no success. Throws UserError when it could not be written whole.
+/// Writes to standard output, at once. Throws UserError when it could not be written whole: everything that a command
+/// prints goes through here, so that a report that a full disk has lost is not taken for a success.
 void print_out(std::string_view text);
 
 } // namespace placedpar

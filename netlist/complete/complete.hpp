@@ -13,8 +13,8 @@
 namespace placedpar {
 
 /// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get
-/// their kinds and parameters, channels their directions and carriers. What is wrong is reported; the result
-/// is then not to be used.
+/// their kinds and parameters, channels their directions and carriers. What is wrong is reported; then the result must
+/// not be used.
 Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter);
 
 /// The parts of complete(), in the order they run. They share:
@@ -40,7 +40,7 @@ void complete_parameters(Completion& completion, std::size_t process);
 void complete_channels(Completion& completion);
 /// carriers.cpp: what carries each channel.
 void complete_carriers(Completion& completion);
-/// checks.cpp: what the kinds themselves have to say. REQUIRES: nothing was refused.
+/// checks.cpp: the checks of the kinds themselves. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
 
 } // namespace placedpar

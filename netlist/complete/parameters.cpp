@@ -114,14 +114,13 @@ private:
     }
 
     void take_for_stand_in(const Setting& setting, const ParameterDeclaration& declared) {
-        auto type = declared.is_real() ? ParameterType::real : ParameterType::integer;
         if (declared.type == "char" && declared.dimensions.size() == 1 && setting.value.text() != nullptr)
             result_[declared.name] = *setting.value.text();
         else
-            flatten(setting, type, declared, {});
+            flatten(setting, declared.is_real() ? ParameterType::real : ParameterType::integer, declared, {});
     }
 
-    /// An array comes to one parameter an element: "a[0]", "a[1]".
+    /// An array becomes one parameter for each element: "a[0]", "a[1]".
     void flatten(const Setting& setting, ParameterType type, const ParameterDeclaration& declared,
                  std::vector<std::int64_t> subscripts) {
         auto level = subscripts.size();

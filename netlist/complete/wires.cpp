@@ -12,13 +12,21 @@ using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
+/// The wires by each of their ends.
+std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
+    std::map<Socket, std::size_t> places;
+    for (std::size_t i = 0; i < wires.size(); ++i)
+        for (const auto& end : {wires[i].a, wires[i].b})
+            places.emplace(socket(end), i);
+    return places;
+}
+
 /// Follows wires through switches.
 class Wiring {
 public:
-    explicit Wiring(Completion& completion) : c_(completion), done_(completion.draft.wires.size(), false) {
-        index(c_.draft.wires, wire_at_);
-        index(c_.draft.crosspoints, crosspoint_at_);
-    }
+    explicit Wiring(Completion& completion)
+        : c_(completion), done_(c_.draft.wires.size(), false), wire_at_(by_end(c_.draft.wires)),
+          crosspoint_at_(by_end(c_.draft.crosspoints)) {}
 
     void run() {
         for (std::size_t i = 0; i < c_.draft.wires.size(); ++i)
@@ -27,13 +35,6 @@ public:
     }
 
 private:
-    static void index(const std::vector<DraftWire>& wires, std::map<Socket, std::size_t>& at) {
-        for (std::size_t i = 0; i < wires.size(); ++i) {
-            at.emplace(socket(wires[i].a), i);
-            at.emplace(socket(wires[i].b), i);
-        }
-    }
-
     bool at_switch(const LinkEnd& end) const { return c_.draft.nodes[end.node].kind->links == LinkRole::crosses; }
 
     static LinkEnd other_end(const DraftWire& wire, const LinkEnd& end) {

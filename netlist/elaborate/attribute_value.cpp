@@ -55,21 +55,21 @@ void AttributeValue::check_range(const ParameterDescription& description, double
 }
 
 void AttributeValue::illegal(const std::string& value, const std::string& hint) const {
-    reporter_.error(setting_.at, fmt::format("illegal value of the attribute \"{}\": {}", setting_.name, value), hint);
-    throw StatementRefused{};
+    refuse(fmt::format("illegal value of the attribute \"{}\": {}", setting_.name, value), hint);
 }
 
 void AttributeValue::wrong_type(const std::string& wanted) const {
-    reporter_.error(setting_.at,
-                    fmt::format("wrong type for the attribute \"{}\": {} is {}", setting_.name, shown(setting_.value),
-                                type_name(setting_.value)),
-                    "it takes " + wanted);
-    throw StatementRefused{};
+    refuse(fmt::format("wrong type for the attribute \"{}\": {} is {}", setting_.name, shown(setting_.value),
+                       type_name(setting_.value)),
+           "it takes " + wanted);
 }
 
 void AttributeValue::refuse_name(const std::string& whose, const std::vector<std::string>& known) const {
-    reporter_.error(setting_.at, fmt::format("{} has no attribute \"{}\"", whose, setting_.name),
-                    did_you_mean(setting_.name, known));
+    refuse(fmt::format("{} has no attribute \"{}\"", whose, setting_.name), did_you_mean(setting_.name, known));
+}
+
+void AttributeValue::refuse(std::string message, std::string hint) const {
+    reporter_.error(setting_.at, std::move(message), std::move(hint));
     throw StatementRefused{};
 }
 

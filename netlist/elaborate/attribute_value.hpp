@@ -24,6 +24,7 @@ public:
     [[noreturn]] void illegal(const std::string& value, const std::string& hint) const;
     /// The attribute is none of `whose`: "a connection has no attribute ...".
     [[noreturn]] void refuse_name(const std::string& whose, const std::vector<std::string>& known) const;
+    [[noreturn]] void refuse(std::string message, std::string hint) const;
 
 private:
     const Integer& integer() const;

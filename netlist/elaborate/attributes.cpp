@@ -51,9 +51,7 @@ void apply_connection_attribute(DraftConnection& connection, const Setting& sett
     } else if (setting.name == "length") {
         connection.metres = std::get<double>(value.as(connection_length()));
     } else if (setting.name == "level") {
-        reporter.error(setting.at, "the attribute \"level\" belongs to a connection to a bus",
-                       "the bus is not there yet");
-        throw StatementRefused{};
+        value.refuse("the attribute \"level\" belongs to a connection to a bus", "the bus is not there yet");
     } else {
         value.refuse_name("a connection", {"linkspeed", "length", "level"});
     }

@@ -5,9 +5,9 @@
 
 namespace placedpar {
 
-/// What stands in the parentheses of a declaration. All throw StatementRefused after having reported.
+/// The attributes in the parentheses of a declaration. All functions throw StatementRefused after having reported.
 
-/// Evaluates attributes, groups flattened: `order (code = 1)` comes to "order.code". None may be given twice.
+/// Evaluates attributes. Groups are flattened: `order (code = 1)` becomes "order.code". None may be given twice.
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 

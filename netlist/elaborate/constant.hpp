@@ -14,7 +14,7 @@ inline constexpr int deepest_array = 8;
 struct Constant;
 using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 
-/// What an expression comes to. Characters and TRUE, FALSE, HIGH, LOW are integers.
+/// The value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
     int depth = 0; ///< of an array: how deep its elements nest

@@ -12,10 +12,10 @@
 
 namespace placedpar {
 
-/// Things that one netlist may declare, elements of arrays and channel ends counted one by one.
+/// The number of things that one netlist may declare, elements of arrays and channel ends counted one by one.
 inline constexpr std::size_t most_things = 250'000;
 
-/// What the statements of a netlist said, unrolled but not yet checked as a whole. The elaborator fills it;
+/// What the statements of a netlist say, unrolled but not yet checked as a whole. The elaborator fills it;
 /// complete() turns it into a Network.
 
 struct DraftConnection {
@@ -84,8 +84,8 @@ struct DraftWire {
 };
 
 struct DraftChannelEnd {
-    std::size_t process = nowhere; ///< or nowhere, for
-    std::size_t edge_channel = nowhere;
+    std::size_t process = nowhere;
+    std::size_t edge_channel = nowhere; ///< one of the two is nowhere
     std::string port;
     Location at;
 };

@@ -11,7 +11,7 @@ namespace placedpar {
 /// Steps of evaluation and elaboration that one netlist may take: seconds, not minutes.
 inline constexpr std::size_t most_steps = 5'000'000;
 
-/// Works out expressions in the scopes of the moment. Everything throws StatementRefused after having
+/// Evaluates expressions in the scopes that are open. Everything throws StatementRefused after having
 /// reported what is wrong.
 class Evaluator {
 public:

@@ -19,7 +19,7 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
     return {Category::node, {}, host(reference.at)};
 }
 
-/// The predefined edge comes into being when it is first used.
+/// The predefined edge is declared when it is first used.
 std::size_t Elaborator::host(const Location& used) {
     if (host_ != nowhere)
         return host_;
@@ -96,8 +96,8 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
     return static_cast<int>(given[0]);
 }
 
-/// `p.out[1]`, or an edge channel. Of a process without an interface every port is taken as it comes: its
-/// kind is asked when the whole netlist is known.
+/// `p.out[1]`, or an edge channel. Any port of a process without an interface is accepted here: its kind is known, and
+/// checked, only when the whole netlist has been read.
 DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& found) {
     auto index = element(reference, found);
     if (found.category == Category::edge_channel) {

@@ -29,8 +29,8 @@ struct Symbol {
 
 std::string describe(const Symbol& symbol);
 
-/// The names that can be seen. A name is known from its declaration to the end of the block that it stands
-/// in; an inner block may use a name again. Predefined names lie outermost and may be declared anew.
+/// The names that can be seen. A name is known from its declaration to the end of its block; an inner block may use a
+/// name again. Predefined names belong to a block around the netlist, so they may be declared again.
 class Scopes {
 public:
     /// The catalogue's node types are predefined.
@@ -51,7 +51,7 @@ public:
     /// Of the node types that are predefined.
     std::vector<std::string> predefined_node_types() const;
 
-    /// A declaration of this name was refused: that it is missing is no second error.
+    /// A declaration of this name was refused: a use of it is no second error.
     void poison(const std::string& name) { poisoned_.insert(name); }
     bool is_poisoned(const std::string& name) const { return poisoned_.contains(name); }
 

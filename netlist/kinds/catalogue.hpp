@@ -13,7 +13,7 @@
 namespace placedpar {
 
 /// The kinds of processes and devices that a program knows, by name; netlists are read against it. Every catalogue
-/// knows the devices of this room; the process kinds, and other devices, are added by whoever makes it.
+/// knows the devices of this room; a program adds its process kinds, and devices of its own.
 class Catalogue {
 public:
     Catalogue();

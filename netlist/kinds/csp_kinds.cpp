@@ -95,10 +95,7 @@ void delta(ProcessEnvironment& environment) {
 
 void successor(ProcessEnvironment& environment) {
     auto to = environment.output<Packet>("out");
-    relay(environment, [&](Packet packet, bool) {
-        ++packet.number;
-        to.output(packet);
-    });
+    relay(environment, [&](const Packet& packet, bool) { to.output({packet.number + 1, packet.bytes}); });
 }
 
 void consume(ProcessEnvironment& environment) {

@@ -16,7 +16,7 @@
 
 namespace placedpar {
 
-/// Something that a process found out and wants reported at the end of the run.
+/// A result of a process, reported at the end of the run.
 struct Measurement {
     std::string process;
     std::string name;
@@ -25,10 +25,10 @@ struct Measurement {
 };
 
 /// What a running process sees of the netlist that placed it: the channels at its ports, its parameters, its
-/// random streams. It does not see where it is placed, nor what its channels run over.
+/// random streams. It does not see where it is placed, nor whether its channels run over links.
 ///
-/// Asking for a port, or a parameter, that its kind does not have, or with another protocol or type, is a
-/// defect of the kind and throws std::logic_error.
+/// To ask for a port or a parameter that its kind does not have, or has with another protocol or type, is a defect of
+/// the kind: std::logic_error.
 class ProcessEnvironment {
 public:
     struct Port {

@@ -8,15 +8,15 @@ namespace placedpar {
 /// Short enough to be printed on one line with every character escaped.
 inline constexpr std::size_t longest_string = 2000;
 
-/// Cuts one source into tokens, one at a time. What it cannot read it reports, and hands out as an illegal
-/// token. Comments are C's: slash star to star slash; the language has no others.
+/// Cuts one source into tokens, one at a time. What it cannot read it reports, and returns as an illegal token.
+/// Comments are C's: slash star to star slash; the language has no others.
 class Lexer {
 public:
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);
 
-    /// A token of kind `end` at the end, however often asked.
+    /// At the end a token of kind `end`, as often as it is called.
     Token next();
-    /// Leaves out what is left of the line.
+    /// Skips the rest of the line.
     void skip_line();
 
 private:

@@ -88,7 +88,7 @@ ProcessAttributes Parser::parse_process_attributes() {
     return result;
 }
 
-/// `(input in, out2, output out[3], int n = 3)`: an entry without a type has that of the entry before it.
+/// `(input in, out2, output out[3], int n = 3)`: an entry without a type has the type of the entry before it.
 std::vector<InterfaceEntry> Parser::parse_interface() {
     std::vector<InterfaceEntry> entries;
     expect("(", "behind \"interface\"");
@@ -110,7 +110,7 @@ std::vector<InterfaceEntry> Parser::parse_interface() {
 std::optional<EntryType> Parser::parse_entry_type() {
     const auto& word = tokens_.peek();
     if (word.is_word("input") || word.is_word("output"))
-        return tokens_.take().text == "input" ? Direction::input : Direction::output;
+        return direction_named(tokens_.take().text);
     if (word.kind == TokenKind::name && is_parameter_type(word.text))
         return tokens_.take().text;
     return std::nullopt;

@@ -60,8 +60,7 @@ Statement Parser::parse_edge_channel() {
     auto word = tokens_.take();
     auto names = parse_declarators("an edge channel");
     expect_semicolon(word.text);
-    return {word.at,
-            EdgeChannelDeclaration{word.text == "input" ? Direction::input : Direction::output, std::move(names)}};
+    return {word.at, EdgeChannelDeclaration{direction_named(word.text), std::move(names)}};
 }
 
 Statement Parser::parse_process() {

@@ -5,19 +5,19 @@
 
 namespace placedpar {
 
-/// Blocks in blocks, brackets in brackets: more is refused, so that no text can exhaust the stack.
+/// Blocks in blocks, brackets in brackets: deeper nesting is refused, so that no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
 /// The height of an expression's tree; `1 + 1 + ...` is as high as it is long.
 inline constexpr int highest_expression = 1000;
 
-/// Recursive descent over the grammar of the reference page. After an error it goes on behind the next `;`,
-/// so that one reading reports several.
+/// Recursive descent over the grammar of docs/netlist-language.md. After an error it goes on after the next `;`, so
+/// that several errors are reported at once.
 class Parser {
 public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
 
     Statements parse_netlist();
-    /// One expression and nothing behind it. Throws StatementRefused after having reported.
+    /// One expression with nothing after it. Throws StatementRefused after having reported.
     ExpressionPointer parse_whole_expression();
 
 private:

@@ -31,7 +31,6 @@ Token TokenStream::take() {
     fill(1);
     auto token = std::move(ahead_.front());
     ahead_.pop_front();
-    last_ = token.at;
     return token;
 }
 

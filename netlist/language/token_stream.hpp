@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// No netlist needs more; a chain of files that include each other twice would.
+/// No netlist needs more; a chain of files each of which includes the next one twice would.
 inline constexpr std::size_t most_tokens = 2'000'000;
 inline constexpr std::size_t most_includes = 1000;
 inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
@@ -24,8 +24,6 @@ public:
 
     const Token& peek(std::size_t ahead = 0);
     Token take();
-    /// Where the token taken last ended, near enough: its beginning. Where a missing `;` is reported.
-    const Location& last() const { return last_; }
     /// The paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
 
@@ -46,7 +44,6 @@ private:
     std::vector<Open> open_;
     std::vector<std::string> included_;
     std::deque<Token> ahead_;
-    Location last_;
     std::size_t tokens_ = 0, includes_ = 0, included_bytes_ = 0;
 };
 

@@ -36,6 +36,11 @@ std::vector<std::string> print_attributes(const Node& node) {
     return entries;
 }
 
+template <class Things>
+std::vector<ElementRange> ranges_of(const Things& things) {
+    return element_ranges(things.size(), [&](std::size_t i) { return std::string_view(things[i].name); });
+}
+
 /// Writes one network. Everything is said outright, so that nothing depends on defaults of the reader but
 /// those that the language states.
 class CfsPrinter {
@@ -68,8 +73,7 @@ private:
     }
 
     void print_nodes() {
-        for (const auto& range :
-             element_ranges(n_.nodes.size(), [&](std::size_t i) { return std::string_view(n_.nodes[i].name); })) {
+        for (const auto& range : ranges_of(n_.nodes)) {
             const auto& node = n_.nodes[range.first];
             auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
@@ -122,9 +126,7 @@ private:
     }
 
     void print_processes() {
-        auto ranges =
-            element_ranges(n_.processes.size(), [&](std::size_t i) { return std::string_view(n_.processes[i].name); });
-        for (const auto& range : ranges) {
+        for (const auto& range : ranges_of(n_.processes)) {
             print_declaration(range);
             print_programs(range);
         }

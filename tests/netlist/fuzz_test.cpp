@@ -1,4 +1,4 @@
-// Mutations of good netlists: whatever they say, reading them ends, in a network or in an error.
+// Mutations of good netlists: reading each of them ends, in a network or in an error.
 // A failure prints the number of the case; the same number makes the same case again.
 
 #include "netlist/print/print.hpp"
