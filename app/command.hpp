@@ -3,10 +3,29 @@
 #include "app/exit_code.hpp"
 
 #include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace placedpar {
 
-/// What the command line chose to do; empty until it has been parsed.
-using ChosenCommand = std::function<ExitCode()>;
+/// What a command does, once the command line has been parsed.
+using Action = std::function<ExitCode()>;
+
+/// What the file of a command says about it: see app/README.md.
+struct Command {
+    const char* name;
+    const char* about; ///< its line in --help
+    int place;         ///< in --help, from 1
+    /// Gives the subcommand its options, and returns what to do with them. `typed` is the whole command line, for
+    /// manifests.
+    Action (*declare)(CLI::App& subcommand, const std::string& typed);
+};
+
+/// Every command: one of each file in the folder commands.
+std::vector<Command> commands();
 
 } // namespace placedpar

@@ -22,25 +22,7 @@ bool is_command(const CLI::App& app, std::string_view name) {
     return std::ranges::any_of(app.get_subcommands({}), [&](const CLI::App* each) { return each->get_name() == name; });
 }
 
-/// What the command line asks for. Throws what the command throws.
-int execute(CLI::App& app, const ChosenCommand& chosen, int argc, char** argv) {
-    if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
-        throw std::runtime_error(
-            fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        std::ostringstream help, wrong;
-        bool asked_for_help = app.exit(error, help, wrong) == 0;
-        print_out(help.str());
-        fmt::print(stderr, "{}", wrong.str());
-        return static_cast<int>(asked_for_help ? ExitCode::success : ExitCode::bad_input);
-    }
-    return static_cast<int>(chosen());
-}
-
-} // namespace
-
+/// The command line as it was typed, whatever the program's file is called.
 std::string typed(int argc, char** argv) {
     std::string text = "placedpar";
     for (int i = 1; i < argc; ++i)
@@ -48,13 +30,53 @@ std::string typed(int argc, char** argv) {
     return text;
 }
 
-int carry_out(CLI::App& app, const ChosenCommand& chosen, int argc, char** argv) {
+void declare(CLI::App& app, const Command& command, const std::string& command_line, Action& chosen) {
+    CLI::App* subcommand = app.add_subcommand(command.name, command.about);
+    Action action = command.declare(*subcommand, command_line);
+    subcommand->callback([&chosen, action] { chosen = action; });
+}
+
+void require_command(const CLI::App& app, int argc, char** argv) {
+    if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
+        throw std::runtime_error(
+            fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
+}
+
+/// Parses the command line. What it chose is then in `chosen`, or it was wrong, or asked for help.
+ExitCode parse(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+        return ExitCode::success;
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream help, wrong;
+        bool asked_for_help = app.exit(error, help, wrong) == 0;
+        print_out(help.str());
+        fmt::print(stderr, "{}", wrong.str());
+        return asked_for_help ? ExitCode::success : ExitCode::bad_input;
+    }
+}
+
+/// What the command line asks for. Throws what the command throws.
+ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
+    require_command(app, argc, argv);
+    ExitCode parsed = parse(app, argc, argv);
+    return chosen ? chosen() : parsed;
+}
+
+} // namespace
+
+int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
+    Action chosen;
+    std::ranges::sort(commands, {}, &Command::place);
+    for (const Command& command : commands)
+        declare(app, command, typed(argc, argv), chosen);
     app.name("placedpar");
     app.require_subcommand(1);
-    app.footer("exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
-               "            130 interrupted");
+    app.footer( // last: a subcommand takes over the footer that its parent has when it is added
+        "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
+        "            130 interrupted");
     try {
-        return execute(app, chosen, argc, argv);
+        return static_cast<int>(execute(app, chosen, argc, argv));
     } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const std::exception& error) {

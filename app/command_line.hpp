@@ -3,6 +3,7 @@
 #include "app/command.hpp"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -10,11 +11,8 @@ class App;
 
 namespace placedpar {
 
-/// The command line as it was typed, whatever the program's file is called.
-std::string typed(int argc, char** argv);
-
-/// Does what the command line asks of the app, whose commands put themselves into `chosen`. What is wrong is said on
-/// the standard error. The exit code of main().
-int carry_out(CLI::App& app, const ChosenCommand& chosen, int argc, char** argv);
+/// Gives the app its commands, in the order of their places, and does what the command line asks of them. Errors are
+/// reported on standard error. Returns the exit code of main().
+int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv);
 
 } // namespace placedpar

@@ -2,6 +2,8 @@
 
 #include "gaprocs/search_problem.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,19 +12,44 @@
 
 namespace placedpar {
 
-/// A search problem and the record of measurement it is searched over.
-struct RecordedProblem {
-    std::shared_ptr<const SearchProblem> problem;
-    std::vector<Sample> record; // in order of time
+/// A record of measurement that costs something to make, such as a simulation.
+struct RecordToMake {
+    std::size_t samples; ///< how many make() gives, known without calling it
+    std::function<std::vector<Sample>()> make;
 };
 
-/// The problems that a netlist may name: `problem = "boom"`. Filled before a run by whoever knows the
-/// problems.
+/// A search problem and the record of measurement it is searched over. Not thread-safe: the first record() may make it.
+class RecordedProblem {
+public:
+    /// Throws std::invalid_argument: a sample has not as many numbers as the problem has channels.
+    RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
+    RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
+        : problem_(std::move(problem)), samples_(record.samples), make_(std::move(record.make)) {}
+
+    const std::shared_ptr<const SearchProblem>& problem() const { return problem_; }
+    /// The length of the record, which need not be made for it.
+    std::size_t samples() const { return samples_; }
+    /// In order of time. The first call makes it where it is to be made; it then throws std::invalid_argument as the
+    /// constructor, or std::logic_error when there are not as many samples as promised.
+    const std::vector<Sample>& record() const;
+
+private:
+    void take(std::vector<Sample> record) const;
+
+    std::shared_ptr<const SearchProblem> problem_;
+    std::size_t samples_;
+    mutable std::function<std::vector<Sample>()> make_; ///< empty once the record is there
+    mutable std::vector<Sample> record_;
+};
+
+/// The problems that a netlist may name: `problem = "boom"`. Filled before a run. Finding a problem makes no record: a
+/// process makes it by reading it.
 class ProblemRegistry {
 public:
-    /// Throws std::invalid_argument: empty or repeated name, no problem, or a sample of the record that has
-    /// not as many numbers as the problem has channels.
+    /// `record`: the samples, or how to make them. Throws std::invalid_argument: empty or repeated name, no problem,
+    /// or a sample that has not as many numbers as the problem has channels.
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
+    void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
     /// Throws std::invalid_argument, naming the problems there are. The reference lives as long as the
     /// registry.
@@ -32,6 +59,9 @@ public:
     std::vector<std::string> names() const;
 
 private:
+    template <class Record>
+    void add_recorded(std::string name, std::shared_ptr<const SearchProblem> problem, Record record);
+
     std::map<std::string, RecordedProblem, std::less<>> problems_;
 };
 

@@ -15,10 +15,18 @@ enum class Stroke { line, dashes, points };
 /// Texts are plain: "in³/s", not "in^3/s".
 struct Series {
     std::string name; ///< in the legend; empty: not there
-    std::vector<Point> points;
+    std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
     std::optional<int> colour = std::nullopt; ///< which of the eight; none: that of its place among the panel's series
 };
+
+/// The series through the points that point_at(0), ..., point_at(steps) give.
+template <class PointAt>
+Series curve(Series series, int steps, PointAt point_at) {
+    for (int i = 0; i <= steps; ++i)
+        series.points.push_back(point_at(i));
+    return series;
+}
 
 /// A horizontal line over the whole width, grey, of other dashes than the panel's other marks.
 struct Mark {
@@ -28,16 +36,16 @@ struct Mark {
 };
 
 struct Axis {
-    std::string label; ///< with unit: "pressure [psi]"
+    std::string label = {}; ///< with unit: "pressure [psi]"
     std::optional<double> from = std::nullopt, to = std::nullopt;
     bool logarithmic = false;
 };
 
 /// One diagram. Its legend stands to the right of it.
 struct Panel {
-    std::string title;
-    Axis x, y;
-    std::vector<Series> series;
+    std::string title = {};
+    Axis x = {}, y = {};
+    std::vector<Series> series = {};
     std::vector<Mark> marks = {};
 };
 

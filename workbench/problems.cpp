@@ -21,14 +21,19 @@ struct SimulatedCircuit : CircuitProblem {
     std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
 };
 
-/// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied.
+/// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The valve
+/// stays open to the end of the motion, so that the record has as many samples as are asked for.
 void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
     ExcavatorScenario scenario = single_boom_scenario();
-    RandomStream noise(seed, "record of the boom");
-    auto record = boom_record(scenario, low_noise, [&] { return noise.uniform(); });
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
                           {scenario.links.front().mechanics.inlet_compliance_in3_per_psi}};
-    problems.add("boom", make_search_problem(std::move(boom)), std::move(record));
+    UsableSamples usable;
+    auto make = [=] {
+        RandomStream noise(seed, "record of the boom");
+        return boom_record(
+            scenario, low_noise, [&] { return noise.uniform(); }, usable);
+    };
+    problems.add_to_make("boom", make_search_problem(std::move(boom)), {usable.count, make});
 }
 
 } // namespace

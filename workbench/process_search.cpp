@@ -4,7 +4,6 @@
 #include "text/diagnostic.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
-#include "workbench/netlist_run.hpp"
 #include "workbench/problems.hpp"
 
 #include <fmt/format.h>
@@ -97,12 +96,13 @@ std::optional<Difference> first_difference(const Network& network, const Setting
 }
 
 /// Reads the netlist with the settings; those that it fixes otherwise go by the vals of their names.
-Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems) {
+Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
+                  const WarningSink& warn) {
     Catalogue catalogue = kinds_with(settings, problems);
     ReadResult read = read_netlist(netlist.path, catalogue, netlist.overrides);
     if (!read.network)
         throw RefusedInput(render(read.diagnostics));
-    std::size_t samples = problems.find("boom").record.size();
+    std::size_t samples = problems.find("boom").samples();
     Overrides ours = netlist.overrides;
     while (auto difference = first_difference(*read.network, settings, samples)) {
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
@@ -112,7 +112,8 @@ Network load_with(const Settings& settings, const NetlistAsked& netlist, const P
             refuse(*difference);
         read = std::move(again);
     }
-    fmt::print(stderr, "{}", render(read.diagnostics));
+    if (!read.diagnostics.empty())
+        warn(render(read.diagnostics));
     return std::move(*read.network);
 }
 
@@ -151,20 +152,18 @@ std::string searching_process(const Network& network, const std::filesystem::pat
 
 } // namespace
 
-RunReport ProcessSearch::run(std::uint64_t seed) const { return run_netlist(network, problems, seed); }
-
 std::vector<double> ProcessSearch::compliances(const RunReport& report) const {
     std::vector<double> found;
-    for (const std::string& name : problems.find("boom").problem->parameter_names())
+    for (const std::string& name : problems.find("boom").problem()->parameter_names())
         found.push_back(report.measured(master, name));
     return found;
 }
 
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
-                                  const IdentificationWay& way, const Identified& native) {
+                                  const IdentificationWay& way, const Identified& native, const WarningSink& warn) {
     ProcessSearch search;
     search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared, native));
-    search.network = load_with(settings_of(way), netlist, search.problems);
+    search.network = load_with(settings_of(way), netlist, search.problems, warn);
     for (const std::string& included : search.network.included_paths)
         require_apart(std::span(&netlist.output, 1), included);
     search.master = searching_process(search.network, netlist.path);

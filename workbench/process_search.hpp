@@ -5,8 +5,8 @@
 #include "identification/record_problem.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
+#include "workbench/load.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,8 +26,7 @@ struct ProcessSearch {
     Network network;
     std::string master; ///< the process that searches
 
-    RunReport run(std::uint64_t seed) const;
-    /// What it found. REQUIRES: a report of run() that came to its end.
+    /// What it found. REQUIRES: the report of a run of the network that was completed.
     std::vector<double> compliances(const RunReport& report) const;
 };
 
@@ -38,6 +37,6 @@ struct ProcessSearch {
 /// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
 /// a while.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
-                                  const IdentificationWay& way, const Identified& native);
+                                  const IdentificationWay& way, const Identified& native, const WarningSink&);
 
 } // namespace placedpar

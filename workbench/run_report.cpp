@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace placedpar {
 
@@ -24,20 +25,17 @@ std::string print_value(const Measurement& m) {
     return fmt::format("{:.6g}", std::get<double>(m.value));
 }
 
-/// Widths of columns follow the longest entry.
-template <class Rows, class Name>
-std::size_t width_of(const Rows& rows, Name name, std::size_t least) {
+/// Of a column that holds these texts of the rows.
+template <class Rows, class Text>
+std::size_t width_of(const Rows& rows, Text text, std::size_t least) {
     std::size_t width = least;
     for (const auto& row : rows)
-        width = std::max(width, std::string(name(row)).size());
+        width = std::max(width, std::invoke(text, row).size());
     return width;
 }
 
 std::string print_measurements(const std::vector<Measurement>& rows) {
-    std::size_t process = width_of(
-        rows, [](auto& m) { return m.process; }, 7);
-    std::size_t name = width_of(
-        rows, [](auto& m) { return m.name; }, 8);
+    std::size_t process = width_of(rows, &Measurement::process, 7), name = width_of(rows, &Measurement::name, 8);
     std::string out =
         fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process, "measured", name, "value", "unit");
     for (const Measurement& m : rows)
@@ -47,30 +45,26 @@ std::string print_measurements(const std::vector<Measurement>& rows) {
 }
 
 std::string print_processors(const std::vector<ProcessorUse>& rows) {
-    std::size_t name = width_of(
-        rows, [](auto& p) { return p.name; }, 9);
+    std::size_t name = width_of(rows, &ProcessorUse::name, 9);
     std::string out = fmt::format("\n{:<{}}  {:<6}  {:>6}\n", "processor", name, "type", "busy");
     for (const ProcessorUse& p : rows)
         out += fmt::format("{:<{}}  {:<6}  {:>5.1f}%\n", p.name, name, p.type, 100 * p.busy);
     return out;
 }
 
+std::string ends_of(const LinkUse& link) { return link.from + " -> " + link.to; }
+
 std::string print_links(const std::vector<LinkUse>& rows) {
-    std::size_t width = width_of(
-                            rows, [](auto& l) { return l.from + l.to; }, 9) +
-                        4;
+    std::size_t width = width_of(rows, ends_of, 13);
     std::string out = fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied");
     for (const LinkUse& l : rows)
         if (l.bytes > 0)
-            out += fmt::format("{:<{}}  {:>10}  {:>8.1f}%\n", l.from + " -> " + l.to, width, l.bytes, 100 * l.occupied);
+            out += fmt::format("{:<{}}  {:>10}  {:>8.1f}%\n", ends_of(l), width, l.bytes, 100 * l.occupied);
     return out;
 }
 
 std::string print_processes(const std::vector<ProcessUse>& rows) {
-    std::size_t name = width_of(
-        rows, [](auto& p) { return p.name; }, 7);
-    std::size_t node = width_of(
-        rows, [](auto& p) { return p.processor; }, 2);
+    std::size_t name = width_of(rows, &ProcessUse::name, 7), node = width_of(rows, &ProcessUse::processor, 2);
     std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting");
     for (const ProcessUse& p : rows)
         out += fmt::format("{:<{}}  {:<{}}  {:>6.1f}%\n", p.name, name, p.processor, node, 100 * p.waiting);
@@ -83,20 +77,40 @@ boost::json::value value_json(const Measurement& m) {
     return std::get<double>(m.value);
 }
 
+boost::json::object json_of(const Measurement& m) {
+    return {{"process", m.process}, {"name", m.name}, {"value", value_json(m)}, {"unit", m.unit}};
+}
+
+boost::json::object json_of(const ProcessorUse& p) { return {{"name", p.name}, {"type", p.type}, {"busy", p.busy}}; }
+
+boost::json::object json_of(const LinkUse& l) {
+    return {{"from", l.from}, {"to", l.to}, {"bytes", l.bytes}, {"occupied", l.occupied}};
+}
+
+boost::json::object json_of(const ProcessUse& p) {
+    return {{"name", p.name}, {"on", p.processor}, {"waiting", p.waiting}};
+}
+
+template <class Rows>
+boost::json::array array_of(const Rows& rows) {
+    boost::json::array array;
+    for (const auto& row : rows)
+        array.push_back(json_of(row));
+    return array;
+}
+
+boost::json::array texts_of(const std::vector<std::string>& texts) {
+    return boost::json::array(texts.begin(), texts.end());
+}
+
 boost::json::object deadlock_json(const Deadlock& deadlock) {
-    boost::json::array cycle, processes;
-    for (const auto& path : deadlock.cycle)
-        cycle.emplace_back(path);
-    for (const auto& process : deadlock.processes) {
-        boost::json::array channels;
-        for (const auto& channel : process.channels)
-            channels.emplace_back(channel);
+    boost::json::array processes;
+    for (const auto& process : deadlock.processes)
         processes.push_back(boost::json::object{{"process", process.path},
                                                 {"operation", name_of(process.activity)},
-                                                {"channels", std::move(channels)},
+                                                {"channels", texts_of(process.channels)},
                                                 {"program", process.where}});
-    }
-    return {{"cycle", std::move(cycle)}, {"processes", std::move(processes)}};
+    return {{"cycle", texts_of(deadlock.cycle)}, {"processes", std::move(processes)}};
 }
 
 } // namespace
@@ -117,25 +131,14 @@ std::string print_report(const RunReport& report, const Network& network) {
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest) {
-    boost::json::array measurements, processors, links, processes;
-    for (const Measurement& m : report.measurements)
-        measurements.push_back(
-            boost::json::object{{"process", m.process}, {"name", m.name}, {"value", value_json(m)}, {"unit", m.unit}});
-    for (const ProcessorUse& p : report.processors)
-        processors.push_back(boost::json::object{{"name", p.name}, {"type", p.type}, {"busy", p.busy}});
-    for (const LinkUse& l : report.links)
-        links.push_back(
-            boost::json::object{{"from", l.from}, {"to", l.to}, {"bytes", l.bytes}, {"occupied", l.occupied}});
-    for (const ProcessUse& p : report.processes)
-        processes.push_back(boost::json::object{{"name", p.name}, {"on", p.processor}, {"waiting", p.waiting}});
     boost::json::object json{{"manifest", manifest_json(manifest, network)},
                              {"outcome", describe(report.result.ending)},
                              {"time_ps", report.result.time.count()},
                              {"fingerprint", hex(report.result.fingerprint)},
-                             {"measurements", std::move(measurements)},
-                             {"processors", std::move(processors)},
-                             {"links", std::move(links)},
-                             {"processes", std::move(processes)}};
+                             {"measurements", array_of(report.measurements)},
+                             {"processors", array_of(report.processors)},
+                             {"links", array_of(report.links)},
+                             {"processes", array_of(report.processes)}};
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     return json;

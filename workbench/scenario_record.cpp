@@ -1,14 +1,11 @@
 #include "workbench/scenario_record.hpp"
 
-#include "hydraulics/data/parameter_range.hpp"
 #include "hydraulics/data/units.hpp"
 #include "runtime/random.hpp"
-#include "text/nearest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -18,39 +15,6 @@ namespace placedpar {
 using namespace hydraulics;
 
 namespace {
-
-[[noreturn]] void refuse(const Parameter& parameter, const std::string& text, const std::string& why) {
-    throw std::runtime_error(fmt::format("--set {}={}: {}", parameter.name, text, why));
-}
-
-/// A number, and perhaps a unit behind it.
-double number_of(const Parameter& parameter, const std::string& text) {
-    double number = 0;
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || !std::isfinite(number))
-        refuse(parameter, text,
-               fmt::format("it takes a number, of {} where no unit is named",
-                           parameter.unit.empty() ? "no unit" : parameter.unit));
-    std::string_view rest(end, text.data() + text.size());
-    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    if (rest.empty())
-        return number;
-    Quantity quantity = unit_named(parameter.unit)->quantity;
-    const Unit* unit = unit_named(rest);
-    if (!unit || unit->quantity != quantity)
-        refuse(parameter, text,
-               quantity == Quantity::number ? std::string("it has no unit")
-                                            : fmt::format("\"{}\" is not a unit of {}; it takes {}", rest,
-                                                          name_of(quantity), list_units(quantity)));
-    return number * unit->factor;
-}
-
-double value_of(const Parameter& parameter, const std::string& text) {
-    double value = number_of(parameter, text);
-    if (ParameterRange range = range_of(parameter.name); !range.contains(value))
-        refuse(parameter, text, fmt::format("expected {}", range.expected()));
-    return value;
-}
 
 /// What a sensor could not have read is no record: the motion ran away, or the noise did.
 void require_measurable(const Record& record, const RecordScenario& scenario) {
@@ -65,28 +29,8 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
         units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
 }
 
-const Parameter& parameter_called(const RecordScenario& scenario, const Parameters& parameters,
-                                  const std::string& name) {
-    const Parameter* parameter = parameters.find(name);
-    if (parameter && scenario.uses(name))
-        return *parameter;
-    std::vector<std::string> names;
-    for (const Parameter& each : parameters.all())
-        if (scenario.uses(each.name))
-            names.push_back(each.name);
-    std::string nearest = did_you_mean(name, names);
-    throw std::runtime_error(fmt::format(
-        "--set {}: {} has no such parameter; {}", name, scenario.name,
-        nearest.empty() ? fmt::format("placedpar record {} --list shows those there are", scenario.name) : nearest));
-}
-
-/// In quotes where it holds what separates cells.
-std::string cell(const std::string& text) {
-    return text.find_first_of(",\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
-}
-
-/// The options that say so.
-std::string shown(const LinksInMotion& moving) {
+/// The options of `placedpar record` that say so.
+std::string options_of(const LinksInMotion& moving) {
     std::vector<std::string_view> names;
     for (hydraulics::Link link : all_links)
         if (moving.links.contains(link))
@@ -94,61 +38,53 @@ std::string shown(const LinksInMotion& moving) {
     return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));
 }
 
-std::string description_of(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
-                           std::uint64_t seed) {
+/// The scenario's parameters that are not the program's own, as options, and with their former values.
+struct ChangedParameters {
+    std::string options, lines;
+};
+
+ChangedParameters changes_of(const RecordScenario& scenario, const Parameters& parameters) {
     const Parameters own = scenario.parameters(Parameters::excavator());
-    std::string command = fmt::format("placedpar record {}{} --seed {}", scenario.name,
-                                      scenario.any_links ? shown(moving) : "", seed),
-                changed;
+    ChangedParameters changed;
     for (const Parameter& parameter : parameters.all()) {
         const Parameter& before = *own.find(parameter.name);
         if (!scenario.uses(parameter.name) || parameter.value == before.value)
             continue;
-        command += fmt::format(" --set {}={}", parameter.name, parameter.value);
-        changed += fmt::format("{} = {} {}, not {}\n", parameter.name, parameter.value, parameter.unit, before.value);
+        changed.options += fmt::format(" --set {}={}", parameter.name, parameter.value);
+        changed.lines +=
+            fmt::format("{} = {} {}, not {}\n", parameter.name, parameter.value, parameter.unit, before.value);
     }
-    std::string truth;
+    return changed;
+}
+
+/// Is it the compliance of a link that moves?
+bool is_compliance_of(const LinksInMotion& moving, const Parameter& parameter, const RecordScenario& scenario) {
+    if (!scenario.uses(parameter.name) || !parameter.name.ends_with("let_compliance"))
+        return false;
+    auto link = [&] { return *link_named(parameter.name.substr(0, parameter.name.find('.'))); };
+    return !scenario.any_links || moving.links.contains(link());
+}
+
+std::string true_compliances(const RecordScenario& scenario, const LinksInMotion& moving,
+                             const Parameters& parameters) {
+    std::vector<std::string> all;
     for (const Parameter& parameter : parameters.all())
-        if (scenario.uses(parameter.name) && parameter.name.ends_with("let_compliance") &&
-            (!scenario.any_links ||
-             moving.links.contains(*link_named(parameter.name.substr(0, parameter.name.find('.'))))))
-            truth += fmt::format("{}true {} {} {}", truth.empty() ? "" : ", ", parameter.name, parameter.value,
-                                 parameter.unit);
+        if (is_compliance_of(moving, parameter, scenario))
+            all.push_back(fmt::format("true {} {} {}", parameter.name, parameter.value, parameter.unit));
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+std::string description_of(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                           std::uint64_t seed) {
+    auto [options, lines] = changes_of(scenario, parameters);
+    std::string command = fmt::format("placedpar record {}{} --seed {}{}", scenario.name,
+                                      scenario.any_links ? options_of(moving) : "", seed, options);
     return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
-                       changed.empty() ? "every parameter is the program's own" : "parameters that were set:", changed,
-                       truth);
+                       lines.empty() ? "every parameter is the program's own" : "parameters that were set:", lines,
+                       true_compliances(scenario, moving, parameters));
 }
 
 } // namespace
-
-const RecordScenario& scenario_called(std::string_view name) {
-    if (const RecordScenario* scenario = record_scenario_named(name))
-        return *scenario;
-    std::string names;
-    std::span<const RecordScenario> all = record_scenarios();
-    for (const RecordScenario& scenario : all)
-        names += fmt::format("{}{}",
-                             &scenario == &all.front()  ? ""
-                             : &scenario == &all.back() ? " and "
-                                                        : ", ",
-                             scenario.name);
-    throw std::runtime_error(fmt::format("there is no scenario \"{}\"; there are {}", name, names));
-}
-
-Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,
-                               const Overrides& overrides) {
-    Parameters parameters = scenario.parameters(machine);
-    if (!noise.empty()) {
-        std::vector<Parameter> rows = noise_rows(machine, noise);
-        if (rows.empty())
-            throw std::runtime_error(fmt::format("--noise {}: it takes none, low, mid or high", noise));
-        for (Parameter& row : rows)
-            parameters.put(std::move(row));
-    }
-    for (const auto& [name, text] : overrides)
-        parameters.set(name, value_of(parameter_called(scenario, parameters, name), text));
-    return parameters;
-}
 
 Record scenario_record(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
                        std::uint64_t seed) {
@@ -157,22 +93,6 @@ Record scenario_record(const RecordScenario& scenario, const LinksInMotion& movi
     require_measurable(record, scenario);
     record.description = description_of(scenario, moving, parameters, seed);
     return record;
-}
-
-std::string list_parameters(const RecordScenario& scenario, const Parameters& parameters) {
-    std::string text = "name,value,unit,mark,source\n";
-    for (const Parameter& parameter : parameters.all())
-        if (scenario.uses(parameter.name))
-            text += fmt::format("{},{},{},{},{}\n", parameter.name, parameter.value, cell(parameter.unit),
-                                parameter.mark, cell(parameter.source));
-    return text;
-}
-
-std::string list_record_scenarios() {
-    std::string text;
-    for (const RecordScenario& scenario : record_scenarios())
-        text += fmt::format("  {:<12} {}\n", scenario.name, scenario.about);
-    return text;
 }
 
 } // namespace placedpar

@@ -1,7 +1,6 @@
 #include "experiments/kit/experiment.hpp"
-
 #include "experiments/kit/experiment_runs.hpp"
-#include "workbench/netlist_run.hpp"
+#include "workbench/problems.hpp"
 
 #include <fmt/format.h>
 
@@ -13,11 +12,11 @@ namespace placedpar {
 
 namespace {
 
-constexpr int columns = 4;
+constexpr int slave_counts = 4; // 0 to 3
 
 struct Row {
     const char* name;
-    std::array<double, columns> thesis; // with 0, 1, 2 and 3 slaves
+    std::array<double, slave_counts> thesis; ///< with 0, 1, 2 and 3 slaves
 };
 
 /// Table E.1 of the thesis, in milliseconds.
@@ -27,9 +26,10 @@ constexpr std::array<Row, 5> table{{{"T_exe", {97.0, 54.0, 39.7, 32.8}},
                                     {"C_time2", {0.0, 0.6, 1.28, 1.89}},
                                     {"S_time2", {10.5, 10.5, 10.5, 10.5}}}};
 
+/// An interpretation of how the thesis measured the table.
 struct Way {
     std::string name;
-    Overrides overrides;
+    Overrides overrides = {};
     bool message_an_individual = false; ///< C_time2 is of other messages than those that a constant was fitted to
 };
 
@@ -49,28 +49,36 @@ std::filesystem::path netlist_in(const ReplayContext& context) {
 /// The default is the one that fits best.
 const std::vector<Way>& ways() {
     static const std::vector<Way> all{
-        {"120 individuals, measurements sent with each new sample", {}},
-        {"120 individuals, measurements sent in every generation", {{"measurements", "\"generation\""}}},
-        {"30 individuals, dealt out whole", {{"reading", "30"}}},
-        {"30 individuals, dealt out on demand", {{"reading", "30"}, {"split", "\"demand\""}}, true},
-        {"30 individuals, single error evaluations dealt out", {{"reading", "30"}, {"split", "\"evaluations\""}}},
+        {.name = "120 individuals, measurements sent with each new sample"},
+        {.name = "120 individuals, measurements sent in every generation",
+         .overrides = {{"measurements", "\"generation\""}}},
+        {.name = "30 individuals, dealt out whole", .overrides = {{"reading", "30"}}},
+        {.name = "30 individuals, dealt out on demand",
+         .overrides = {{"reading", "30"}, {"split", "\"demand\""}},
+         .message_an_individual = true},
+        {.name = "30 individuals, single error evaluations dealt out",
+         .overrides = {{"reading", "30"}, {"split", "\"evaluations\""}}},
     };
     return all;
 }
 
-/// Of the outcomes with a figure of the thesis that is not 0.
+/// An outcome with a figure of the thesis that is not 0.
+bool shows_fit(const Cell& cell) {
+    return cell.origin == Origin::outcome && cell.error_percent() && *cell.reference != 0 && cell.unit == "ms";
+}
+
 std::string print_fit(const std::vector<Cell>& cells) {
     double worst = 0, squares = 0;
     int count = 0;
     const Cell* worst_cell = nullptr;
     for (const Cell& cell : cells) {
-        auto error = cell.error_percent();
-        if (cell.origin != Origin::outcome || !error || *cell.thesis == 0 || cell.unit != "ms")
+        if (!shows_fit(cell))
             continue;
-        squares += *error * *error;
+        double error = *cell.error_percent();
+        squares += error * error;
         ++count;
-        if (std::abs(*error) > std::abs(worst)) {
-            worst = *error;
+        if (std::abs(error) > std::abs(worst)) {
+            worst = error;
             worst_cell = &cell;
         }
     }
@@ -80,34 +88,50 @@ std::string print_fit(const std::vector<Cell>& cells) {
 
 std::string column_name(int slaves) { return fmt::format("{} slave{}", slaves, slaves == 1 ? "" : "s"); }
 
-Reading run_way(const Way& way, const ReplayContext& context, Fingerprint& fingerprint) {
-    Reading reading{way.name, {}, ""};
-    std::array<RunReport, columns> reports;
-    for (int slaves = 0; slaves < columns; ++slaves) {
+using Reports = std::array<RunReport, slave_counts>; // with 0, 1, 2 and 3 slaves
+
+Reports run_with_slaves(const Way& way, const ReplayContext& context) {
+    Reports reports;
+    for (int slaves = 0; slaves < slave_counts; ++slaves) {
         context.progress(fmt::format("{}: {} slaves", way.name, slaves));
         Overrides overrides = way.overrides;
         overrides["slaves"] = std::to_string(slaves);
-        reports[static_cast<std::size_t>(slaves)] = run_to_the_end(netlist_in(context), overrides, context.seed);
-        fingerprint.mix(reports[static_cast<std::size_t>(slaves)].result.fingerprint);
+        reports[static_cast<std::size_t>(slaves)] = run_to_the_end(netlist_in(context), overrides, context);
     }
+    return reports;
+}
+
+Cell time_cell(const Row& row, int slaves, const Way& way, const RunReport& report) {
+    Origin origin = origin_of(row.name, slaves, way);
+    return {.row = row.name,
+            .column = column_name(slaves),
+            .unit = "ms",
+            .reference = row.thesis[static_cast<std::size_t>(slaves)],
+            .simulated = report.measured("master", row.name),
+            .tolerance_percent = origin == Origin::outcome ? 3.0 : 1.0,
+            .origin = origin};
+}
+
+Comparison run_way(const Way& way, const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison comparison{.name = way.name};
+    Reports reports = run_with_slaves(way, context);
+    for (const RunReport& report : reports)
+        fingerprint.mix(report.result.fingerprint);
     for (const Row& row : table)
-        for (int slaves = 0; slaves < columns; ++slaves) {
-            auto column = static_cast<std::size_t>(slaves);
-            Origin origin = origin_of(row.name, slaves, way);
-            reading.cells.push_back({row.name, column_name(slaves), "ms", row.thesis[column],
-                                     reports[column].measured("master", row.name),
-                                     origin == Origin::outcome ? 3.0 : 1.0, origin});
-        }
-    for (int slaves = 0; slaves < columns; ++slaves)
-        reading.cells.push_back(
-            compliance_cell(column_name(slaves), reports[static_cast<std::size_t>(slaves)], "master"));
-    reading.notes = print_fit(reading.cells);
-    return reading;
+        for (int slaves = 0; slaves < slave_counts; ++slaves)
+            comparison.add(time_cell(row, slaves, way, reports[static_cast<std::size_t>(slaves)]));
+    for (int slaves = 0; slaves < slave_counts; ++slaves)
+        comparison.add(compliance_cell(column_name(slaves), reports[static_cast<std::size_t>(slaves)], "master"));
+    comparison.notes = print_fit(comparison.cells);
+    return comparison;
 }
 
 /// Which constant is what, with the values that the netlist gave.
-std::string print_constants(const std::filesystem::path& netlist) {
-    Network at_120 = load_network(netlist, {}), at_30 = load_network(netlist, {{"reading", "30"}});
+std::string print_constants(const ReplayContext& context) {
+    auto load = [&](const Overrides& overrides) {
+        return load_network(netlist_in(context), overrides, known_problems(context.seed), context.warn);
+    };
+    Network at_120 = load({}), at_30 = load({{"reading", "30"}});
     auto value = [](const Network& network, const char* parameter) {
         for (const ProcessInstance& process : network.processes)
             if (process.name == "master")
@@ -128,17 +152,25 @@ std::string print_constants(const std::filesystem::path& netlist) {
         value(at_120, "cycles_per_measurement_word"), at_120.nodes.front().integer("channelcall"));
 }
 
-} // namespace
-
 Replay replay_table_e1(const ReplayContext& context) {
     Replay replay;
     Fingerprint fingerprint;
     for (const Way& way : ways())
-        replay.readings.push_back(run_way(way, context, fingerprint));
-    replay.readings.front().notes += print_compliance_note();
-    replay.constants = print_constants(netlist_in(context));
+        replay.comparisons.push_back(run_way(way, context, fingerprint));
+    replay.comparisons.front().notes += print_compliance_note();
+    replay.constants = print_constants(context);
     replay.fingerprint = fingerprint.value();
     return replay;
 }
+
+} // namespace
+
+extern const Experiment table_e1_experiment{
+    .name = "table-e1",
+    .about = "what a generation costs on one cluster with 0 to 3 slaves",
+    .chapter = "E",
+    .number = 1,
+    .run = replay_table_e1,
+};
 
 } // namespace placedpar

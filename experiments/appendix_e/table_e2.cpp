@@ -1,5 +1,4 @@
 #include "experiments/kit/experiment.hpp"
-
 #include "experiments/kit/experiment_runs.hpp"
 
 #include <fmt/format.h>
@@ -14,33 +13,30 @@ namespace {
 /// A column of Table E.2.
 struct Column {
     const char* name;
-    int clusters, slaves; // 120 individuals in all, divided between the clusters
+    int clusters, slaves; ///< 120 individuals in all, divided between the clusters
     double thesis_speedup, thesis_efficiency;
     std::optional<double> thesis_rate;
-    bool measured_in_thesis; // the combined speedup was computed from the others (equation E.2)
+    bool measured_in_thesis; ///< or else the combined speedup was computed from the others (equation E.2)
 
     int processors() const { return clusters * (slaves + 1); }
 };
 
-const std::vector<Column>& columns() {
-    static const std::vector<Column> all{{"GA", 1, 0, 1, 1, 9.8, true},
-                                         {"B", 4, 0, 4, 1, {}, true},
-                                         {"A", 1, 3, 3, 0.74, {}, true},
-                                         {"A + B", 4, 3, 12, 0.74, 117.6, false}};
-    return all;
-}
+constexpr Column columns[]{{"GA", 1, 0, 1, 1, 9.8, true},
+                           {"B", 4, 0, 4, 1, {}, true},
+                           {"A", 1, 3, 3, 0.74, {}, true},
+                           {"A + B", 4, 3, 12, 0.74, 117.6, false}};
 
 constexpr double tolerance_percent = 5;
 /// See the note that is printed.
 constexpr double rate_tolerance_percent = 6;
 
-RunReport run_column(const Column& column, const std::string& reading, const ReplayContext& context) {
-    context.progress(fmt::format("reading {}: {} on {} transputers", reading, column.name, column.processors()));
-    Overrides overrides{{"reading", reading},
+RunReport run_column(const Column& column, const std::string& individuals, const ReplayContext& context) {
+    context.progress(fmt::format("reading {}: {} on {} transputers", individuals, column.name, column.processors()));
+    Overrides overrides{{"reading", individuals},
                         {"clusters", std::to_string(column.clusters)},
                         {"slaves", std::to_string(column.slaves)},
                         {"population", std::to_string(120 / column.clusters)}};
-    return run_to_the_end(context.examples / "04-figure-e2" / "figure-e2.cfs", overrides, context.seed);
+    return run_to_the_end(context.examples / "04-figure-e2" / "figure-e2.cfs", overrides, context);
 }
 
 /// Where the time of a generation on sixteen transputers goes, against a sixteenth of the traditional one's.
@@ -59,40 +55,58 @@ std::string print_where_it_goes(const RunReport& traditional, const RunReport& c
         all("T_sr") - all("P_time2"), generation - all("T_sr") - all("S_time2"));
 }
 
-Reading run_reading(const std::string& name, const ReplayContext& context, Fingerprint& fingerprint) {
-    Reading reading{fmt::format("reading {}: Table E.1 was measured with {} individuals", name, name), {}, ""};
-    std::vector<RunReport> reports;
+/// The rows of the table, a cell for each column.
+struct Rows {
     std::vector<Cell> rates, speedups, efficiencies, compliances;
-    for (const Column& column : columns()) {
-        reports.push_back(run_column(column, name, context));
-        fingerprint.mix(reports.back().result.fingerprint);
-        double rate = reports.back().measured("master[0]", "generations_per_second");
-        double speedup = rate / reports.front().measured("master[0]", "generations_per_second");
-        std::optional<double> tolerance;
-        if (column.measured_in_thesis)
-            tolerance = tolerance_percent;
-        bool judged = column.thesis_rate && column.measured_in_thesis;
-        rates.push_back({"generations of 120 a second", column.name, "1/s", column.thesis_rate, rate,
-                         judged ? std::optional(rate_tolerance_percent) : std::nullopt, Origin::outcome});
-        speedups.push_back({"speedup", column.name, "", column.thesis_speedup, speedup, tolerance, Origin::outcome});
-        efficiencies.push_back({"efficiency", column.name, "", column.thesis_efficiency, speedup / column.processors(),
-                                tolerance, Origin::outcome});
-        compliances.push_back(compliance_cell(column.name, reports.back(), "master[0]"));
-    }
-    for (auto* row : {&rates, &speedups, &efficiencies, &compliances})
-        reading.cells.insert(reading.cells.end(), row->begin(), row->end());
-    reading.notes = print_where_it_goes(reports.front(), reports.back());
-    return reading;
+};
+
+void add_column(Rows& rows, const Column& column, const RunReport& report, double traditional_rate) {
+    double rate = report.measured("master[0]", "generations_per_second"), speedup = rate / traditional_rate;
+    auto judged_at = [&](double percent, bool judged) { return judged ? std::optional(percent) : std::nullopt; };
+    rows.rates.push_back(
+        {.row = "generations of 120 a second",
+         .column = column.name,
+         .unit = "1/s",
+         .reference = column.thesis_rate,
+         .simulated = rate,
+         .tolerance_percent = judged_at(rate_tolerance_percent, column.thesis_rate && column.measured_in_thesis)});
+    auto tolerance = judged_at(tolerance_percent, column.measured_in_thesis);
+    rows.speedups.push_back({.row = "speedup",
+                             .column = column.name,
+                             .reference = column.thesis_speedup,
+                             .simulated = speedup,
+                             .tolerance_percent = tolerance});
+    rows.efficiencies.push_back({.row = "efficiency",
+                                 .column = column.name,
+                                 .reference = column.thesis_efficiency,
+                                 .simulated = speedup / column.processors(),
+                                 .tolerance_percent = tolerance});
+    rows.compliances.push_back(compliance_cell(column.name, report, "master[0]"));
 }
 
-} // namespace
+/// Of an interpretation of the thesis: with how many individuals Table E.1 was measured.
+Comparison run_interpretation(const std::string& individuals, const ReplayContext& context, Fingerprint& fingerprint) {
+    std::vector<RunReport> reports;
+    Rows rows;
+    for (const Column& column : columns) {
+        reports.push_back(run_column(column, individuals, context));
+        fingerprint.mix(reports.back().result.fingerprint);
+        add_column(rows, column, reports.back(), reports.front().measured("master[0]", "generations_per_second"));
+    }
+    Comparison comparison{
+        .name = fmt::format("reading {}: Table E.1 was measured with {} individuals", individuals, individuals),
+        .notes = print_where_it_goes(reports.front(), reports.back())};
+    for (auto* row : {&rows.rates, &rows.speedups, &rows.efficiencies, &rows.compliances})
+        comparison.cells.insert(comparison.cells.end(), row->begin(), row->end());
+    return comparison;
+}
 
 Replay replay_table_e2(const ReplayContext& context) {
     Replay replay;
     Fingerprint fingerprint;
-    for (const char* reading : {"120", "30"})
-        replay.readings.push_back(run_reading(reading, context, fingerprint));
-    replay.readings.front().notes += print_compliance_note();
+    for (const char* individuals : {"120", "30"})
+        replay.comparisons.push_back(run_interpretation(individuals, context, fingerprint));
+    replay.comparisons.front().notes += print_compliance_note();
     replay.constants =
         fmt::format("   The thesis computed the combined speedup from the others (equation E.2: 117.6 is 12 x 9.8); it "
                     "is printed,\n"
@@ -103,5 +117,15 @@ Replay replay_table_e2(const ReplayContext& context) {
     replay.fingerprint = fingerprint.value();
     return replay;
 }
+
+} // namespace
+
+extern const Experiment table_e2_experiment{
+    .name = "table-e2",
+    .about = "the speedup of algorithms B, A, and A + B on the machine of Figure E.2",
+    .chapter = "E",
+    .number = 2,
+    .run = replay_table_e2,
+};
 
 } // namespace placedpar

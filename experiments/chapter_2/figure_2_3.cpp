@@ -1,5 +1,4 @@
 #include "experiments/kit/experiment.hpp"
-
 #include "hydraulics/plant/bulk_modulus.hpp"
 #include "hydraulics/plant/link_mechanics.hpp"
 
@@ -31,7 +30,7 @@ constexpr std::array<ModulusRow, 5> known_moduli{{{.001, 1, {166.2, 217.2, 219.3
 /// The same: below which absolute pressure the mixture is that much softer than oil.
 struct SofterRow {
     const char* name;
-    double share; // of the oil's modulus
+    double share; ///< of the oil's modulus
     std::array<double, 4> psia;
 };
 
@@ -41,104 +40,95 @@ constexpr std::array<SofterRow, 2> known_softer{{{"compliance 10 times that of o
 
 std::string percent(double fraction) { return fmt::format("{:g} % air", 100 * fraction); }
 
-Cell judged(std::string row, std::string column, std::string unit, double known, double value, double tolerance,
-            int decimals) {
-    Cell cell{std::move(row), std::move(column), std::move(unit), known, value, {}};
-    cell.tolerance = tolerance;
-    cell.decimals = decimals;
-    return cell;
-}
-
-Cell unjudged(std::string row, std::string column, std::string unit, double value, int decimals) {
-    Cell cell{std::move(row), std::move(column), std::move(unit), {}, value, {}};
-    cell.decimals = decimals;
-    return cell;
-}
-
 std::string psia_column(double psia) { return fmt::format("{} psia", psia); }
 
-void add_moduli(Reading& reading) {
+void add_moduli(Comparison& comparison) {
     for (const ModulusRow& row : known_moduli)
         for (std::size_t i = 0; i < pressures_psia.size(); ++i) {
             double modulus = bulk_modulus_psi(air_oil_mixture(row.air_fraction, row.exponent), pressures_psia[i]);
-            reading.cells.push_back(
-                judged(fmt::format("{}, {}", percent(row.air_fraction), row.exponent == 1 ? "isothermal" : "N = 1.4"),
-                       psia_column(pressures_psia[i]), "1e3 psi", row.modulus_kpsi[i], modulus / 1000, 0.051, 1));
+            comparison.add(judged_cell(
+                fmt::format("{}, {}", percent(row.air_fraction), row.exponent == 1 ? "isothermal" : "N = 1.4"),
+                psia_column(pressures_psia[i]), "1e3 psi", row.modulus_kpsi[i], modulus / 1000, 0.051, 1));
         }
 }
 
 /// C = V / beta: how many times the compliance of the same volume of oil alone.
-void add_compliances(Reading& reading) {
+void add_compliances(Comparison& comparison) {
     for (double air : air_fractions)
         for (double psia : pressures_psia)
-            reading.cells.push_back(
-                unjudged("C over that of oil, " + percent(air), psia_column(psia), "",
-                         bulk_modulus_psi(air_oil_mixture(0), psia) / bulk_modulus_psi(air_oil_mixture(air), psia), 3));
+            comparison.add(plain_cell(
+                "C over that of oil, " + percent(air), psia_column(psia), "",
+                bulk_modulus_psi(air_oil_mixture(0), psia) / bulk_modulus_psi(air_oil_mixture(air), psia), 3));
 }
 
-void add_softer(Reading& reading) {
+void add_softer(Comparison& comparison) {
     for (const SofterRow& row : known_softer)
         for (std::size_t i = 0; i < air_fractions.size(); ++i)
-            reading.cells.push_back(judged(row.name, percent(air_fractions[i]), "psia", row.psia[i],
-                                           psia_at_modulus(air_oil_mixture(air_fractions[i]), row.share), 0.51, 1));
+            comparison.add(judged_cell(row.name, percent(air_fractions[i]), "psia", row.psia[i],
+                                       psia_at_modulus(air_oil_mixture(air_fractions[i]), row.share), 0.51, 1));
 }
 
 /// The oil that alone would have the boom's compliance.
-void add_volume(Reading& reading) {
+void add_volume(Comparison& comparison) {
     double compliance = single_boom_mechanics().inlet_compliance_in3_per_psi;
-    reading.cells.push_back(judged(fmt::format("oil that alone has C = {}", compliance), "no air", "in^3", 1892,
-                                   compliance * bulk_modulus_psi(air_oil_mixture(0), 1800), 0.51, 1));
+    comparison.add(judged_cell(fmt::format("oil that alone has C = {}", compliance), "no air", "in^3", 1892,
+                               compliance * bulk_modulus_psi(air_oil_mixture(0), 1800), 0.51, 1));
 }
 
 constexpr std::array plotted_fractions{0.0, .001, .01, .02, .05, .10};
 
 template <class Value>
-std::vector<Series> over_pressure(double from_psia, double to_psia, Value value) {
-    std::vector<Series> all;
+Series over_pressure(double air, double from_psia, double to_psia, Value value) {
     constexpr int steps = 200;
-    for (double air : plotted_fractions) {
-        Series series{air == 0 ? "no air" : percent(air), {}};
-        for (int i = 0; i <= steps; ++i) {
-            double psia = from_psia * std::pow(to_psia / from_psia, static_cast<double>(i) / steps);
-            series.points.push_back({psia, value(air, psia)});
-        }
-        all.push_back(series);
-    }
-    return all;
+    return curve({.name = air == 0 ? "no air" : percent(air)}, steps, [&](int i) -> Point {
+        double psia = from_psia * std::pow(to_psia / from_psia, static_cast<double>(i) / steps);
+        return {psia, value(air, psia)};
+    });
 }
 
-Plot plot_of_air() {
+Panel modulus_panel() {
+    Panel panel{.title = "Bulk modulus of an air-oil mixture (isothermal; the air is free)",
+                .x = {"absolute pressure [psi]", 0, 3000},
+                .y = {"bulk modulus [1000 psi]", 0, 240}};
     auto modulus = [](double air, double psia) { return bulk_modulus_psi(air_oil_mixture(air), psia) / 1000; };
+    for (double air : plotted_fractions)
+        panel.series.push_back(over_pressure(air, 10, 3000, modulus));
+    return panel;
+}
+
+Panel compliance_panel() {
+    Panel panel{.title = "Compliance C = V / β over that of the same volume of oil alone",
+                .x = {"absolute pressure [psi]", 20, 3000, true},
+                .y = {"C with air / C without", 0.8, 100, true},
+                .marks = {{"an order of magnitude", 10}}};
     auto softer = [](double air, double psia) {
         return bulk_modulus_psi(air_oil_mixture(0), psia) / bulk_modulus_psi(air_oil_mixture(air), psia);
     };
-    Plot plot{"Figure 2.3: what free air does to oil", {}};
-    plot.panels.push_back({"Bulk modulus of an air-oil mixture (isothermal; the air is free)",
-                           {"absolute pressure [psi]", 0, 3000},
-                           {"bulk modulus [1000 psi]", 0, 240},
-                           over_pressure(10, 3000, modulus)});
-    plot.panels.push_back({"Compliance C = V / β over that of the same volume of oil alone",
-                           {"absolute pressure [psi]", 20, 3000, true},
-                           {"C with air / C without", 0.8, 100, true},
-                           over_pressure(20, 3000, softer),
-                           {{"an order of magnitude", 10}}});
-    return plot;
+    for (double air : plotted_fractions)
+        panel.series.push_back(over_pressure(air, 20, 3000, softer));
+    return panel;
+}
+
+Replay replay_figure_2_3(const ReplayContext&) {
+    Comparison comparison{.name =
+                              "bulk modulus of oil of 220 000 psi with free air, and what it means for C = V / beta",
+                          .against = "known"};
+    add_moduli(comparison);
+    add_compliances(comparison);
+    add_softer(comparison);
+    add_volume(comparison);
+    Plot plot{"Figure 2.3: what free air does to oil", {modulus_panel(), compliance_panel()}};
+    return replay_of({comparison}, {{"figure-2-3", plot}});
 }
 
 } // namespace
 
-Replay replay_figure_2_3(const ReplayContext&) {
-    Replay replay;
-    Reading reading{
-        "bulk modulus of oil of 220 000 psi with free air, and what it means for C = V / beta", {}, "", "known"};
-    add_moduli(reading);
-    add_compliances(reading);
-    add_softer(reading);
-    add_volume(reading);
-    replay.readings.push_back(reading);
-    replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"figure-2-3", plot_of_air()}};
-    return replay;
-}
+extern const Experiment figure_2_3_experiment{
+    .name = "figure-2-3",
+    .about = "the bulk modulus of oil with air in it, over pressure",
+    .chapter = "2",
+    .number = 2,
+    .run = replay_figure_2_3,
+};
 
 } // namespace placedpar

@@ -1,5 +1,4 @@
 #include "experiments/kit/experiment.hpp"
-
 #include "hydraulics/plant/pd_loop.hpp"
 
 #include <fmt/format.h>
@@ -40,98 +39,58 @@ Maybe of_step(const PdLoop& loop, double StepFigures::*figure) {
     return figures_of(response_of(loop, duration_s), step_s).*figure;
 }
 
+Maybe damping_of(const PdLoop& loop) { return of_pair(loop, &Oscillation::damping); }
+Maybe frequency_of(const PdLoop& loop) { return of_pair(loop, &Oscillation::natural_rad_per_s); }
+Maybe overshoot_of(const PdLoop& loop) { return of_step(loop, &StepFigures::overshoot_percent); }
+Maybe peak_time_of(const PdLoop& loop) { return of_step(loop, &StepFigures::peak_time_s); }
+Maybe settling_time_of(const PdLoop& loop) { return of_step(loop, &StepFigures::settling_time_s); }
+Maybe real_pole_of(const PdLoop& loop) { return poles(loop)[0].real(); }
+Maybe pair_real_of(const PdLoop& loop) { return poles(loop)[2].real(); }
+Maybe pair_imaginary_of(const PdLoop& loop) { return poles(loop)[2].imag(); }
+Maybe margin_of(const PdLoop& loop) { return stability_margin(loop); }
+
 /// A figure of the loop, for each multiple of C. The known ones were worked out independently of this program, to the
 /// digits given.
 struct Row {
     const char* name;
-    const char* unit;
-    int decimals;
+    const char* unit = "";
+    int decimals = 3;
     Maybe (*value)(const PdLoop&);
-    std::array<Maybe, 4> known;
-    std::array<Maybe, 4> known_as_printed;
-    double tolerance;
+    std::array<Maybe, 4> known = {};
+    std::array<Maybe, 4> known_as_printed = {};
+    double tolerance = 0.001;
 };
 
-const std::vector<Row>& rows() {
-    static const std::vector<Row> all{{"real pole",
-                                       "1/s",
-                                       3,
-                                       [](const PdLoop& l) { return Maybe(poles(l)[0].real()); },
-                                       {-17.937, {}, -5, {}},
-                                       {},
-                                       0.001},
-                                      {"pair of poles, real",
-                                       "1/s",
-                                       3,
-                                       [](const PdLoop& l) { return Maybe(poles(l)[2].real()); },
-                                       {-6.0315, {}, 0, 0.234},
-                                       {},
-                                       0.001},
-                                      {"pair, imaginary",
-                                       "1/s",
-                                       3,
-                                       [](const PdLoop& l) { return Maybe(poles(l)[2].imag()); },
-                                       {6.8736, {}, 7.0711, 6.71},
-                                       {},
-                                       0.006},
-                                      {"damping zeta",
-                                       "",
-                                       3,
-                                       [](const PdLoop& l) { return of_pair(l, &Oscillation::damping); },
-                                       {0.660, {}, 0, {}},
-                                       {0.280, 0.222},
-                                       0.001},
-                                      {"natural frequency",
-                                       "1/s",
-                                       3,
-                                       [](const PdLoop& l) { return of_pair(l, &Oscillation::natural_rad_per_s); },
-                                       {9.145, {}, 7.071, {}},
-                                       {},
-                                       0.001},
-                                      {"stability margin",
-                                       "",
-                                       3,
-                                       [](const PdLoop& l) { return Maybe(stability_margin(l)); },
-                                       {6, 6.0 / 4, 1, 0.857},
-                                       {},
-                                       0.001},
-                                      {"overshoot",
-                                       "%",
-                                       1,
-                                       [](const PdLoop& l) { return of_step(l, &StepFigures::overshoot_percent); },
-                                       {5.2},
-                                       {39.9, 48},
-                                       0.5},
-                                      {"  its time",
-                                       "s",
-                                       3,
-                                       [](const PdLoop& l) { return of_step(l, &StepFigures::peak_time_s); },
-                                       {0.533},
-                                       {},
-                                       0.0015},
-                                      {"settled within 2 %",
-                                       "s",
-                                       3,
-                                       [](const PdLoop& l) { return of_step(l, &StepFigures::settling_time_s); },
-                                       {0.715},
-                                       {},
-                                       0.0015}};
-    return all;
-}
+constexpr Row rows[]{
+    {.name = "real pole", .unit = "1/s", .value = real_pole_of, .known = {-17.937, {}, -5, {}}},
+    {.name = "pair of poles, real", .unit = "1/s", .value = pair_real_of, .known = {-6.0315, {}, 0, 0.234}},
+    {.name = "pair, imaginary",
+     .unit = "1/s",
+     .value = pair_imaginary_of,
+     .known = {6.8736, {}, 7.0711, 6.71},
+     .tolerance = 0.006},
+    {.name = "damping zeta", .value = damping_of, .known = {0.660, {}, 0, {}}, .known_as_printed = {0.280, 0.222}},
+    {.name = "natural frequency", .unit = "1/s", .value = frequency_of, .known = {9.145, {}, 7.071, {}}},
+    {.name = "stability margin", .value = margin_of, .known = {6, 6.0 / 4, 1, 0.857}},
+    {.name = "overshoot",
+     .unit = "%",
+     .decimals = 1,
+     .value = overshoot_of,
+     .known = {5.2},
+     .known_as_printed = {39.9, 48},
+     .tolerance = 0.5},
+    {.name = "  its time", .unit = "s", .value = peak_time_of, .known = {0.533}, .tolerance = 0.0015},
+    {.name = "settled within 2 %", .unit = "s", .value = settling_time_of, .known = {0.715}, .tolerance = 0.0015},
+};
 
-Reading run(std::string name, const PdLoop& loop, std::array<Maybe, 4> Row::*known) {
-    Reading reading{std::move(name), {}, "", "known"};
-    for (const Row& row : rows())
-        for (std::size_t i = 0; i < factors.size(); ++i) {
-            Maybe value = row.value(with_compliance(loop, factors[i]));
-            if (!value)
-                continue;
-            Cell cell{row.name, times_c(factors[i]), row.unit, (row.*known)[i], *value, {}};
-            cell.tolerance = cell.thesis ? Maybe(row.tolerance) : std::nullopt;
-            cell.decimals = row.decimals;
-            reading.cells.push_back(cell);
-        }
-    return reading;
+Comparison run(std::string name, const PdLoop& loop, std::array<Maybe, 4> Row::*known) {
+    Comparison comparison{.name = std::move(name), .against = "known"};
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < factors.size(); ++i)
+            if (Maybe value = row.value(with_compliance(loop, factors[i])))
+                comparison.add(cell_of(row.name, times_c(factors[i]), row.unit, (row.*known)[i], *value, row.tolerance,
+                                       row.decimals));
+    return comparison;
 }
 
 Series response_series(const PdLoop& loop, double factor, std::optional<int> colour = std::nullopt) {
@@ -148,49 +107,57 @@ Panel response_panel(std::string title, std::vector<Series> series) {
 
 /// The path of one pole while C grows from half to ten times.
 Series locus(const PdLoop& loop, std::string name, std::size_t which, int colour) {
-    Series series{std::move(name), {}, Stroke::line, colour};
     constexpr int steps = 200;
-    for (int i = 0; i <= steps; ++i) {
+    return curve({.name = std::move(name), .colour = colour}, steps, [&](int i) -> Point {
         auto pole = poles(with_compliance(loop, 0.5 * std::pow(20, static_cast<double>(i) / steps)))[which];
-        series.points.push_back({pole.real(), pole.imag()});
-    }
-    return series;
+        return {pole.real(), pole.imag()};
+    });
+}
+
+Series poles_at(const PdLoop& loop, double factor, int colour) {
+    Series points{.name = "at " + times_c(factor), .stroke = Stroke::points, .colour = colour};
+    for (auto pole : poles(with_compliance(loop, factor)))
+        points.points.push_back({pole.real(), pole.imag()});
+    return points;
 }
 
 Panel loci_panel(const PdLoop& loop) {
-    Panel panel{"Poles while C grows from half to ten times",
-                {"real part [1/s]", -25, 5},
-                {"imaginary part [1/s]", -12, 12},
-                {}};
-    panel.series = {locus(loop, "real pole", 0, 7), locus(loop, "pair", 1, 5), locus(loop, "", 2, 5)};
+    Panel panel{.title = "Poles while C grows from half to ten times",
+                .x = {"real part [1/s]", -25, 5},
+                .y = {"imaginary part [1/s]", -12, 12},
+                .series = {locus(loop, "real pole", 0, 7), locus(loop, "pair", 1, 5), locus(loop, "", 2, 5)}};
     int colour = 0;
-    for (double factor : factors) {
-        Series points{"at " + times_c(factor), {}, Stroke::points, colour++};
-        for (auto pole : poles(with_compliance(loop, factor)))
-            points.points.push_back({pole.real(), pole.imag()});
-        panel.series.push_back(points);
-    }
+    for (double factor : factors)
+        panel.series.push_back(poles_at(loop, factor, colour++));
     panel.series.push_back({"limit of stability", {{0, -12}, {0, 12}}, Stroke::dashes, 6});
     return panel;
 }
 
-} // namespace
+Plot plot_of_responses(const PdLoop& loop) {
+    Panel printed = response_panel("Equation 2.9 as printed: the same loop, C and 4 C",
+                                   {response_series(as_printed(loop), 1), response_series(as_printed(loop), 4)});
+    return {"Step response of the P-D loop",
+            {response_panel("Figure 2.8: compliance C", {response_series(loop, 1)}),
+             response_panel("Figure 2.9: compliance 4 C", {response_series(loop, 4, 1)}), printed}};
+}
 
 Replay replay_figures_2_8_2_9(const ReplayContext&) {
     PdLoop loop = reference_pd_loop();
-    Replay replay;
-    replay.readings = {run("equation 2.9 with a_1 and a_2 exchanged", loop, &Row::known),
-                       run("equation 2.9 as printed", as_printed(loop), &Row::known_as_printed)};
-    replay.readings.back().judged = true;
-    replay.fingerprint = fingerprint_of(replay.readings);
-    Panel printed = response_panel("Equation 2.9 as printed: the same loop, C and 4 C",
-                                   {response_series(as_printed(loop), 1), response_series(as_printed(loop), 4)});
-    replay.plots = {{"figures-2-8-2-9",
-                     {"Step response of the P-D loop",
-                      {response_panel("Figure 2.8: compliance C", {response_series(loop, 1)}),
-                       response_panel("Figure 2.9: compliance 4 C", {response_series(loop, 4, 1)}), printed}}},
-                    {"pole-loci", {"The P-D loop's poles", {loci_panel(loop)}}}};
-    return replay;
+    Comparison exchanged = run("equation 2.9 with a_1 and a_2 exchanged", loop, &Row::known);
+    Comparison printed = run("equation 2.9 as printed", as_printed(loop), &Row::known_as_printed);
+    printed.judged = true;
+    return replay_of({exchanged, printed}, {{"figures-2-8-2-9", plot_of_responses(loop)},
+                                            {"pole-loci", {"The P-D loop's poles", {loci_panel(loop)}}}});
 }
+
+} // namespace
+
+extern const Experiment figures_2_8_2_9_experiment{
+    .name = "figures-2-8-2-9",
+    .about = "a P-D loop's step response, and what a greater compliance does to it",
+    .chapter = "2",
+    .number = 3,
+    .run = replay_figures_2_8_2_9,
+};
 
 } // namespace placedpar

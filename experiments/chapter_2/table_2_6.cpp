@@ -1,5 +1,4 @@
 #include "experiments/kit/experiment.hpp"
-
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/flow_constants_fit.hpp"
 #include "hydraulics/circuit/steady_flow.hpp"
@@ -45,18 +44,11 @@ MaybeOfPoint only_at(double flow, double psi, double tolerance) {
     };
 }
 
-void add_rows(Reading& reading, const Quantity& quantity) {
-    for (const SteadyFlowPoint& point : table_2_6()) {
-        Cell cell{fmt::format("{} at {} in^3/s", quantity.name, point.inlet_in3_per_s),
-                  fmt::format("{} psi", point.inlet_psi),
-                  quantity.unit,
-                  quantity.figure(point),
-                  quantity.value(point),
-                  {}};
-        cell.tolerance = quantity.tolerance(point);
-        cell.decimals = quantity.decimals;
-        reading.cells.push_back(cell);
-    }
+void add_rows(Comparison& comparison, const Quantity& quantity) {
+    for (const SteadyFlowPoint& point : table_2_6())
+        comparison.add(cell_of(fmt::format("{} at {} in^3/s", quantity.name, point.inlet_in3_per_s),
+                               fmt::format("{} psi", point.inlet_psi), quantity.unit, quantity.figure(point),
+                               quantity.value(point), quantity.tolerance(point), quantity.decimals));
 }
 
 double flow_in3_per_s(const SteadyFlowPoint& point, double spool_error_in, const FlowConstants& constants) {
@@ -67,16 +59,16 @@ double more_flow_percent(const SteadyFlowPoint& point, double spool_error_in, co
     return 100 * (flow_in3_per_s(point, spool_error_in, constants) / flow_in3_per_s(point, 0, constants) - 1);
 }
 
-void add_table(Reading& reading, const FlowConstants& constants) {
+void add_table(Comparison& comparison, const FlowConstants& constants) {
     auto spool = [=](const SteadyFlowPoint& point) {
         return boom_spool_for_flow(point.inlet_in3_per_s, point.inlet_psi, constants);
     };
     auto flow = [=](const SteadyFlowPoint& point) { return flow_in3_per_s(point, 0, constants); };
-    add_rows(reading, {"spool", "in", 5, spool, std::mem_fn(&SteadyFlowPoint::spool_in), always(2e-4)});
-    add_rows(reading, {"flow", "in^3/s", 2, flow, std::mem_fn(&SteadyFlowPoint::inlet_in3_per_s), always(0.15)});
+    add_rows(comparison, {"spool", "in", 5, spool, std::mem_fn(&SteadyFlowPoint::spool_in), always(2e-4)});
+    add_rows(comparison, {"flow", "in^3/s", 2, flow, std::mem_fn(&SteadyFlowPoint::inlet_in3_per_s), always(0.15)});
 }
 
-void add_claims(Reading& reading, const FlowConstants& constants) {
+void add_claims(Comparison& comparison, const FlowConstants& constants) {
     auto more_flow = [=](double spool_error_in) {
         return [=](const SteadyFlowPoint& point) { return more_flow_percent(point, spool_error_in, constants); };
     };
@@ -85,97 +77,134 @@ void add_claims(Reading& reading, const FlowConstants& constants) {
             return boom_flow_sensitivity(point.spool_in, point.inlet_psi, constants).*of;
         };
     };
-    add_rows(reading, {"more flow for +0.02 in", "%", 1, more_flow(0.02), always(50), only_at(40, 1630, 2)});
-    add_rows(reading, {"more flow for +0.01 in", "%", 1, more_flow(0.01), always(20), only_at(50, 1630, 1.5)});
-    add_rows(reading, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});
-    add_rows(reading, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
+    add_rows(comparison, {"more flow for +0.02 in", "%", 1, more_flow(0.02), always(50), only_at(40, 1630, 2)});
+    add_rows(comparison, {"more flow for +0.01 in", "%", 1, more_flow(0.01), always(20), only_at(50, 1630, 1.5)});
+    add_rows(comparison, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});
+    add_rows(comparison, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
 }
 
 /// A figure of a fit, with what it was found to be independently of this program, to the digits given.
 struct FitFigure {
     const char* name;
-    const char* unit;
-    int decimals;
-    std::function<double(const FlowConstantsFit&)> value;
-    std::optional<double> of_all, of_eight;
+    const char* unit = "";
+    int decimals = 2;
+    double (*value)(const FlowConstantsFit&);
+    std::optional<double> of_all, of_eight = {};
     double tolerance;
 };
 
-const std::vector<FitFigure>& fit_figures() {
-    using Fit = FlowConstantsFit;
-    static const std::vector<FitFigure> all{
-        {"k", "in^3/(s in^2 psi^0.5)", 2, [](const Fit& fit) { return fit.constants.orifice_in3_per_s_in2_sqrt_psi; },
-         99.83, 99.86, 0.01},
-        {"  deviation of k",
-         "",
-         2,
-         [](const Fit& fit) { return fit.deviation.orifice_in3_per_s_in2_sqrt_psi; },
-         0.4,
-         {},
-         0.05},
-        {"Q", "in^3/s", 2, [](const Fit& fit) { return fit.constants.pump_in3_per_s; }, 175.08, 175.06, 0.01},
-        {"  deviation of Q", "", 2, [](const Fit& fit) { return fit.deviation.pump_in3_per_s; }, 0.4, {}, 0.05},
-        {"P_e", "psi", 1, [](const Fit& fit) { return fit.constants.tank_psi; }, 16.2, 17, 0.5},
-        {"  deviation of P_e", "", 1, [](const Fit& fit) { return fit.deviation.tank_psi; }, 9, {}, 0.5},
-        {"rms residual", "1e-4 in", 2, [](const Fit& fit) { return fit.rms_in * 1e4; }, 0.61, 0.38, 0.01}};
-    return all;
-}
+double k_of(const FlowConstants& constants) { return constants.orifice_in3_per_s_in2_sqrt_psi; }
+
+using Fit = FlowConstantsFit;
+
+constexpr FitFigure fit_figures[]{
+    {.name = "k",
+     .unit = "in^3/(s in^2 psi^0.5)",
+     .value = [](const Fit& fit) { return k_of(fit.constants); },
+     .of_all = 99.83,
+     .of_eight = 99.86,
+     .tolerance = 0.01},
+    {.name = "  deviation of k",
+     .value = [](const Fit& fit) { return k_of(fit.deviation); },
+     .of_all = 0.4,
+     .tolerance = 0.05},
+    {.name = "Q",
+     .unit = "in^3/s",
+     .value = [](const Fit& fit) { return fit.constants.pump_in3_per_s; },
+     .of_all = 175.08,
+     .of_eight = 175.06,
+     .tolerance = 0.01},
+    {.name = "  deviation of Q",
+     .value = [](const Fit& fit) { return fit.deviation.pump_in3_per_s; },
+     .of_all = 0.4,
+     .tolerance = 0.05},
+    {.name = "P_e",
+     .unit = "psi",
+     .decimals = 1,
+     .value = [](const Fit& fit) { return fit.constants.tank_psi; },
+     .of_all = 16.2,
+     .of_eight = 17,
+     .tolerance = 0.5},
+    {.name = "  deviation of P_e",
+     .decimals = 1,
+     .value = [](const Fit& fit) { return fit.deviation.tank_psi; },
+     .of_all = 9,
+     .tolerance = 0.5},
+    {.name = "rms residual",
+     .unit = "1e-4 in",
+     .value = [](const Fit& fit) { return fit.rms_in * 1e4; },
+     .of_all = 0.61,
+     .of_eight = 0.38,
+     .tolerance = 0.01},
+};
 
 /// The same, of the residuals in 1e-4 in.
 using Residuals = std::array<double, 9>;
 constexpr Residuals known_fitted{-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr Residuals known_rounded{-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
 
-void add_residuals(Reading& reading, const char* name, const FlowConstants& constants, const Residuals& known) {
+void add_residuals(Comparison& comparison, const char* name, const FlowConstants& constants, const Residuals& known) {
     auto residuals = spool_residuals_in(table_2_6(), constants);
     auto index = [](const SteadyFlowPoint& point) { return static_cast<std::size_t>(&point - table_2_6().data()); };
-    add_rows(reading, {name, "1e-4 in", 2, [=](const SteadyFlowPoint& point) { return 1e4 * residuals[index(point)]; },
-                       [=](const SteadyFlowPoint& point) { return known[index(point)]; }, always(0.01)});
+    add_rows(comparison,
+             {name, "1e-4 in", 2, [=](const SteadyFlowPoint& point) { return 1e4 * residuals[index(point)]; },
+              [=](const SteadyFlowPoint& point) { return known[index(point)]; }, always(0.01)});
 }
 
-Reading fit_reading() {
-    Reading reading{"k, Q and P_e fitted to the spools of the table, and the residuals", {}, "", "known", true};
+Comparison fit_comparison() {
+    Comparison comparison{.name = "k, Q and P_e fitted to the spools of the table, and the residuals",
+                          .against = "known",
+                          .judged = true};
     std::vector<SteadyFlowPoint> eight(table_2_6().begin(), table_2_6().end());
     eight.erase(eight.begin() + 4);
     FlowConstantsFit of_all = fit_flow_constants(table_2_6(), rounded_flow_constants());
     FlowConstantsFit of_eight = fit_flow_constants(eight, rounded_flow_constants());
-    for (const FitFigure& figure : fit_figures()) {
+    for (const FitFigure& figure : fit_figures) {
         auto add = [&](const char* column, const FlowConstantsFit& fit, std::optional<double> known) {
-            Cell cell{figure.name, column, figure.unit, known, figure.value(fit), {}};
-            cell.tolerance = known ? std::optional(figure.tolerance) : std::nullopt;
-            cell.decimals = figure.decimals;
-            reading.cells.push_back(cell);
+            comparison.add(
+                cell_of(figure.name, column, figure.unit, known, figure.value(fit), figure.tolerance, figure.decimals));
         };
         add("all nine", of_all, figure.of_all);
         add("without 50 at 1830 psi", of_eight, figure.of_eight);
     }
-    add_residuals(reading, "residual, fitted,", fitted_flow_constants(), known_fitted);
-    add_residuals(reading, "residual, rounded,", rounded_flow_constants(), known_rounded);
-    return reading;
+    add_residuals(comparison, "residual, fitted,", fitted_flow_constants(), known_fitted);
+    add_residuals(comparison, "residual, rounded,", rounded_flow_constants(), known_rounded);
+    return comparison;
+}
+
+Series computed_flow(int psi, int colour) {
+    return curve({.name = fmt::format("{} psi", psi), .colour = colour}, 224, [=](int i) -> Point {
+        double spool = boom_dead_band_in + i * 0.0005; // to 0.3 in
+        return {spool, flow_in3_per_s({0, static_cast<double>(psi), spool}, 0, rounded_flow_constants())};
+    });
+}
+
+Series tabled_flow(int psi, int colour) {
+    Series points{.name = fmt::format("thesis, {} psi", psi), .stroke = Stroke::points, .colour = colour};
+    for (const SteadyFlowPoint& point : table_2_6())
+        if (point.inlet_psi == psi)
+            points.points.push_back({point.spool_in, point.inlet_in3_per_s});
+    return points;
 }
 
 /// Flow over spool at the three pressures, with the table's entries.
 Panel flow_panel() {
-    Panel panel{"Flow into the boom's cylinders in the steady state",
-                {"spool [in]", boom_dead_band_in, 0.3},
-                {"flow [in³/s]", 0, 100},
-                {}};
+    Panel panel{.title = "Flow into the boom's cylinders in the steady state",
+                .x = {"spool [in]", boom_dead_band_in, 0.3},
+                .y = {"flow [in³/s]", 0, 100}};
+    int colour = 0;
     for (int psi : pressures_psi) {
-        int colour = static_cast<int>(panel.series.size()) / 2;
-        Series line{fmt::format("{} psi", psi), {}, Stroke::line, colour};
-        for (int i = 0; i <= 224; ++i) {
-            double spool = boom_dead_band_in + i * 0.0005; // to 0.3 in
-            SteadyFlowPoint point{0, static_cast<double>(psi), spool};
-            line.points.push_back({spool, flow_in3_per_s(point, 0, rounded_flow_constants())});
-        }
-        Series points{fmt::format("thesis, {} psi", psi), {}, Stroke::points, colour};
-        for (const SteadyFlowPoint& point : table_2_6())
-            if (point.inlet_psi == psi)
-                points.points.push_back({point.spool_in, point.inlet_in3_per_s});
-        panel.series.push_back(line);
-        panel.series.push_back(points);
+        panel.series.push_back(computed_flow(psi, colour));
+        panel.series.push_back(tabled_flow(psi, colour++));
     }
     return panel;
+}
+
+Series error_series(const SteadyFlowPoint& point) {
+    return curve({.name = fmt::format("{} in³/s", point.inlet_in3_per_s)}, 120, [&](int i) -> Point {
+        double error_in = (i - 60) * 0.0005;
+        return {error_in, more_flow_percent(point, error_in, rounded_flow_constants())};
+    });
 }
 
 /// What an error of the spool does to the flow that should be 40, 50 or 60 in^3/s.
@@ -185,30 +214,35 @@ Panel error_panel() {
                 {"error of the flow [%]"},
                 {},
                 {{"+50 %", 50}, {"+20 %", 20}}};
-    for (const SteadyFlowPoint& point : table_2_6()) {
-        if (point.inlet_psi != 1630)
-            continue;
-        Series line{fmt::format("{} in³/s", point.inlet_in3_per_s), {}};
-        for (int i = -60; i <= 60; ++i)
-            line.points.push_back({i * 0.0005, more_flow_percent(point, i * 0.0005, rounded_flow_constants())});
-        panel.series.push_back(line);
-    }
+    for (const SteadyFlowPoint& point : table_2_6())
+        if (point.inlet_psi == 1630)
+            panel.series.push_back(error_series(point));
     return panel;
+}
+
+/// The table with one set of constants.
+Comparison with_constants(std::string name, const FlowConstants& constants) {
+    Comparison comparison{.name = std::move(name)};
+    add_table(comparison, constants);
+    return comparison;
+}
+
+Replay replay_table_2_6(const ReplayContext&) {
+    auto rounded = with_constants("Table 2.6, with k 100, Q 175, P_e 25", rounded_flow_constants());
+    add_claims(rounded, rounded_flow_constants());
+    auto fitted = with_constants("Table 2.6, with k 99.83, Q 175.08, P_e 16.2", fitted_flow_constants());
+    Plot plot{"Table 2.6: flow over spool and pressure", {flow_panel(), error_panel()}};
+    return replay_of({rounded, fitted, fit_comparison()}, {{"table-2-6", plot}});
 }
 
 } // namespace
 
-Replay replay_table_2_6(const ReplayContext&) {
-    Replay replay;
-    replay.readings.push_back({"Table 2.6, with k 100, Q 175, P_e 25", {}, ""});
-    add_table(replay.readings.back(), rounded_flow_constants());
-    add_claims(replay.readings.back(), rounded_flow_constants());
-    replay.readings.push_back({"Table 2.6, with k 99.83, Q 175.08, P_e 16.2", {}, ""});
-    add_table(replay.readings.back(), fitted_flow_constants());
-    replay.readings.push_back(fit_reading());
-    replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"table-2-6", {"Table 2.6: flow over spool and pressure", {flow_panel(), error_panel()}}}};
-    return replay;
-}
+extern const Experiment table_2_6_experiment{
+    .name = "table-2-6",
+    .about = "steady flow of the boom over spool and pressure, and what errors in them do",
+    .chapter = "2",
+    .number = 1,
+    .run = replay_table_2_6,
+};
 
 } // namespace placedpar

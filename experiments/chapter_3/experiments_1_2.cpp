@@ -1,9 +1,9 @@
-#include "experiments/chapter_3/boom_plots.hpp"
-#include "experiments/chapter_3/boom_search.hpp"
-#include "experiments/chapter_3/spool_lag.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/boom_plots.hpp"
+#include "experiments/chapter_3/kit/boom_search.hpp"
+#include "experiments/chapter_3/kit/spool_lag.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/statistics.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
 
@@ -88,13 +88,11 @@ double within_percent_of(const std::vector<double>& found, double truth, double 
 }
 
 /// What the Error does while the search is active.
-void add_errors(Reading& reading, const Way& way, const BoomData& data, std::uint64_t seed) {
+void add_errors(Comparison& comparison, const Way& way, const BoomData& data, std::uint64_t seed) {
     BoomModel model = model_of(data, way.from);
     auto identified = identify_boom(data, model, rising_way(), seed);
     auto generations = watch_search(data, identified.samples, rising_way(), seed);
-    auto add = [&](const char* row, double value) {
-        reading.cells.push_back(plain_cell(row, way.name, "in^3/s", value, 2));
-    };
+    auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, way.name, "in^3/s", value, 2)); };
     add("Error, mean of the population, first", generations.front().mean_error_in3_per_s);
     add("  last generation", generations.back().mean_error_in3_per_s);
     add("Error of the best individual, first", generations.front().best_error_in3_per_s);
@@ -102,13 +100,11 @@ void add_errors(Reading& reading, const Way& way, const BoomData& data, std::uin
 }
 
 /// The thesis's "decreasing monotonically", where noise does not hide it: of the best of all codes in every window.
-void add_clean_errors(Reading& reading, const Way& way, const BoomData& clean) {
-    auto samples = samples_while_rising(clean, model_of(clean, way.from));
-    auto least = least_errors(clean, samples, rising_way());
-    reading.cells.push_back(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
-    reading.cells.push_back(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
-    reading.cells.push_back(
-        judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
+void add_clean_errors(Comparison& comparison, const Way& way, const BoomData& clean) {
+    auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
+    comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
+    comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
+    comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
 /// How far an experiment's compliance may be from the true one, as a share of it: for one record, for the median of
@@ -117,43 +113,44 @@ struct Allowed {
     double record, median;
 };
 
-void add_found(Reading& reading, const Way& way, const std::vector<BoomData>& motions, const Seeds& seeds,
+void add_found(Comparison& comparison, const Way& way, const std::vector<BoomData>& motions, const Seeds& seeds,
                const Allowed& allowed) {
     BoomModel model = model_of(motions.front(), way.from);
     double truth = motions.front().machine.inlet_compliance_in3_per_psi;
     auto one = identify_boom(motions.front(), model, rising_way(), seeds.front());
     auto found = found_in(motions, model, seeds);
     auto add = [&](const char* row, double value, double tolerance) {
-        reading.cells.push_back(judged_cell(row, way.name, "in^3/psi", truth, value, tolerance * truth, 5));
+        comparison.add(judged_cell(row, way.name, "in^3/psi", truth, value, tolerance * truth, 5));
     };
     add("C_BOi of this record", one.compliance_in3_per_psi, allowed.record);
-    reading.cells.push_back(
-        compared_cell("  least squares", way.name, "in^3/psi", truth, one.least_squares.value_or(0), 5));
+    comparison.add(compared_cell("  least squares", way.name, "in^3/psi", truth, one.least_squares.value_or(0), 5));
     add("  median of 50 records", median(found), allowed.median);
-    reading.cells.push_back(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
+    comparison.add(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
 }
 
-Reading simple_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Reading reading{fmt::format("{}: what both experiments find", simple.name), {}, "", "true"};
+Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
+    Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     for (const Way& way : ways)
-        add_found(reading, way, motions, seeds, {0.1, 0.03});
+        add_found(comparison, way, motions, seeds, {0.1, 0.03});
     for (const Way& way : ways) {
-        add_errors(reading, way, motions.front(), seeds.front());
-        add_clean_errors(reading, way, clean);
+        add_errors(comparison, way, motions.front(), seeds.front());
+        add_clean_errors(comparison, way, clean);
     }
-    return reading;
+    return comparison;
 }
 
 /// The model knows nothing of the measured machine's hoses, stiction and ripple, nor of 10 ms of dead time, which in
 /// experiment 2 act as an a_0 that is too high.
-Reading measured_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Reading reading{fmt::format("{}: what both experiments find", measured.name), {}, "", "true", true};
+Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
+    Comparison comparison{
+        .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
     for (const Way& way : ways)
-        add_found(reading, way, motions, seeds, way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
+        add_found(comparison, way, motions, seeds,
+                  way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
     for (const Way& way : ways)
-        add_errors(reading, way, motions.front(), seeds.front());
-    return reading;
+        add_errors(comparison, way, motions.front(), seeds.front());
+    return comparison;
 }
 
 /// What experiment 2 finds with another a_0 than the machine's 8; the known errors are an independent prototype's.
@@ -162,56 +159,69 @@ struct WrongLag {
 };
 constexpr std::array<WrongLag, 5> wrong_lags{{{6, -59}, {7.5, -12}, {8, 0}, {8.5, 12}, {10, 39}}};
 
-Reading lag_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
+Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     double truth = motions.front().machine.inlet_compliance_in3_per_psi;
-    Reading reading{
-        "simple plant, experiment 2 with another a_0 than the machine's 8: error of C_BOi, median of 50 records",
-        {},
-        "",
-        "known",
-        true};
+    Comparison comparison{
+        .name =
+            "simple plant, experiment 2 with another a_0 than the machine's 8: error of C_BOi, median of 50 records",
+        .against = "known",
+        .judged = true};
     for (const WrongLag& lag : wrong_lags) {
         BoomModel model{AreasFrom::servo, lag.lag_per_s, 0};
         auto percent = [&](double found) { return 100 * (found / truth - 1); };
         std::string column = fmt::format("a_0 = {}", lag.lag_per_s);
         double searched = median(found_in(motions, model, seeds));
-        reading.cells.push_back(judged_cell("search", column, "%", lag.known_percent, percent(searched), 8, 1));
+        comparison.add(judged_cell("search", column, "%", lag.known_percent, percent(searched), 8, 1));
         auto fit = least_squares_compliance(motions.front(), model, rising_way().usable);
-        reading.cells.push_back(plain_cell("least squares, one record", column, "%", percent(fit.value_or(0)), 1));
+        comparison.add(plain_cell("least squares, one record", column, "%", percent(fit.value_or(0)), 1));
     }
-    return reading;
+    return comparison;
 }
 
-/// .005 and .0086 of one machine: an a_0 believed to be higher than it is, or a spool that reads too low.
-Reading both_reading(const Seeds& seeds) {
+/// A row of the comparison of .005 and .0086: what one experiment finds with a model, beside what the thesis's found.
+void add_explained(Comparison& comparison, const std::string& row, const Way& way, double found, Origin origin) {
+    double figure = way.from == AreasFrom::spool ? by_spool_in3_per_psi : by_voltage_in3_per_psi;
+    Cell cell = judged_cell(row, way.name, "in^3/psi", figure, found, 0.05 * figure, 5);
+    cell.origin = origin;
+    comparison.add(cell);
+}
+
+/// The first explanation: an a_0 believed to be higher than it is. Returns that a_0 over the machine's own.
+double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seeds.front());
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
-    auto softer = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
-    BoomData stiff = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
-    double low = offset_that_finds(by_spool_in3_per_psi, stiff);
+    auto motions = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
+    auto found = [&](const BoomModel& model) { return median(found_in(motions, model, seeds)); };
+    std::string row = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
+    add_explained(comparison, row, ways[0], found(model_of(clean, AreasFrom::spool)), Origin::outcome);
+    add_explained(comparison, row, ways[1], found({AreasFrom::servo, lag, 0}), Origin::calibrated);
+    return lag / clean.machine.spool_lag_per_s;
+}
+
+/// The second: a spool that reads too low. Returns by how much, in inches.
+double add_low_spool(Comparison& comparison, const Seeds& seeds) {
+    BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
+    double low = offset_that_finds(by_spool_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
-    Reading reading{"simple plant: .005 versus .0086 of one machine, median of 50 records", {}, "", "thesis", true};
-    auto add = [&](const std::string& row, const Way& way, double figure, double value, Origin origin) {
-        Cell cell = judged_cell(row, way.name, "in^3/psi", figure, value, 0.05 * figure, 5);
-        cell.origin = origin;
-        reading.cells.push_back(cell);
-    };
-    auto found = [&](const std::vector<BoomData>& data, const BoomModel& model) {
-        return median(found_in(data, model, seeds));
-    };
-    std::string wrong_lag = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
-    add(wrong_lag, ways[0], by_spool_in3_per_psi, found(softer, model_of(clean, AreasFrom::spool)), Origin::outcome);
-    add(wrong_lag, ways[1], by_voltage_in3_per_psi, found(softer, {AreasFrom::servo, lag, 0}), Origin::calibrated);
-    std::string wrong_spool = fmt::format("true C .0086, spool reads {:.4f} in low", -low);
+    auto found = [&](const BoomModel& model) { return median(found_in(motions, model, seeds)); };
+    std::string row = fmt::format("true C .0086, spool reads {:.4f} in low", -low);
     // Taking too much off the readings is the same as a sensor that reads too low.
-    BoomModel low_model = model_of(stiff, AreasFrom::spool);
+    BoomModel low_model = model_of(clean, AreasFrom::spool);
     low_model.spool_offset_in = -low;
-    add(wrong_spool, ways[0], by_spool_in3_per_psi, found(motions, low_model), Origin::calibrated);
-    add(wrong_spool, ways[1], by_voltage_in3_per_psi, found(motions, model_of(stiff, AreasFrom::servo)),
-        Origin::outcome);
-    reading.notes = fmt::format("c: the {:.0f} % of a_0 and the {:.4f} in of spool were chosen for it\n",
-                                100 * (lag / clean.machine.spool_lag_per_s - 1), -low);
-    return reading;
+    add_explained(comparison, row, ways[0], found(low_model), Origin::calibrated);
+    add_explained(comparison, row, ways[1], found(model_of(clean, AreasFrom::servo)), Origin::outcome);
+    return -low;
+}
+
+/// .005 and .0086 of one machine.
+Comparison both_comparison(const Seeds& seeds) {
+    Comparison comparison{.name = "simple plant: .005 versus .0086 of one machine, median of 50 records",
+                          .against = "thesis",
+                          .judged = true};
+    double lag_ratio = add_wrong_lag(comparison, seeds), low_in = add_low_spool(comparison, seeds);
+    comparison.notes = fmt::format("c: the {:.0f} % of a_0 and the {:.4f} in of spool were chosen for it\n",
+                                   100 * (lag_ratio - 1), low_in);
+    return comparison;
 }
 
 std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
@@ -234,23 +244,27 @@ std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
     return plots;
 }
 
-} // namespace
-
 Replay replay_experiments_1_2(const ReplayContext& context) {
     Seeds seeds = record_seeds(context.seed, usual_records);
     context.progress(simple.name);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
-    Replay replay;
-    replay.readings.push_back(simple_reading(motions, seeds));
+    Comparison of_simple = simple_comparison(motions, seeds);
     context.progress(measured.name);
     auto measured_motions = measure(motion_of(measured, by_voltage_in3_per_psi), seeds);
-    replay.readings.push_back(measured_reading(measured_motions, seeds));
+    Comparison of_measured = measured_comparison(measured_motions, seeds);
     context.progress("another a_0");
-    replay.readings.push_back(lag_reading(motions, seeds));
-    replay.readings.push_back(both_reading(seeds));
-    replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = plots_of(measured_motions.front(), seeds.front());
-    return replay;
+    return replay_of({of_simple, of_measured, lag_comparison(motions, seeds), both_comparison(seeds)},
+                     plots_of(measured_motions.front(), seeds.front()));
 }
+
+} // namespace
+
+extern const Experiment experiments_1_2_experiment{
+    .name = "experiments-1-2",
+    .about = "the boom's compliance identified from the spool and from the servo-valve's voltage",
+    .chapter = "3",
+    .number = 1,
+    .run = replay_experiments_1_2,
+};
 
 } // namespace placedpar

@@ -1,8 +1,8 @@
-#include "experiments/chapter_3/fault_plots.hpp"
-#include "experiments/chapter_3/fault_study.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/fault_plots.hpp"
+#include "experiments/chapter_3/kit/fault_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -54,55 +54,55 @@ double percent_off(const std::vector<double>& found, double sound_one) {
     return 100 * static_cast<double>(off) / static_cast<double>(found.size());
 }
 
-void add_case(Reading& reading, const Case& each, const Plant& plant, const Seeds& seeds, AreasFrom from,
+void add_case(Comparison& comparison, const Case& each, const Plant& plant, const Seeds& seeds, AreasFrom from,
               double sound_one) {
     bool by_spool = from == AreasFrom::spool;
     auto found = found_in(each.fault, plant, from, seeds);
     double middle = median(found), ratio = middle / sound_one;
     std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
-    reading.cells.push_back(
-        plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
+    comparison.add(plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
     // What a drift does to C by the voltage nobody has told.
-    reading.cells.push_back(by_spool || !each.in_servo
-                                ? judged_cell(of, column, "", each.known_ratio, ratio, each.tolerance, 2)
-                                : plain_cell(of, column, "", ratio, 2));
-    reading.cells.push_back(plain_cell(by_spool ? "  records off by 12 %" : "  off by 12 %", column, "%",
-                                       percent_off(found, sound_one), 0));
+    comparison.add(by_spool || !each.in_servo ? judged_cell(of, column, "", each.known_ratio, ratio, each.tolerance, 2)
+                                              : plain_cell(of, column, "", ratio, 2));
+    comparison.add(plain_cell(by_spool ? "  records off by 12 %" : "  off by 12 %", column, "%",
+                              percent_off(found, sound_one), 0));
 }
 
-Reading fault_reading(std::string name, const Plant& plant, const Seeds& seeds) {
-    Reading reading{std::move(name), {}, "", "known", true};
-    for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
-        if (from == AreasFrom::servo && !plant.has_servo)
-            continue;
-        double sound_one = median(found_in(no_fault(), plant, from, seeds));
-        for (const Case& each : cases())
-            if (!each.in_servo || plant.has_servo)
-                add_case(reading, each, plant, seeds, from, sound_one);
-    }
-    return reading;
+void add_cases(Comparison& comparison, const Plant& plant, const Seeds& seeds, AreasFrom from) {
+    double sound_one = median(found_in(no_fault(), plant, from, seeds));
+    for (const Case& each : cases())
+        if (!each.in_servo || plant.has_servo)
+            add_case(comparison, each, plant, seeds, from, sound_one);
+}
+
+Comparison fault_comparison(const char* where, const Plant& plant, const Seeds& seeds) {
+    Comparison comparison{
+        .name = fmt::format("{}, median of {} records", where, records_a_fault), .against = "known", .judged = true};
+    add_cases(comparison, plant, seeds, AreasFrom::spool);
+    if (plant.has_servo)
+        add_cases(comparison, plant, seeds, AreasFrom::servo);
+    return comparison;
 }
 
 /// What a leak does to least squares over the rise, beside what is known.
-Reading leak_reading() {
-    Reading reading{"a leak that the model does not know, scenario A without noise, while the pressure rises: growth "
-                    "of C by least squares",
-                    {},
-                    "",
-                    "known",
-                    true};
+Comparison leak_comparison() {
+    Comparison comparison{
+        .name = "a leak that the model does not know, scenario A without noise, while the pressure rises: growth "
+                "of C by least squares",
+        .against = "known",
+        .judged = true};
     auto fit = [](const Fault& fault) { return least_squares(record_of(fault, {"scenario-a", "none", false}, 1)); };
     double before = fit(no_fault());
     auto add = [&](const char* name, double leak_in3_per_s_psi, double known) {
         double growth = 100 * (fit(leak_of(name, leak_in3_per_s_psi)) / before - 1);
-        reading.cells.push_back(judged_cell("growth of C", name, "%", known, growth, 0.2 * known, 1));
+        comparison.add(judged_cell("growth of C", name, "%", known, growth, 0.2 * known, 1));
     };
     add("leak of 4 %", 0.001, 9);
     add("leak of 5 %", 0.0014, 13);
     add("leak of 7 %", 0.002, 18);
     add("leak of 10 %", 0.0028, 27);
     add("leak of 14 %", 0.004, 37);
-    return reading;
+    return comparison;
 }
 
 std::vector<Fault> drawn_faults() {
@@ -113,23 +113,24 @@ std::vector<Fault> drawn_faults() {
     return drawn;
 }
 
-} // namespace
-
 Replay replay_faults(const ReplayContext& context) {
-    Replay replay;
     Seeds seeds = record_seeds(context.seed, records_a_fault);
     context.progress("faults of the simple plant");
-    replay.readings.push_back(fault_reading(
-        fmt::format("simple plant, low noise, median of {} records", records_a_fault), simple_plant, seeds));
-    replay.readings.push_back(leak_reading());
+    Comparison simple = fault_comparison("simple plant, low noise", simple_plant, seeds), leaks = leak_comparison();
     context.progress("faults of the measured machine");
-    replay.readings.push_back(fault_reading(
-        fmt::format("measured machine, mid noise, median of {} records", records_a_fault), measured_machine, seeds));
-    replay.readings.back().notes =
-        "a drift of the servo-valve shows by the voltage only, a fault of hose or cylinder by both\n";
-    replay.plots = {{"faults", plot_of_faults(drawn_faults(), measured_machine, seeds)}};
-    replay.fingerprint = fingerprint_of(replay.readings);
-    return replay;
+    Comparison measured = fault_comparison("measured machine, mid noise", measured_machine, seeds);
+    measured.notes = "a drift of the servo-valve shows by the voltage only, a fault of hose or cylinder by both\n";
+    return replay_of({simple, leaks, measured}, {{"faults", plot_of_faults(drawn_faults(), measured_machine, seeds)}});
 }
+
+} // namespace
+
+extern const Experiment faults_experiment{
+    .name = "faults",
+    .about = "compliance doubled, a leak, a drift of the servo-valve: what the identification shows",
+    .chapter = "3",
+    .number = 7,
+    .run = replay_faults,
+};
 
 } // namespace placedpar

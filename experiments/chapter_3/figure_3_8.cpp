@@ -1,7 +1,6 @@
-#include "experiments/chapter_3/boom_search.hpp"
-#include "experiments/chapter_3/pressure_check.hpp"
-#include "experiments/chapter_3/spool_lag.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/boom_search.hpp"
+#include "experiments/chapter_3/kit/pressure_check.hpp"
+#include "experiments/chapter_3/kit/spool_lag.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "hydraulics/circuit/steady_flow.hpp"
@@ -38,34 +37,29 @@ MeasurementNoise noise_of(BoomPlant plant) { return plant == BoomPlant::simple ?
 
 /// The check of scenario A against figures of an independent prototype.
 struct KnownCheck {
-    double factor; // of the true compliance
+    double factor; ///< of the true compliance
     double rms_psi, tolerance_psi;
     std::optional<double> peak_psi;
 };
-const std::vector<KnownCheck>& known_checks() {
-    static const std::vector<KnownCheck> all{
-        {1, 1, 3, {}},      {0.5, 134, 8, 2267}, {2, 127, 8, 1883},
-        {0.9, 19.5, 4, {}}, {1.1, 19.5, 4, {}},  {found_by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
-    return all;
-}
+constexpr KnownCheck known_checks[]{{1, 1, 3, {}},      {0.5, 134, 8, 2267},
+                                    {2, 127, 8, 1883},  {0.9, 19.5, 4, {}},
+                                    {1.1, 19.5, 4, {}}, {found_by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
 
-Reading known_reading() {
-    Reading reading{"scenario A without noise, its own pressure simulated again from the recorded spool and angle",
-                    {},
-                    "",
-                    "known",
-                    true};
+Comparison known_comparison() {
+    Comparison comparison{
+        .name = "scenario A without noise, its own pressure simulated again from the recorded spool and angle",
+        .against = "known",
+        .judged = true};
     BoomData data = measure(motion_at(4, BoomPlant::simple, no_noise), 1);
-    for (const KnownCheck& known : known_checks()) {
+    for (const KnownCheck& known : known_checks) {
         double compliance = known.factor * thesis_in3_per_psi;
         auto check = check_pressure(data, model_of(data, AreasFrom::spool), compliance);
         std::string row = fmt::format("C = {:.5f}", compliance);
-        reading.cells.push_back(
-            judged_cell(row, "rms difference", "psi", known.rms_psi, check.rms_psi, known.tolerance_psi, 1));
-        reading.cells.push_back(known.peak_psi ? judged_cell(row, "peak", "psi", *known.peak_psi, check.peak_psi, 12, 0)
-                                               : plain_cell(row, "peak", "psi", check.peak_psi, 0));
+        comparison.add(judged_cell(row, "rms difference", "psi", known.rms_psi, check.rms_psi, known.tolerance_psi, 1));
+        comparison.add(known.peak_psi ? judged_cell(row, "peak", "psi", *known.peak_psi, check.peak_psi, 12, 0)
+                                      : plain_cell(row, "peak", "psi", check.peak_psi, 0));
     }
-    return reading;
+    return comparison;
 }
 
 /// The three curves of Figure 3.8.
@@ -79,7 +73,7 @@ constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of it", 0.5},
 constexpr double significant_psi = 80;
 
 /// One motion, simulated with the compliance that another one gave.
-void add_motion(Reading& reading, double deg_per_s, const BoomData& data, double identified_in3_per_psi,
+void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, double identified_in3_per_psi,
                 double excellent_psi) {
     auto row = [&](const char* what) { return fmt::format("{} deg/s: {}", deg_per_s, what); };
     for (const Curve& curve : curves) {
@@ -87,13 +81,12 @@ void add_motion(Reading& reading, double deg_per_s, const BoomData& data, double
         bool same = curve.factor == 1;
         // "Excellent" for us: 4 psi that the 5-point velocity is off without any noise, 2 psi of the pressure's own
         // noise, and 2 psi for each percent by which C is off.
-        reading.cells.push_back(
-            same ? judged_cell(row("rms difference"), curve.name, "psi", 0, check.rms_psi, excellent_psi, 1)
-                 : plain_cell(row("rms difference"), curve.name, "psi", check.rms_psi, 1));
-        reading.cells.push_back(
+        comparison.add(same ? judged_cell(row("rms difference"), curve.name, "psi", 0, check.rms_psi, excellent_psi, 1)
+                            : plain_cell(row("rms difference"), curve.name, "psi", check.rms_psi, 1));
+        comparison.add(
             plain_cell(row("of the pressure's rise"), curve.name, "%", 100 * check.rms_psi / check.rise_psi, 1));
-        reading.cells.push_back(judged_cell(row("above 80 psi (1: yes)"), curve.name, "", same ? 0 : 1,
-                                            check.rms_psi >= significant_psi, 0, 0));
+        comparison.add(judged_cell(row("above 80 psi (1: yes)"), curve.name, "", same ? 0 : 1,
+                                   check.rms_psi >= significant_psi, 0, 0));
     }
 }
 
@@ -109,43 +102,40 @@ BoomData other_motion(BoomPlant plant, std::size_t number, const Seeds& seeds) {
     return measure(motion_at(other_speeds[number], plant, noise_of(plant)), seeds[1 + number]);
 }
 
-Reading other_reading(BoomPlant plant, const Seeds& seeds) {
+Comparison other_comparison(BoomPlant plant, const Seeds& seeds) {
     bool simple = plant == BoomPlant::simple;
     double identified = identified_by_voltage(plant, seeds);
-    Reading reading{fmt::format("{}: C_BOi = {:.5f}, identified at 4 deg/s from the voltage, simulates other motions "
-                                "from their voltage and angle",
-                                simple ? "simple plant, low noise" : "measured machine, mid noise", identified),
-                    {},
-                    "",
-                    "thesis",
-                    true};
+    Comparison comparison{
+        .name = fmt::format("{}: C_BOi = {:.5f}, identified at 4 deg/s from the voltage, simulates other motions "
+                            "from their voltage and angle",
+                            simple ? "simple plant, low noise" : "measured machine, mid noise", identified),
+        .against = "thesis",
+        .judged = true};
     for (std::size_t i = 0; i < other_speeds.size(); ++i)
-        add_motion(reading, other_speeds[i], other_motion(plant, i, seeds), identified, simple ? 18 : 40);
-    reading.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
-    return reading;
+        add_motion(comparison, other_speeds[i], other_motion(plant, i, seeds), identified, simple ? 18 : 40);
+    comparison.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
+    return comparison;
 }
 
 /// The thesis simulates with the voltage that it identifies from. An a_0 that is wrong in both is not found out.
-Reading blind_reading(const Seeds& seeds) {
+Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
     BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, found_by_spool_in3_per_psi), seeds[1]);
-    Reading reading{fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
-                                "3 deg/s",
-                                lag),
-                    {},
-                    ""};
+    Comparison comparison{
+        .name = fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
+                            "3 deg/s",
+                            lag)};
     for (double compliance :
          {thesis_in3_per_psi / 2, found_by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
         std::string column = fmt::format("C = {}", compliance);
         auto volts = check_pressure(other, {AreasFrom::servo, lag, 0}, compliance);
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
-        reading.cells.push_back(plain_cell("by the voltage", column, "psi", volts.rms_psi, 1));
-        reading.cells.push_back(plain_cell("by the spool", column, "psi", spool.rms_psi, 1));
-        reading.cells.push_back(
-            plain_cell("by the voltage, of the rise", column, "%", 100 * volts.rms_psi / volts.rise_psi, 1));
+        comparison.add(plain_cell("by the voltage", column, "psi", volts.rms_psi, 1));
+        comparison.add(plain_cell("by the spool", column, "psi", spool.rms_psi, 1));
+        comparison.add(plain_cell("by the voltage, of the rise", column, "%", 100 * volts.rms_psi / volts.rise_psi, 1));
     }
-    return reading;
+    return comparison;
 }
 
 Series simulated_series(std::string name, const PressureCheck& check) {
@@ -187,16 +177,21 @@ Plot plot_of_check(const Seeds& seeds) {
              pressure_panel("b: with half and twice of it, too", data, identified, true)}};
 }
 
+Replay replay_figure_3_8(const ReplayContext& context) {
+    Seeds seeds = record_seeds(context.seed, 1 + other_speeds.size());
+    return replay_of({other_comparison(BoomPlant::simple, seeds), other_comparison(BoomPlant::measured, seeds),
+                      known_comparison(), blind_comparison(seeds)},
+                     {{"figure-3-8", plot_of_check(seeds)}});
+}
+
 } // namespace
 
-Replay replay_figure_3_8(const ReplayContext& context) {
-    Replay replay;
-    Seeds seeds = record_seeds(context.seed, 1 + other_speeds.size());
-    replay.readings = {other_reading(BoomPlant::simple, seeds), other_reading(BoomPlant::measured, seeds),
-                       known_reading(), blind_reading(seeds)};
-    replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"figure-3-8", plot_of_check(seeds)}};
-    return replay;
-}
+extern const Experiment figure_3_8_experiment{
+    .name = "figure-3-8",
+    .about = "the identified compliance simulates the pressure of other motions",
+    .chapter = "3",
+    .number = 3,
+    .run = replay_figure_3_8,
+};
 
 } // namespace placedpar

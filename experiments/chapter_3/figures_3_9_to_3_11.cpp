@@ -1,8 +1,8 @@
-#include "experiments/chapter_3/two_link_plots.hpp"
-#include "experiments/chapter_3/two_link_study.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/two_link_plots.hpp"
+#include "experiments/chapter_3/kit/two_link_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -16,12 +16,13 @@ using namespace hydraulics;
 namespace {
 
 /// The steady state of scenario R2; known from an independent prototype.
-Reading steady_reading(const TwoLinkMotion& motion) {
+Comparison steady_comparison(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
     InternalStates states = true_states(end);
-    Reading reading{"scenario R2, simulated (Figure 3.9): when it is steady", {}, "", "known", true};
+    Comparison comparison{
+        .name = "scenario R2, simulated (Figure 3.9): when it is steady", .against = "known", .judged = true};
     auto add = [&](const char* row, const char* unit, double known, double value) {
-        reading.cells.push_back(judged_cell(row, "t = 4 s", unit, known, value, 0.005 * known, 1));
+        comparison.add(judged_cell(row, "t = 4 s", unit, known, value, 0.005 * known, 1));
     };
     add("P_11", "psi", 2051, states.p11);
     add("P_12", "psi", 1722, states.p12);
@@ -31,7 +32,7 @@ Reading steady_reading(const TwoLinkMotion& motion) {
     add("Q_12", "in^3/s", 66.0, states.q12);
     add("Q_BUi", "in^3/s", 51.9, states.q_bucket);
     add("Q_BOi", "in^3/s", 57.2, states.q_boom);
-    return reading;
+    return comparison;
 }
 
 /// One way of searching at one noise level, and what is known of it.
@@ -42,7 +43,7 @@ struct Study {
     double known_percent; ///< of records with both within 10 %: the prototype's
 };
 
-void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion, const Seeds& seeds) {
+void add_study(Comparison& comparison, const Study& study, const TwoLinkMotion& motion, const Seeds& seeds) {
     auto runs = search_many(motion, study.noise, study.way, seeds);
     std::vector<double> bucket, boom;
     for (const SearchRun& run : runs) {
@@ -54,34 +55,32 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
     double within = both_within_ten_percent(runs, last, study.way.search.window.trials);
     double least = study.known_percent - share_tolerance(study.known_percent, seeds.size());
     Cell shared = compared_cell("both within 10 %", study.name, "% of records", study.known_percent, within, 0);
-    reading.cells.push_back(at_least(least, shared));
-    auto add = [&](const char* row, double value) {
-        reading.cells.push_back(plain_cell(row, study.name, "%", value, 1));
-    };
+    comparison.add(at_least(least, shared));
+    auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, study.name, "%", value, 1)); };
     add("error of C_BUi, median", median(bucket));
     add("  of C_BUi, 9 of 10 below", share_below(bucket, 0.9));
     add("error of C_BOi, median", median(boom));
     add("  of C_BOi, 9 of 10 below", share_below(boom, 0.9));
 }
 
-Reading study_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
-    Reading reading{
-        fmt::format("C_BUi and C_BOi found together, {} records, 20 samples of 5 generations", seeds.size()),
-        {},
-        "judged from below: three deviations of the difference of two samples of so many records are left\n",
-        "known"};
-    add_study(reading, {"as the thesis has it", thesis_way(), no_noise, 65}, motion, seeds);
-    add_study(reading, {"elite, 2 skipped", elite_way(), no_noise, 98}, motion, seeds);
-    add_study(reading, {"and Gray code", gray_way(), no_noise, 100}, motion, seeds);
-    return reading;
+Comparison study_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
+    Comparison comparison{
+        .name = fmt::format("C_BUi and C_BOi found together, {} records, 20 samples of 5 generations", seeds.size()),
+        .notes = "judged from below: three deviations of the difference of two samples of so many records are left\n",
+        .against = "known"};
+    add_study(comparison, {"as the thesis has it", thesis_way(), no_noise, 65}, motion, seeds);
+    add_study(comparison, {"elite, 2 skipped", elite_way(), no_noise, 98}, motion, seeds);
+    add_study(comparison, {"and Gray code", gray_way(), no_noise, 100}, motion, seeds);
+    return comparison;
 }
 
-Reading noise_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
-    Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known", true};
-    add_study(reading, {"as the thesis has it", thesis_way(), low_noise, 55}, motion, seeds);
-    add_study(reading, {"elite, 2 skipped", elite_way(), low_noise, 80}, motion, seeds);
-    add_study(reading, {"and Gray code", gray_way(), low_noise, 86}, motion, seeds);
-    return reading;
+Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
+    Comparison comparison{
+        .name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known", .judged = true};
+    add_study(comparison, {"as the thesis has it", thesis_way(), low_noise, 55}, motion, seeds);
+    add_study(comparison, {"elite, 2 skipped", elite_way(), low_noise, 80}, motion, seeds);
+    add_study(comparison, {"and Gray code", gray_way(), low_noise, 86}, motion, seeds);
+    return comparison;
 }
 
 using StateErrors = std::array<double, InternalStates::count>;
@@ -107,40 +106,50 @@ StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& w
 }
 
 /// The thesis's "states within 10 %".
-Reading states_reading(const TwoLinkMotion& motion, std::uint64_t seed) {
+Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
-    Reading reading{"internal states by the best individual (Figure 3.10): greatest error from the sixth sample on, of "
-                    "one search without noise",
-                    {},
-                    "judged: with an elite, the first two samples skipped, and Gray code; as the thesis has it, chance "
-                    "decides\n",
-                    "thesis",
-                    true};
+    Comparison comparison{
+        .name = "internal states by the best individual (Figure 3.10): greatest error from the sixth sample on, of "
+                "one search without noise",
+        .notes = "judged: with an elite, the first two samples skipped, and Gray code; as the thesis has it, chance "
+                 "decides\n",
+        .against = "thesis",
+        .judged = true};
     StateErrors gray = worst_errors(motion, gray_way(), seed), plain = worst_errors(motion, thesis_way(), seed);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        reading.cells.push_back(plain_cell(names[i], "as the thesis has it", "%", plain[i], 1));
-        reading.cells.push_back(at_most(10, plain_cell(names[i], "elite, 2 skipped, Gray", "%", gray[i], 1)));
+        comparison.add(plain_cell(names[i], "as the thesis has it", "%", plain[i], 1));
+        comparison.add(at_most(10, plain_cell(names[i], "elite, 2 skipped, Gray", "%", gray[i], 1)));
     }
-    return reading;
+    return comparison;
 }
 
-} // namespace
+/// Of one search without noise.
+Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
+    IdentificationWay way = gray_way();
+    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
+    return plot_of_estimated_states(motion, prepared, run);
+}
 
 Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
     context.progress("bucket and boom, simulated");
     TwoLinkMotion motion = simulate_two_links();
-    Replay replay;
     Seeds seeds = record_seeds(context.seed, search_records);
     context.progress("bucket and boom, identified");
-    replay.readings = {study_reading(motion, seeds), steady_reading(motion), states_reading(motion, seeds.front()),
-                       noise_reading(motion, seeds)};
-    IdentificationWay way = gray_way();
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
-    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seeds.front(), "master"));
-    replay.plots = {{"figure-3-9", plot_of_states(motion)},
-                    {"figure-3-10", plot_of_estimated_states(motion, prepared, run)}};
-    replay.fingerprint = fingerprint_of(replay.readings);
-    return replay;
+    return replay_of(
+        {study_comparison(motion, seeds), steady_comparison(motion), states_comparison(motion, seeds.front()),
+         noise_comparison(motion, seeds)},
+        {{"figure-3-9", plot_of_states(motion)}, {"figure-3-10", plot_of_found_states(motion, seeds.front())}});
 }
+
+} // namespace
+
+extern const Experiment figures_3_9_to_3_11_experiment{
+    .name = "figures-3-9-to-3-11",
+    .about = "bucket and boom together: both compliances, and the states inside the valve",
+    .chapter = "3",
+    .number = 5,
+    .run = replay_figures_3_9_to_3_11,
+};
 
 } // namespace placedpar

@@ -1,7 +1,7 @@
-#include "experiments/chapter_3/boom_search.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/boom_search.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/statistics.hpp"
 #include "hydraulics/circuit/steady_flow.hpp"
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
@@ -36,14 +36,11 @@ std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noi
 /// An offset, and what an independent prototype found with it: of the rising part of scenario A at low noise.
 struct KnownOffset {
     double offset_in;
-    Maybe fit_percent, fit_tolerance; // without a tolerance the size is not judged, the sign is
+    Maybe fit_percent, fit_tolerance; ///< without a tolerance the size is not judged, the sign is
     Maybe search_in3_per_psi;
 };
-const std::vector<KnownOffset>& known_offsets() {
-    static const std::vector<KnownOffset> all{
-        {-0.02, -142, {}, 0}, {-0.015, {}, {}, {}}, {-0.01, -51, 6, 0.0043}, {0, 0, 6, 0.0086}, {0.01, 53, 6, 0.0132}};
-    return all;
-}
+constexpr KnownOffset known_offsets[]{
+    {-0.02, -142, {}, 0}, {-0.015, {}, {}, {}}, {-0.01, -51, 6, 0.0043}, {0, 0, 6, 0.0086}, {0.01, 53, 6, 0.0132}};
 
 std::string inches(double offset_in) { return offset_in == 0 ? "no offset" : fmt::format("{:+} in", offset_in); }
 
@@ -78,64 +75,61 @@ SpoolOffset calibrate(const BoomData& motion, const FlowConstants& flow) {
     return *found;
 }
 
-Cell maybe_judged(const char* row, const std::string& column, const char* unit, Maybe known, double value,
-                  double tolerance, int decimals) {
-    return known ? judged_cell(row, column, unit, *known, value, tolerance, decimals)
-                 : plain_cell(row, column, unit, value, decimals);
-}
-
-void add_attempt(Reading& reading, const KnownOffset& known, const Seeds& seeds) {
-    auto motions = motions_with(known.offset_in, low_noise, seeds);
-    double truth = motions.front().machine.inlet_compliance_in3_per_psi;
-    Found spool = identify_all(motions, AreasFrom::spool, seeds);
-    Found volts = identify_all(motions, AreasFrom::servo, seeds);
+/// The least squares of the rising samples by the spool. Scenario A rises too fast for an offset of -.01 in to make it
+/// negative; of -.02 in it is.
+void add_fit(Comparison& comparison, const KnownOffset& known, double fit, double truth) {
     std::string column = inches(known.offset_in);
-    auto add = [&](const char* row, const char* unit, Maybe figure, double value, double tolerance, int decimals) {
-        reading.cells.push_back(maybe_judged(row, column, unit, figure, value, tolerance, decimals));
-    };
-    double fit = median(spool.fit_in3_per_psi);
-    add("C by least squares", "in^3/psi", {}, fit, 0, 5);
-    reading.cells.push_back(plain_cell("  its error", column, "%", 100 * (fit / truth - 1), 1));
-    reading.cells.back().thesis = known.fit_percent;
-    reading.cells.back().tolerance = known.fit_tolerance;
-    // Scenario A rises too fast for an offset of -.01 in to make it negative; of -.02 in it is.
-    add("  negative (1: yes)", "", known.offset_in == -0.02 ? Maybe(1) : Maybe(0), fit < 0 ? 1 : 0, 0, 0);
-    add("C by the search, spool", "in^3/psi", known.search_in3_per_psi, median(spool.searched_in3_per_psi), 0.0005, 5);
-    add("C by the search, voltage", "in^3/psi", known.search_in3_per_psi, median(volts.searched_in3_per_psi), 0.0005,
-        5);
-    const char* flagged = "flagged: at the lower bound";
-    if (known.search_in3_per_psi)
-        reading.cells.push_back(
-            judged_cell(flagged, column, "%", *known.search_in3_per_psi == 0 ? 100 : 0, spool.flagged_percent, 10, 0));
-    else
-        reading.cells.push_back(plain_cell(flagged, column, "%", spool.flagged_percent, 0));
+    comparison.add(plain_cell("C by least squares", column, "in^3/psi", fit, 5));
+    comparison.add(
+        cell_of("  its error", column, "%", known.fit_percent, 100 * (fit / truth - 1), known.fit_tolerance, 1));
+    double negative = known.offset_in == -0.02 ? 1 : 0;
+    comparison.add(judged_cell("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
-Reading attempt_reading(const Seeds& seeds) {
-    Reading reading{"simple plant, low noise: what an offset of the spool's readings, and of A.1, makes of C_BOi, "
-                    "median of 50 records",
-                    {},
-                    "",
-                    "known"};
-    for (const KnownOffset& known : known_offsets())
-        add_attempt(reading, known, seeds);
-    reading.notes = "at -.02 in the prototype that the known figures are of found another size; the sign is judged\n";
-    return reading;
+void add_searches(Comparison& comparison, const KnownOffset& known, const Found& spool, const Found& volts) {
+    std::string column = inches(known.offset_in);
+    Maybe compliance = known.search_in3_per_psi;
+    auto add = [&](const char* row, const Found& found) {
+        comparison.add(cell_of(row, column, "in^3/psi", compliance, median(found.searched_in3_per_psi), 0.0005, 5));
+    };
+    add("C by the search, spool", spool);
+    add("C by the search, voltage", volts);
+    Maybe flagged_percent = compliance ? Maybe(*compliance == 0 ? 100 : 0) : std::nullopt;
+    comparison.add(cell_of("flagged: at the lower bound", column, "%", flagged_percent, spool.flagged_percent, 10, 0));
+}
+
+void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
+    auto motions = motions_with(known.offset_in, low_noise, seeds);
+    Found spool = identify_all(motions, AreasFrom::spool, seeds);
+    add_fit(comparison, known, median(spool.fit_in3_per_psi), motions.front().machine.inlet_compliance_in3_per_psi);
+    add_searches(comparison, known, spool, identify_all(motions, AreasFrom::servo, seeds));
+}
+
+Comparison attempt_comparison(const Seeds& seeds) {
+    Comparison comparison{
+        .name = "simple plant, low noise: what an offset of the spool's readings, and of A.1, makes of C_BOi, "
+                "median of 50 records",
+        .against = "known"};
+    for (const KnownOffset& known : known_offsets)
+        add_attempt(comparison, known, seeds);
+    comparison.notes =
+        "at -.02 in the prototype that the known figures are of found another size; the sign is judged\n";
+    return comparison;
 }
 
 /// How far the steady flow is off when the spool is believed to be where it reads.
-Reading flow_reading() {
-    Reading reading{"steady flow of scenario A, by the spool as it reads", {}, "", "thesis", true};
+Comparison flow_comparison() {
+    Comparison comparison{
+        .name = "steady flow of scenario A, by the spool as it reads", .against = "thesis", .judged = true};
     ExcavatorScenario scenario = single_boom_scenario();
     double psi = simulate_excavator(scenario).states.back().links.front().inlet_psi;
     double spool = std::get<SpoolOrifices>(scenario.links.front().valve).steps.front().desired_in;
     double truth = steady_boom_flow(spool, psi, scenario.flow).inlet_in3_per_s;
     for (double offset : {-0.01, 0.01}) {
         double percent = 100 * (steady_boom_flow(spool + offset, psi, scenario.flow).inlet_in3_per_s / truth - 1);
-        reading.cells.push_back(
-            judged_cell("error of the flow", inches(offset), "%", std::copysign(20, offset), percent, 4, 1));
+        comparison.add(judged_cell("error of the flow", inches(offset), "%", std::copysign(20, offset), percent, 4, 1));
     }
-    return reading;
+    return comparison;
 }
 
 /// The known scatter of the offset found, over seeds; of an independent prototype.
@@ -147,7 +141,7 @@ struct KnownScatter {
 constexpr std::array<KnownScatter, 3> known_scatters{
     {{"low noise", low_noise, 0.00004}, {"mid noise", mid_noise, 0.00008}, {"high noise", high_noise, 0.00015}}};
 
-void add_scatter(Reading& reading, const KnownScatter& known, const Seeds& seeds) {
+void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds& seeds) {
     constexpr double true_in = 0.01;
     std::vector<double> found, stated;
     for (const BoomData& motion : motions_with(true_in, known.noise, seeds)) {
@@ -156,15 +150,15 @@ void add_scatter(Reading& reading, const KnownScatter& known, const Seeds& seeds
         stated.push_back(offset.deviation_in);
     }
     auto add = [&](const char* row, double figure, double value, double tolerance) {
-        reading.cells.push_back(judged_cell(row, known.name, "in", figure, value, tolerance, 5));
+        comparison.add(judged_cell(row, known.name, "in", figure, value, tolerance, 5));
     };
     add("offset found, mean of 50", true_in, mean(found), 0.00005);
     add("  its scatter", known.known_in, deviation(found), deviation_tolerance(known.known_in, seeds.size(), 0.000005));
-    reading.cells.push_back(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
+    comparison.add(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
 }
 
 /// The same record, calibrated with a k or Q that is 1 % off.
-void add_model_errors(Reading& reading) {
+void add_model_errors(Comparison& comparison) {
     BoomData motion = motions_with(0.01, no_noise, {1}).front();
     double right = calibrate(motion, motion.flow).offset_in;
     FlowConstants more_k = motion.flow, more_q = motion.flow;
@@ -172,75 +166,83 @@ void add_model_errors(Reading& reading) {
     more_q.pump_in3_per_s *= 1.01;
     auto add = [&](const char* column, const FlowConstants& flow, double size) {
         double moved = std::abs(calibrate(motion, flow).offset_in - right);
-        reading.cells.push_back(judged_cell("moved by a model that is 1 % off", column, "in", size, moved, 0.0004, 5));
+        comparison.add(judged_cell("moved by a model that is 1 % off", column, "in", size, moved, 0.0004, 5));
     };
     add("k", more_k, 0.0011);
     add("Q", more_q, 0.0016);
 }
 
-Reading calibration_reading(const Seeds& seeds) {
-    Reading reading{"an offset of .01 in, found from a second of steady motion", {}, "", "known", true};
+Comparison calibration_comparison(const Seeds& seeds) {
+    Comparison comparison{
+        .name = "an offset of .01 in, found from a second of steady motion", .against = "known", .judged = true};
     for (const KnownScatter& known : known_scatters)
-        add_scatter(reading, known, seeds);
-    add_model_errors(reading);
-    return reading;
+        add_scatter(comparison, known, seeds);
+    add_model_errors(comparison);
+    return comparison;
 }
 
-void add_cure(Reading& reading, BoomPlant plant, double offset_in, const Seeds& seeds) {
-    bool simple = plant == BoomPlant::simple;
-    auto motions = motions_with(offset_in, simple ? low_noise : mid_noise, seeds, plant);
-    double calibrated = calibrate(motions.front(), motions.front().flow).offset_in;
+/// What is identified when the offset is taken off.
+void add_cured(Comparison& comparison, const std::string& column, const std::vector<BoomData>& motions,
+               double calibrated_in, const Seeds& seeds, bool simple) {
     double truth = motions.front().machine.inlet_compliance_in3_per_psi;
-    std::string column = inches(offset_in);
-    reading.cells.push_back(judged_cell("offset found", column, "in", offset_in, calibrated, 0.0004, 5));
-    Found uncured = identify_all(motions, AreasFrom::spool, seeds), spool, volts;
-    spool = identify_all(motions, AreasFrom::spool, seeds, calibrated);
-    volts = identify_all(motions, AreasFrom::servo, seeds, calibrated);
+    Found spool = identify_all(motions, AreasFrom::spool, seeds, calibrated_in);
+    Found volts = identify_all(motions, AreasFrom::servo, seeds, calibrated_in);
     auto add = [&](const char* row, const Found& found, double tolerance) {
-        reading.cells.push_back(
+        comparison.add(
             judged_cell(row, column, "in^3/psi", truth, median(found.searched_in3_per_psi), tolerance * truth, 5));
     };
-    reading.cells.push_back(plain_cell("C before, spool", column, "in^3/psi", median(uncured.searched_in3_per_psi), 5));
-    reading.cells.push_back(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
     add("C with it taken off, spool", spool, 0.05);
-    reading.cells.push_back(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
+    comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
     // The measured machine's valve has a dead time that A.2 does not know.
     add("C with it taken off, voltage", volts, simple ? 0.05 : 0.12);
 }
 
-Reading cure_reading(BoomPlant plant, const Seeds& seeds) {
-    Reading reading{fmt::format("{}: calibrated, the offset taken off, 50 records identified",
-                                plant == BoomPlant::simple ? "simple plant, low noise" : "measured machine, mid noise"),
-                    {},
-                    "",
-                    "true",
-                    true};
+void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const Seeds& seeds) {
+    bool simple = plant == BoomPlant::simple;
+    auto motions = motions_with(offset_in, simple ? low_noise : mid_noise, seeds, plant);
+    double calibrated_in = calibrate(motions.front(), motions.front().flow).offset_in;
+    std::string column = inches(offset_in);
+    comparison.add(judged_cell("offset found", column, "in", offset_in, calibrated_in, 0.0004, 5));
+    Found uncured = identify_all(motions, AreasFrom::spool, seeds);
+    comparison.add(plain_cell("C before, spool", column, "in^3/psi", median(uncured.searched_in3_per_psi), 5));
+    comparison.add(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
+    add_cured(comparison, column, motions, calibrated_in, seeds, simple);
+}
+
+Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
+    Comparison comparison{
+        .name = fmt::format("{}: calibrated, the offset taken off, 50 records identified",
+                            plant == BoomPlant::simple ? "simple plant, low noise" : "measured machine, mid noise"),
+        .against = "true",
+        .judged = true};
     for (double offset_in : {-0.02, -0.01, 0.01})
-        add_cure(reading, plant, offset_in, seeds);
-    return reading;
+        add_cure(comparison, plant, offset_in, seeds);
+    return comparison;
+}
+
+/// An offset in the slower motion: at -.01 in the compliance is about to become negative, at -.015 in it is.
+void add_slow(Comparison& comparison, double offset_in) {
+    BoomMotion motion{BoomPlant::simple, no_noise, offset_in};
+    motion.slow = true;
+    BoomData data = measure(motion, 1);
+    auto fit = least_squares_compliance(data, model_of(data, AreasFrom::spool), rising_way().usable).value_or(0);
+    double percent = 100 * (fit / data.machine.inlet_compliance_in3_per_psi - 1);
+    std::string column = inches(offset_in);
+    bool about_to = offset_in == -0.01;
+    comparison.add(plain_cell("C", column, "in^3/psi", fit, 5));
+    comparison.add(cell_of("  its error", column, "%", about_to ? Maybe(-88) : std::nullopt, percent, 20, 1));
+    Maybe negative = about_to ? std::nullopt : Maybe(offset_in == -0.015 ? 1 : 0);
+    comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
 /// Scenario B: the slower the pressure rises, the more an offset does, about 1050 d / (dP/dt).
-Reading slow_reading() {
-    Reading reading{
-        "a slower motion (scenario B, no noise): least squares while the pressure rises", {}, "", "known", true};
-    for (double offset_in : {-0.015, -0.01, 0.0, 0.01}) {
-        BoomMotion motion{BoomPlant::simple, no_noise, offset_in};
-        motion.slow = true;
-        BoomData data = measure(motion, 1);
-        auto fit = least_squares_compliance(data, model_of(data, AreasFrom::spool), rising_way().usable).value_or(0);
-        double percent = 100 * (fit / data.machine.inlet_compliance_in3_per_psi - 1);
-        std::string column = inches(offset_in);
-        reading.cells.push_back(plain_cell("C", column, "in^3/psi", fit, 5));
-        reading.cells.push_back(offset_in == -0.01 ? judged_cell("  its error", column, "%", -88, percent, 20, 1)
-                                                   : plain_cell("  its error", column, "%", percent, 1));
-        const char* negative = "  negative (1: yes)";
-        reading.cells.push_back(
-            offset_in == -0.01 // at which it is about to become so
-                ? plain_cell(negative, column, "", fit < 0 ? 1 : 0, 0)
-                : judged_cell(negative, column, "", offset_in == -0.015 ? 1 : 0, fit < 0 ? 1 : 0, 0, 0));
-    }
-    return reading;
+Comparison slow_comparison() {
+    Comparison comparison{.name = "a slower motion (scenario B, no noise): least squares while the pressure rises",
+                          .against = "known",
+                          .judged = true};
+    for (double offset_in : {-0.015, -0.01, 0.0, 0.01})
+        add_slow(comparison, offset_in);
+    return comparison;
 }
 
 /// C found over the offset that is left uncorrected.
@@ -263,21 +265,26 @@ Plot plot_of_offsets(std::uint64_t seed) {
     return {"The first attempt: a spool that reads too high or too low", {panel}};
 }
 
-} // namespace
-
 Replay replay_first_attempt(const ReplayContext& context) {
-    Replay replay;
     Seeds seeds = record_seeds(context.seed, usual_records);
     context.progress("the first attempt");
-    replay.readings = {attempt_reading(seeds), flow_reading(), slow_reading()};
+    std::vector<Comparison> comparisons{attempt_comparison(seeds), flow_comparison(), slow_comparison()};
     context.progress("calibration");
-    replay.readings.push_back(calibration_reading(seeds));
-    replay.readings.push_back(cure_reading(BoomPlant::simple, seeds));
+    comparisons.push_back(calibration_comparison(seeds));
+    comparisons.push_back(cure_comparison(BoomPlant::simple, seeds));
     context.progress("the measured machine");
-    replay.readings.push_back(cure_reading(BoomPlant::measured, seeds));
-    replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"first-attempt", plot_of_offsets(seeds.front())}};
-    return replay;
+    comparisons.push_back(cure_comparison(BoomPlant::measured, seeds));
+    return replay_of(std::move(comparisons), {{"first-attempt", plot_of_offsets(seeds.front())}});
 }
+
+} // namespace
+
+extern const Experiment first_attempt_experiment{
+    .name = "first-attempt",
+    .about = "the thesis's failed identification: an offset of the spool, flagged, calibrated and cured",
+    .chapter = "3",
+    .number = 2,
+    .run = replay_first_attempt,
+};
 
 } // namespace placedpar

@@ -1,7 +1,7 @@
-#include "experiments/chapter_3/study.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -41,23 +41,23 @@ constexpr std::array<NoiseLevel, 4> levels{{{"no noise", no_noise, {0.07, 1.5}, 
 
 using Progress = std::function<void(const std::string&)>;
 
-void add_level(Reading& reading, const NoiseLevel& level, const Seeds& seeds) {
+void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& seeds) {
     auto add = [&](const char* row, const char* unit, Bound bound, double value, int decimals) {
-        reading.cells.push_back(compared_cell(row, level.name, unit, bound.known, value, decimals));
-        reading.cells.back().at_most = bound.most;
+        comparison.add(compared_cell(row, level.name, unit, bound.known, value, decimals));
+        comparison.cells.back().at_most = bound.most;
     };
     Study all = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
     add("error, median", "%", level.median_percent, all.median_percent(), 2);
     add("  90th percentile", "%", level.ninetieth_percent, all.ninetieth_percent(), 2);
     if (!level.ninetieth_percent.most)
-        reading.cells.back().at_least = too_much_percent;
-    reading.cells.push_back(
+        comparison.cells.back().at_least = too_much_percent;
+    comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
     add("codes from the best of all, 90th percentile", "", {0, 3}, share_below(all.codes_from_optimum, 0.9), 0);
     add("codes from that to the best in SI, greatest", "", {0, 1}, share_below(all.si_codes, 1), 0);
     Study rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
     add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
-    reading.cells.push_back(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
+    comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
 }
 
 /// A way to identify, and what is known of it: the share of seeds within 10 %.
@@ -101,33 +101,32 @@ std::vector<Variant> variants() {
     return all;
 }
 
-void add_variant(Reading& reading, const Variant& variant, const Transients& transients, const Seeds& seeds) {
+void add_variant(Comparison& comparison, const Variant& variant, const Transients& transients, const Seeds& seeds) {
     Study result = study(transients, variant.way, seeds);
     auto add = [&](const char* column, double value, int decimals) {
-        reading.cells.push_back(plain_cell(variant.name, column, "", value, decimals)); // the columns' units differ
+        comparison.add(plain_cell(variant.name, column, "", value, decimals)); // the columns' units differ
     };
     add("error, median [%]", result.median_percent(), 1);
     add("90th percentile [%]", result.ninetieth_percent(), 1);
     const char* within = "seeds within 10 % [%]";
     if (variant.known_within_ten)
-        reading.cells.push_back(judged_cell(variant.name, within, "", *variant.known_within_ten,
-                                            result.within_ten_percent(),
-                                            share_tolerance(*variant.known_within_ten, seeds.size()), 0));
+        comparison.add(judged_cell(variant.name, within, "", *variant.known_within_ten, result.within_ten_percent(),
+                                   share_tolerance(*variant.known_within_ten, seeds.size()), 0));
     else
         add(within, result.within_ten_percent(), 0);
     if (result.codes_from_optimum.size() == seeds.size())
         add("codes off, 90th", share_below(result.codes_from_optimum, 0.9), 0);
 }
 
-Reading variants_reading(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
-    Reading reading{std::move(name), {}, "", "known", true};
+Comparison variants_comparison(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
+    Comparison comparison{.name = std::move(name), .against = "known", .judged = true};
     Seeds seeds = record_seeds(context.seed, usual_records);
     Transients transients = measure_transients(mid_noise, thesis_way().usable, seeds);
     for (const Variant& variant : all) {
         context.progress(variant.name);
-        add_variant(reading, variant, transients, seeds);
+        add_variant(comparison, variant, transients, seeds);
     }
-    return reading;
+    return comparison;
 }
 
 Series distribution(const NoiseLevel& level, const Seeds& seeds) {
@@ -153,22 +152,32 @@ Plot plot_of_study(const Seeds& seeds) {
     return {"Identification of the boom's compliance from scenario A", {panel}};
 }
 
-} // namespace
-
-Replay replay_identification_study(const ReplayContext& context) {
-    Replay replay;
-    Seeds seeds = record_seeds(context.seed, usual_records);
-    Reading reading{"50 records of scenario A and as many searches, the thesis's way", {}, "", "known"};
+Comparison levels_comparison(const Seeds& seeds, const ReplayContext& context) {
+    Comparison comparison{.name = "50 records of scenario A and as many searches, the thesis's way",
+                          .against = "known"};
     for (const NoiseLevel& level : levels) {
         context.progress(fmt::format("noise: {}", level.name));
-        add_level(reading, level, seeds);
+        add_level(comparison, level, seeds);
     }
-    replay.readings.push_back(reading);
-    replay.readings.push_back(variants_reading("other populations, mid noise", populations(), context));
-    replay.readings.push_back(variants_reading("other ways, mid noise", variants(), context));
-    replay.fingerprint = fingerprint_of(replay.readings);
-    replay.plots = {{"identification-study", plot_of_study(seeds)}};
-    return replay;
+    return comparison;
 }
+
+Replay replay_identification_study(const ReplayContext& context) {
+    Seeds seeds = record_seeds(context.seed, usual_records);
+    return replay_of({levels_comparison(seeds, context),
+                      variants_comparison("other populations, mid noise", populations(), context),
+                      variants_comparison("other ways, mid noise", variants(), context)},
+                     {{"identification-study", plot_of_study(seeds)}});
+}
+
+} // namespace
+
+extern const Experiment identification_study_experiment{
+    .name = "identification-study",
+    .about = "50 seeds at four levels of noise: how well the boom's compliance is identified",
+    .chapter = "3",
+    .number = 4,
+    .run = replay_identification_study,
+};
 
 } // namespace placedpar

@@ -1,12 +1,13 @@
-#include "experiments/chapter_3/two_link_plots.hpp"
-#include "experiments/chapter_3/two_link_study.hpp"
-#include "experiments/kit/cells.hpp"
+#include "experiments/chapter_3/kit/two_link_plots.hpp"
+#include "experiments/chapter_3/kit/two_link_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/statistics.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace placedpar {
 
@@ -42,43 +43,41 @@ constexpr std::array<Known, 5> known{{{75, 68}, {200, 18}, {350, 2}, {425, 2}, {
 
 std::string column_of(const Known& each) { return fmt::format("generation {}", each.generation); }
 
-void add_shares(Reading& reading, const char* row, const Runs& runs) {
+void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
     for (const Known& each : known)
-        reading.cells.push_back(plain_cell(row, column_of(each), "% of records",
-                                           both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
+        comparison.add(plain_cell(row, column_of(each), "% of records",
+                                  both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
 /// The share of records that is still right, which the thesis saw falling after generation 425.
-Reading share_reading(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
-    Reading reading{
-        fmt::format(
+Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
+    Comparison comparison{
+        .name = fmt::format(
             "two links without noise: both within 10 %, while the motion grows steady; {} records in the first row, {} "
             "in the others",
             plain.size(), shown.size()),
-        {},
-        "",
-        "known"};
+        .against = "known"};
     for (const Known& each : known)
-        reading.cells.push_back(judged_cell("without a gate", column_of(each), "% of records", each.percent,
-                                            both_within_ten_percent(plain, each.generation, trials_a_sample),
-                                            share_tolerance(each.percent, plain.size()), 0));
-    add_shares(reading, "with the gate", search_many(motion, no_noise, gated(long_way()), shown));
-    add_shares(reading, "elite and Gray code, no gate", search_many(motion, no_noise, prolonged(gray_way()), shown));
-    add_shares(reading, "  and with the gate", search_many(motion, no_noise, gated(prolonged(gray_way())), shown));
-    return reading;
+        comparison.add(judged_cell("without a gate", column_of(each), "% of records", each.percent,
+                                   both_within_ten_percent(plain, each.generation, trials_a_sample),
+                                   share_tolerance(each.percent, plain.size()), 0));
+    add_shares(comparison, "with the gate", search_many(motion, no_noise, gated(long_way()), shown));
+    add_shares(comparison, "elite and Gray code, no gate", search_many(motion, no_noise, prolonged(gray_way()), shown));
+    add_shares(comparison, "  and with the gate", search_many(motion, no_noise, gated(prolonged(gray_way())), shown));
+    return comparison;
 }
 
 /// An elite keeps the answer only while the samples are without noise.
-Reading low_noise_reading(const TwoLinkMotion& motion, const Seeds& shown) {
-    Reading reading{"the same at low noise (2 psi, .003 deg, .1 % of an area)", {}, "", "known"};
+Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
+    Comparison comparison{.name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
-        add_shares(reading, row, search_many(motion, low_noise, way, shown));
+        add_shares(comparison, row, search_many(motion, low_noise, way, shown));
     };
     add("without a gate", long_way());
     add("with the gate", gated(long_way()));
     add("elite and Gray code, no gate", prolonged(gray_way()));
     add("  and with the gate", gated(prolonged(gray_way())));
-    return reading;
+    return comparison;
 }
 
 /// The generation from which on one of both is off by more than the percents through `lost_for` samples; that after
@@ -93,51 +92,60 @@ double lost_from(const SearchRun& run, double percent) {
     return static_cast<double>(trials_a_sample * (run.estimates.size() + 1));
 }
 
-/// When a search loses its way, which an eye reads off a figure.
-Reading single_run_reading(const Runs& plain) {
-    Reading reading{
-        fmt::format("without noise and gate, {} records: the generation from which on one of both is off for "
-                    "100 generations",
-                    plain.size()),
-        {},
-        "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
-        "thesis",
-        true};
-    auto add = [&](double percent, bool is_judged) {
-        std::string row = fmt::format("off by more than {} %", percent);
-        std::vector<double> lost;
-        for (const SearchRun& run : plain)
-            lost.push_back(lost_from(run, percent));
-        reading.cells.push_back(is_judged ? judged_cell(row, "median", "generation", 425, median(lost), 200, 0)
-                                          : plain_cell(row, "median", "generation", median(lost), 0));
-        reading.cells.push_back(plain_cell(row, "first of 10", "generation", share_below(lost, 0.1), 0));
-        reading.cells.push_back(plain_cell(row, "last of 10", "generation", share_below(lost, 0.9), 0));
-    };
-    add(20, true);
-    add(10, false);
-    return reading;
+/// When the searches lose their way by more than the percents.
+void add_lost(Comparison& comparison, const Runs& plain, double percent, std::optional<double> known) {
+    std::string row = fmt::format("off by more than {} %", percent);
+    std::vector<double> lost;
+    for (const SearchRun& run : plain)
+        lost.push_back(lost_from(run, percent));
+    comparison.add(cell_of(row, "median", "generation", known, median(lost), 200, 0));
+    comparison.add(plain_cell(row, "first of 10", "generation", share_below(lost, 0.1), 0));
+    comparison.add(plain_cell(row, "last of 10", "generation", share_below(lost, 0.9), 0));
 }
 
-} // namespace
+/// When a search loses its way, which an eye reads off a figure.
+Comparison single_run_comparison(const Runs& plain) {
+    Comparison comparison{
+        .name = fmt::format("without noise and gate, {} records: the generation from which on one of both is off for "
+                            "100 generations",
+                            plain.size()),
+        .notes = "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
+        .judged = true};
+    add_lost(comparison, plain, 20, 425);
+    add_lost(comparison, plain, 10, {});
+    return comparison;
+}
+
+SearchRun search_once(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
+    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
+}
+
+Plot plot_of_loss(const TwoLinkMotion& motion, const SearchRun& plain, std::uint64_t seed) {
+    RecordProblem prepared = measure_two_links(motion, no_noise, long_way(), seed);
+    return plot_of_compliances(prepared, plain, search_once(motion, gated(prolonged(gray_way())), seed),
+                               trials_a_sample);
+}
 
 Replay replay_loss_of_excitation(const ReplayContext& context) {
     TwoLinkMotion motion = simulate_two_links();
-    Replay replay;
     Seeds seeds = record_seeds(context.seed, search_records);
     context.progress("600 generations of each record, with and without the gate");
     Runs plain = search_many(motion, no_noise, long_way(), seeds);
     Seeds shown(seeds.begin(), seeds.begin() + records_shown);
-    replay.readings = {share_reading(motion, plain, shown), single_run_reading(plain),
-                       low_noise_reading(motion, shown)};
-    auto search = [&](const IdentificationWay& way) {
-        RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
-        return search_transient(prepared.problem, prepared.samples, way, RandomStream(seeds.front(), "master"));
-    };
-    RecordProblem prepared = measure_two_links(motion, no_noise, long_way(), seeds.front());
-    replay.plots = {{"figure-3-11", plot_of_compliances(prepared, plain.front(), search(gated(prolonged(gray_way()))),
-                                                        trials_a_sample)}};
-    replay.fingerprint = fingerprint_of(replay.readings);
-    return replay;
+    return replay_of(
+        {share_comparison(motion, plain, shown), single_run_comparison(plain), low_noise_comparison(motion, shown)},
+        {{"figure-3-11", plot_of_loss(motion, plain.front(), seeds.front())}});
 }
+
+} // namespace
+
+extern const Experiment loss_of_excitation_experiment{
+    .name = "loss-of-excitation",
+    .about = "what becomes of the estimates when the motion is steady",
+    .chapter = "3",
+    .number = 6,
+    .run = replay_loss_of_excitation,
+};
 
 } // namespace placedpar

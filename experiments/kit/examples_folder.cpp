@@ -2,25 +2,43 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace placedpar {
 
-std::filesystem::path examples_folder() {
-    namespace fs = std::filesystem;
-    std::vector<fs::path> places;
-    if (const char* named = std::getenv("PLACEDPAR_EXAMPLES"))
-        places.emplace_back(named);
-    std::error_code error;
-    fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error)
-        places.push_back(program.parent_path().parent_path() / "share" / "placedpar" / "examples");
-    places.emplace_back(PLACEDPAR_SOURCE_EXAMPLES);
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> places_beside(const fs::path& program) {
+    std::vector<fs::path> places{program.parent_path().parent_path() / "share" / "placedpar" / "examples"};
+    std::string written_by_build;
+    if (std::getline(std::ifstream(program.parent_path() / "examples-folder.txt"), written_by_build))
+        places.emplace_back(written_by_build);
+    return places;
+}
+
+std::vector<fs::path> places_of_examples(const fs::path& program, const char* named) {
+    std::vector<fs::path> places = program.empty() ? std::vector<fs::path>() : places_beside(program);
+    if (named)
+        places.insert(places.begin(), named);
+    return places;
+}
+
+} // namespace
+
+fs::path examples_folder() {
+    std::error_code error; // no program where there is no such file system
+    return examples_folder(fs::read_symlink("/proc/self/exe", error), std::getenv("PLACEDPAR_EXAMPLES"));
+}
+
+fs::path examples_folder(const fs::path& program, const char* named) {
     std::string looked;
-    for (const fs::path& place : places) {
+    for (const fs::path& place : places_of_examples(program, named)) {
         if (fs::is_directory(place))
             return place;
         looked += "\n  " + place.string();

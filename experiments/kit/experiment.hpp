@@ -1,55 +1,54 @@
 #pragma once
 
-#include "experiments/kit/reading.hpp"
+#include "experiments/kit/comparison.hpp"
+#include "workbench/load.hpp"
+#include "workbench/netlist_run.hpp"
 #include "workbench/plot.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace placedpar {
 
-/// An experiment of the thesis, run. The first reading is the default one; it is judged by that, and by those others
-/// that say so.
+/// An experiment of the thesis, run.
 struct Replay {
-    std::vector<Reading> readings;
-    std::string constants; ///< for people: which were published, stated as workload, calibrated
+    std::vector<Comparison> comparisons; ///< judged by the first of them, and by the others that are `judged`
+    std::string constants = {};          ///< for people: which were published, stated as workload, calibrated
     std::uint64_t fingerprint = 0;
     std::vector<NamedPlot> plots = {}; ///< --plots draws them
 
     bool within_tolerance() const;
 };
 
-/// For an experiment that runs no processes: of its tables as printed, so that it does not depend on the last bits.
-std::uint64_t fingerprint_of(const std::vector<Reading>&);
+/// Of an experiment that runs no processes. The fingerprint is of its tables as printed, so that it does not depend on
+/// the last bits.
+Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots);
 
+/// What an experiment is run with.
 struct ReplayContext {
-    std::filesystem::path examples;
-    std::uint64_t seed;
-    std::function<void(const std::string&)> progress; ///< what is being run
+    std::filesystem::path examples;                   ///< the folder of the netlists
+    std::uint64_t seed;                               ///< of every random stream
+    std::function<void(const std::string&)> progress; ///< told what is being run; it may throw to end the experiment
+    WarningSink warn;                                 ///< told the warnings of netlists
+    Interruption& interruption;                       ///< ends the runs of netlists
 };
 
+/// What the file of an experiment says about it: see experiments/README.md.
 struct Experiment {
-    std::string name;
-    std::string about;
-    std::function<Replay(const ReplayContext&)> run;
+    std::string_view name, about;
+    std::string_view chapter; ///< of the thesis, or its appendix: the experiments come in this order,
+    int number;               ///< and those of a chapter in this one
+    Replay (*run)(const ReplayContext&);
 };
 
+/// Every experiment: one of each file in the folders chapter_* and appendix_*, by chapter and number.
 const std::vector<Experiment>& experiments();
 
-Replay replay_experiments_1_2(const ReplayContext&);
-Replay replay_faults(const ReplayContext&);
-Replay replay_figure_2_3(const ReplayContext&);
-Replay replay_figure_3_8(const ReplayContext&);
-Replay replay_figures_2_8_2_9(const ReplayContext&);
-Replay replay_figures_3_9_to_3_11(const ReplayContext&);
-Replay replay_first_attempt(const ReplayContext&);
-Replay replay_identification_study(const ReplayContext&);
-Replay replay_loss_of_excitation(const ReplayContext&);
-Replay replay_table_2_6(const ReplayContext&);
-Replay replay_table_e1(const ReplayContext&);
-Replay replay_table_e2(const ReplayContext&);
+/// By chapter, appendices last, and number.
+std::vector<Experiment> in_order(std::vector<Experiment>);
 
 } // namespace placedpar

@@ -1,6 +1,5 @@
 #include "experiments/kit/experiment_runs.hpp"
 
-#include "workbench/netlist_run.hpp"
 #include "workbench/problems.hpp"
 
 #include <fmt/format.h>
@@ -11,34 +10,40 @@ namespace {
 
 constexpr const char* compliance = "C_BOi";
 
-double true_compliance() { return known_problems(0).find("boom").problem->true_parameters().at(0); }
+double true_compliance() { return known_problems(0).find("boom").problem()->true_parameters().at(0); }
+
+void require_end(const RunReport& report, const std::filesystem::path& netlist) {
+    if (Ending ending = report.result.ending; ending != Ending::completed)
+        throw UnfinishedRun(
+            fmt::format("{} did not come to its end: placedpar run shows where it stands", netlist.string()), ending);
+}
 
 } // namespace
 
-void end_if_interrupted() {
-    if (InterruptGuard::interrupted())
+void end_if_requested(const Interruption& interruption) {
+    if (interruption.requested())
         throw UnfinishedRun("interrupted: the experiment is not complete, and nothing was written",
                             Ending::interrupted);
 }
 
-RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides& overrides, std::uint64_t seed) {
-    RunReport report = run_netlist(load_network(netlist, overrides), seed);
-    end_if_interrupted();
-    if (Ending ending = report.result.ending; ending != Ending::completed)
-        throw UnfinishedRun(
-            fmt::format("{} did not come to its end: placedpar run shows where it stands", netlist.string()), ending);
+RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides& overrides,
+                         const ReplayContext& context) {
+    ProblemRegistry problems = known_problems(context.seed);
+    Network network = load_network(netlist, overrides, problems, context.warn);
+    RunReport report = run_netlist(network, problems, {.seed = context.seed, .interruption = &context.interruption});
+    end_if_requested(context.interruption);
+    require_end(report, netlist);
     return report;
 }
 
 Cell compliance_cell(const std::string& column, const RunReport& report, const std::string& process) {
-    Cell cell{compliance,
-              column,
-              "in^3/psi",
-              true_compliance(),
-              report.measured(process, compliance),
-              compliance_tolerance_percent};
-    cell.decimals = 5;
-    return cell;
+    return {.row = compliance,
+            .column = column,
+            .unit = "in^3/psi",
+            .reference = true_compliance(),
+            .simulated = report.measured(process, compliance),
+            .tolerance_percent = compliance_tolerance_percent,
+            .decimals = 5};
 }
 
 std::string print_compliance_note() {

@@ -1,11 +1,7 @@
 #pragma once
 
-#include "experiments/kit/reading.hpp"
-#include "netlist/machine.hpp"
-#include "netlist/read.hpp"
+#include "experiments/kit/experiment.hpp"
 
-#include <cstdint>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -18,10 +14,10 @@ public:
     Ending ending;
 };
 
-/// Throws UnfinishedRun when a signal asked for the end of an experiment: see InterruptGuard.
-void end_if_interrupted();
-/// Reads a netlist of the examples and runs it to its end. Throws RefusedInput and UnfinishedRun.
-RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, std::uint64_t seed);
+/// Throws UnfinishedRun when it was requested.
+void end_if_requested(const Interruption&);
+/// Runs a netlist of the examples to its end. Throws RefusedInput and UnfinishedRun.
+RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);
 
 /// What the boom's identification is to come within of the truth: the thesis's "states within 10 %".
 inline constexpr double compliance_tolerance_percent = 10;

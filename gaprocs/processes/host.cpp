@@ -26,13 +26,13 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
 /// The host sends each sample of the record to every master, as fast as they take them.
 void run_host(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
-    std::size_t samples = samples_to_send(environment, recorded.record.size());
+    std::size_t samples = samples_to_send(environment, recorded.samples());
     auto masters = environment.outputs<HostMessage>("to_masters");
     par_for(masters.size(), [&](std::size_t m) {
         HostMessage message;
         message.bytes = static_cast<std::uint32_t>(environment.integer("sample_bytes"));
         for (std::size_t i = 0; i < samples; ++i) {
-            message.sample = recorded.record[i];
+            message.sample = recorded.record()[i];
             masters[m].output(message);
         }
         message.end = true;

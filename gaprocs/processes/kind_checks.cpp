@@ -60,7 +60,7 @@ private:
         return std::get<std::string>(network_.processes[process].parameters.at(parameter));
     }
     const std::string& name(std::size_t process) const { return network_.processes[process].name; }
-    std::int64_t record_length() const { return static_cast<std::int64_t>(recorded_->record.size()); }
+    std::int64_t record_length() const { return static_cast<std::int64_t>(recorded_->samples()); }
 
     void refuse(std::string about, std::string message, std::string hint = "") {
         refuse_of(process_, std::move(about), std::move(message), std::move(hint));
@@ -83,7 +83,7 @@ private:
         if (!recorded_)
             return;
         try {
-            recorded_->problem->coded(coding_named(text("coding")).value());
+            recorded_->problem()->coded(coding_named(text("coding")).value());
         } catch (const std::invalid_argument& refused) {
             refuse("coding", refused.what());
         }

@@ -167,8 +167,8 @@ private:
 
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
-    read_search_settings(environment).window.validate_for(recorded.record.size());
-    SearchProcess(environment, *recorded.problem->coded(read_coding(environment))).run();
+    read_search_settings(environment).window.validate_for(recorded.samples());
+    SearchProcess(environment, *recorded.problem()->coded(read_coding(environment))).run();
 }
 
 } // namespace placedpar

@@ -147,7 +147,7 @@ private:
 } // namespace
 
 void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {
-    Slave(environment, problems.find(environment.text("problem")).problem).run();
+    Slave(environment, problems.find(environment.text("problem")).problem()).run();
 }
 
 } // namespace placedpar

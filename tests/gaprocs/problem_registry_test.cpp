@@ -14,9 +14,9 @@ TEST_CASE("a problem is found by its name, with its record") {
     ProblemRegistry registry;
     registry.add("line", make_search_problem(LineProblem{}), line_record(3));
     registry.add("another", make_search_problem(LineProblem{}), {});
-    CHECK(registry.find("line").record == line_record(3));
-    CHECK(registry.find("line").problem->bits() == 8);
-    CHECK(registry.find("line").problem->true_parameters().empty());
+    CHECK(registry.find("line").record() == line_record(3));
+    CHECK(registry.find("line").problem()->bits() == 8);
+    CHECK(registry.find("line").problem()->true_parameters().empty());
     CHECK(registry.names() == std::vector<std::string>{"another", "line"});
     CHECK_THROWS_WITH_AS(registry.find("lime"), "there is no search problem 'lime'; known: another, line",
                          std::invalid_argument);
@@ -33,4 +33,30 @@ TEST_CASE("what cannot be registered is refused with a reason") {
     registry.add("line", problem, {});
     CHECK_THROWS_WITH_AS(registry.add("line", problem, {}), "search problem 'line' is named twice",
                          std::invalid_argument);
+}
+
+TEST_CASE("a record that is to be made is made once, when it is first read") {
+    int made = 0;
+    auto make = [&] {
+        ++made;
+        return line_record(3);
+    };
+    ProblemRegistry registry;
+    registry.add_to_make("line", make_search_problem(LineProblem{}), {3, make});
+    const RecordedProblem& line = registry.find("line");
+    CHECK(line.problem()->bits() == 8);
+    CHECK(line.samples() == 3);
+    CHECK(made == 0);
+    CHECK(line.record() == line_record(3));
+    CHECK(registry.find("line").record() == line_record(3));
+    CHECK(made == 1);
+}
+
+TEST_CASE("a made record that is not as promised is refused") {
+    ProblemRegistry registry;
+    auto problem = make_search_problem(LineProblem{});
+    registry.add_to_make("short", problem, {3, [] { return line_record(2); }});
+    CHECK_THROWS_WITH_AS(registry.find("short").record(), "2 samples were made, 3 were promised", std::logic_error);
+    registry.add_to_make("narrow", problem, {1, [] { return std::vector<Sample>{{1}}; }});
+    CHECK_THROWS_WITH_AS(registry.find("narrow").record(), "sample 0 has 1 numbers, expected 2", std::invalid_argument);
 }

@@ -1,6 +1,6 @@
 // Records of a study: as many as were asked for, none shared with another study.
-#include "experiments/chapter_3/study.hpp"
-#include "experiments/chapter_3/two_link_study.hpp"
+#include "experiments/chapter_3/kit/study.hpp"
+#include "experiments/chapter_3/kit/two_link_study.hpp"
 #include "experiments/kit/record_seeds.hpp"
 
 #include <doctest/doctest.h>

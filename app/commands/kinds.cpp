@@ -1,0 +1,50 @@
+#include "app/command.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/kinds_report.hpp"
+#include "workbench/problems.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+std::string list_kinds(const Catalogue& catalogue) {
+    return print_kinds(catalogue) + "\nsay placedpar kinds NAME for ports, parameters and measures\n";
+}
+
+std::string describe_kind(const Catalogue& catalogue, const std::string& name) {
+    const ProcessKind* kind = catalogue.find(name);
+    if (!kind)
+        throw std::runtime_error(
+            fmt::format("there is no process kind \"{}\"; say placedpar kinds for those there are", name));
+    return print_kind(*kind);
+}
+
+ExitCode kinds(const std::string& name) {
+    ProblemRegistry problems = known_problems(0);
+    Catalogue catalogue = known_kinds(problems);
+    print_out(name.empty() ? list_kinds(catalogue) : describe_kind(catalogue, name));
+    return ExitCode::success;
+}
+
+Action declare_kinds(CLI::App& command, const std::string&) {
+    auto name = std::make_shared<std::string>();
+    command.add_option("NAME", *name, "everything about this kind");
+    return [name] { return kinds(*name); };
+}
+
+} // namespace
+
+extern const Command kinds_command{
+    .name = "kinds",
+    .about = "Lists the process kinds that a netlist can use",
+    .place = 4,
+    .declare = declare_kinds,
+};
+
+} // namespace placedpar

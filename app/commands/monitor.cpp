@@ -1,0 +1,134 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "gaprocs/fitness.hpp"
+#include "identification/on_line/estimate.hpp"
+#include "monitor/service/service.hpp"
+#include "text/standard_output.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <type_traits>
+
+namespace placedpar::monitor {
+
+using namespace hydraulics;
+
+namespace {
+
+/// Ends included; all ours, wider than anybody needs and narrow enough that nothing overflows or never ends.
+struct Bounds {
+    double least, greatest;
+};
+
+constexpr Bounds timeouts{0.01, 86400};
+
+/// An option that takes a number within bounds, and nothing else. CLI11 itself takes nan, -1 for the greatest number
+/// there is, and 010 for eight.
+template <typename Number>
+void add_number(CLI::App& command, const std::string& group, const char* name, Number& value, const char* type,
+                Bounds bounds, const char* about) {
+    constexpr bool whole = std::is_integral_v<Number>;
+    auto refuse = [bounds](const std::string& text) {
+        double number = 0;
+        auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        bool good = error == std::errc() && end == text.data() + text.size() && number >= bounds.least &&
+                    number <= bounds.greatest;
+        if (whole)
+            good = good && text.find_first_not_of("0123456789") == text.npos && (text[0] != '0' || text == "0");
+        return good ? std::string()
+                    : fmt::format("\"{}\" is no {} from {} to {}", text, whole ? "whole number" : "number",
+                                  bounds.least, bounds.greatest);
+    };
+    command.add_option(name, value, fmt::format("{}, {} to {}", about, bounds.least, bounds.greatest))
+        ->type_name(type)
+        ->check(refuse)
+        ->capture_default_str()
+        ->group(group);
+}
+
+void add_limits(CLI::App& command, ServiceLimits& limits) {
+    auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
+        add_number(command, "Limits", name, value, type, bounds, about);
+    };
+    add("--max-clients", limits.clients, "N", {1, 65536}, "connections at once");
+    add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at once");
+    add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "length of a message");
+    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "waiting to be sent to one client");
+    add("--hello-timeout", limits.hello_s, "S", timeouts, "from the connection to the hello");
+    add("--line-timeout", limits.line_s, "S", timeouts, "from the first byte of a line to the last");
+    add("--idle-timeout", limits.idle_s, "S", timeouts, "without a line");
+    add("--stall-timeout", limits.stall_s, "S", timeouts, "without the client reading");
+    add("--closing-timeout", limits.closing_s, "S", timeouts, "for a client to read the last message");
+}
+
+void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
+    auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
+        add_number(command, "Diagnosis", name, value, type, bounds, about);
+    };
+    WindowSettings& window = diagnosis.search.window;
+    add("--population", diagnosis.search.population, "N", {3, 10000}, "individuals of a population set");
+    add("--bits", diagnosis.bits, "N", {4, 16}, "of one compliance");
+    add("--window", window.length, "N", {1, exact_fitness_terms}, "samples of the window");
+    add("--trials", window.trials, "N", {1, 1000}, "generations a sample");
+    add("--gate", diagnosis.gate_psi_per_s, "PSI/S", {0, 1e6},
+        "rms slope of the pressure below which an estimate is frozen");
+    add("--doubled-at", diagnosis.doubled_at, "RATIO", {1.01, 100}, "alarm at this many times the baseline");
+    add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
+        "alarm at this spread between population sets");
+    add("--off-by", diagnosis.off_by, "FRACTION", {0.01, 0.99}, "a link further from its baseline is off");
+    add("--transients", diagnosis.transients, "N", {1, Estimate::kept_transients},
+        "settled transients before a link may be called off");
+    add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9}, "older estimates take no part in cross-checks");
+}
+
+void add_options(CLI::App& command, ServiceSettings& settings) {
+    auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
+        add_number(command, "Options", name, value, type, bounds, about);
+    };
+    command.add_option("--address", settings.address, "where to listen")->capture_default_str();
+    add("--port", settings.port, "N", {0, 65535}, "0: any free one, which is printed");
+    add_file(command, "--state", settings.state, "keeps what is known over a restart, with FILE.journal beside it");
+    add_seed(command, settings.seed);
+    add("--sync", settings.sync_s, "S", {0.01, 3600}, "from a sample to its being on the disk, if power fails");
+    add_limits(command, settings.limits);
+    add_diagnosis(command, settings.diagnosis);
+}
+
+ExitCode serve(const ServiceSettings& settings) {
+    auto say = [](const std::string& sentence) { fmt::print(stderr, "placedpar monitor: {}\n", sentence); };
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is like a full disk, no reason to end
+    Service service(settings, say);
+    service.stop_at_signals(); // before anybody can know of it
+    print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
+    service.run();
+    say(settings.state.empty() ? "stopped" : fmt::format("stopped; {} is written", settings.state));
+    return ExitCode::success;
+}
+
+Action declare(CLI::App& command, const std::string&) {
+    auto settings = std::make_shared<ServiceSettings>();
+    add_options(command, *settings);
+    return [settings] { return serve(*settings); };
+}
+
+} // namespace
+} // namespace placedpar::monitor
+
+namespace placedpar {
+
+/// Serves until SIGINT or SIGTERM: prints where it listens, and on standard error what the operator should know.
+extern const Command monitor_command{
+    .name = "monitor",
+    .about = "Serves the on-line diagnosis to control systems over TCP",
+    .place = 9,
+    .declare = monitor::declare,
+};
+
+} // namespace placedpar

@@ -1,0 +1,23 @@
+#include "hydraulics/data/parameters.hpp"
+#include "app/command.hpp"
+#include "text/standard_output.hpp"
+
+namespace placedpar {
+
+namespace {
+
+ExitCode print_parameters() {
+    print_out(hydraulics::excavator_text());
+    return ExitCode::success;
+}
+
+} // namespace
+
+extern const Command parameters_command{
+    .name = "parameters",
+    .about = "Prints the constants of the excavator, as a file for --machine",
+    .place = 8,
+    .declare = [](CLI::App&, const std::string&) -> Action { return print_parameters; },
+};
+
+} // namespace placedpar

@@ -1,0 +1,102 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/options/link_options.hpp"
+#include "app/options/netlist_options.hpp"
+#include "app/standard_error.hpp"
+#include "hydraulics/data/record_table.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/load.hpp"
+#include "workbench/scenario_record.hpp"
+#include "workbench/scenario_settings.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+/// What the command line may say.
+struct RecordOptions {
+    std::string scenario, links, configuration, noise, machine, out;
+    std::vector<std::string> set;
+    std::uint64_t seed = 1;
+    bool list = false;
+};
+
+LinksInMotion moving_of(const RecordOptions& options, const RecordScenario& scenario) {
+    if (!scenario.any_links && !(options.links.empty() && options.configuration.empty()))
+        throw std::runtime_error(fmt::format("--{}: {} has links and a configuration of its own; the scenario links "
+                                             "takes any",
+                                             options.links.empty() ? "configuration" : "link", scenario.name));
+    return {options.configuration.empty() ? Configuration::a : *configuration_named(options.configuration),
+            links_of(options.links.empty() ? "bucket,boom" : options.links)};
+}
+
+void require_output(const RecordOptions& options) {
+    if (options.out.empty())
+        return;
+    const std::filesystem::path output[] = {options.out};
+    require_apart(output, options.machine);
+    require_writable(options.out);
+}
+
+/// What the command writes: the record, or with --list the scenario's parameters.
+std::string text_of(const RecordOptions& options) {
+    const RecordScenario& scenario = scenario_called(options.scenario);
+    LinksInMotion moving = moving_of(options, scenario);
+    Parameters parameters = scenario_parameters(scenario, load_machine(options.machine, print_warnings), options.noise,
+                                                overrides_of(options.set));
+    return options.list ? list_parameters(scenario, parameters)
+                        : print_record(scenario_record(scenario, moving, parameters, options.seed));
+}
+
+ExitCode record(const RecordOptions& options) {
+    require_output(options);
+    std::string text = text_of(options);
+    if (options.out.empty())
+        print_out(text);
+    else
+        write_whole(options.out, text);
+    return ExitCode::success;
+}
+
+void declare_options(CLI::App& command, RecordOptions& options) {
+    command.add_option("SCENARIO", options.scenario, "one of those below")->required();
+    add_links(command, options.links, "that move in the scenario links: bucket,boom if not given");
+    add_configuration(command, options.configuration, "of the main valve in the scenario links: a if not given");
+    add_set(command, options.set, "gives a parameter another value, perhaps with its unit");
+    command.add_option("--noise", options.noise, "of the sensors: none, low, mid or high")->type_name("LEVEL");
+    add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
+    add_seed(command, options.seed, "of the sensors' noise");
+    add_file(command, "--out", options.out, "writes the record there, not to standard output");
+    command.add_flag("--list", options.list,
+                     "lists the scenario's parameters instead: name, value, unit, mark, source");
+    command.footer("scenarios:\n" + list_record_scenarios());
+}
+
+Action declare_record(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<RecordOptions>();
+    declare_options(command, *options);
+    return [options] { return record(*options); };
+}
+
+} // namespace
+
+extern const Command record_command{
+    .name = "record",
+    .about = "Simulates a motion of the machine and writes what its sensors say",
+    .place = 7,
+    .declare = declare_record,
+};
+
+} // namespace placedpar

@@ -1,0 +1,93 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/options/netlist_options.hpp"
+#include "app/signals.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_output.hpp"
+#include "workbench/manifest.hpp"
+#include "workbench/perfetto_trace.hpp"
+#include "workbench/problems.hpp"
+#include "workbench/run_report.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace placedpar {
+
+namespace {
+
+struct RunOptions {
+    NetlistOptions netlist;
+    std::string json, trace; ///< files; "": not written
+    std::uint64_t seed = 1;
+};
+
+void require_outputs(std::span<const std::filesystem::path> outputs, const RunOptions& options) {
+    require_apart(outputs, options.netlist.file);
+    for (const auto& path : outputs)
+        if (!path.empty())
+            require_writable(path);
+}
+
+/// The file that --trace names, if it does.
+class Timeline {
+public:
+    explicit Timeline(const std::string& path) {
+        if (!path.empty())
+            trace_.emplace(file_.emplace(path));
+    }
+    TraceSink* sink() { return trace_ ? &*trace_ : nullptr; }
+    void finish() {
+        if (trace_)
+            trace_->finish();
+    }
+
+private:
+    std::optional<OutputFile> file_;
+    std::optional<PerfettoTrace> trace_;
+};
+
+RunReport run_network(const Network& network, std::uint64_t seed, TraceSink* trace) {
+    InterruptedBySignals interruption;
+    return run_netlist(network, known_problems(seed), {.seed = seed, .trace = trace, .interruption = &interruption});
+}
+
+ExitCode run(const RunOptions& options, const std::string& typed) {
+    Manifest manifest{typed, options.seed, overrides_of(options.netlist.set)};
+    const std::filesystem::path outputs[] = {options.json, options.trace};
+    require_outputs(outputs, options);
+    Network network = load_network(options.netlist);
+    for (const std::string& included : network.included_paths)
+        require_apart(outputs, included);
+    Timeline timeline(options.trace);
+    RunReport report = run_network(network, options.seed, timeline.sink());
+    print_out(print_report(report, network));
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(report_json(report, network, manifest)));
+    timeline.finish();
+    return exit_code_of(report.result.ending);
+}
+
+Action declare_run(CLI::App& command, const std::string& typed) {
+    auto options = std::make_shared<RunOptions>();
+    add_netlist(command, options->netlist);
+    add_seed(command, options->seed);
+    add_file(command, "--json", options->json, "writes the report for machines");
+    add_file(command, "--trace", options->trace, "writes a timeline that ui.perfetto.dev shows");
+    return [options, typed] { return run(*options, typed); };
+}
+
+} // namespace
+
+extern const Command run_command{
+    .name = "run",
+    .about = "Runs a netlist and reports what it computed and what it cost",
+    .place = 1,
+    .declare = declare_run,
+};
+
+} // namespace placedpar

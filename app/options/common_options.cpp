@@ -1,0 +1,35 @@
+#include "app/options/common_options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+namespace placedpar {
+
+std::string not_a_whole_number(const std::string& text) {
+    std::uint64_t number = 0;
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    bool octal = text.size() > 1 && text[0] == '0'; // to CLI11
+    if (error == std::errc() && end == text.data() + text.size() && !octal)
+        return "";
+    return fmt::format("\"{}\" is no whole number from 0 to {}", text, std::numeric_limits<std::uint64_t>::max());
+}
+
+void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about) {
+    command.add_option("--seed", seed, about)->type_name("N")->check(not_a_whole_number)->capture_default_str();
+}
+
+CLI::Option* add_count(CLI::App& command, const std::string& option, std::size_t& count, const std::string& about,
+                       const std::string& unit) {
+    return command.add_option(option, count, about)->type_name(unit)->check(not_a_whole_number)->capture_default_str();
+}
+
+CLI::Option* add_file(CLI::App& command, const std::string& option, std::string& path, const std::string& about,
+                      const std::string& type) {
+    return command.add_option(option, path, about)->type_name(type)->check([](const std::string& name) {
+        return name.empty() ? "it takes a name" : "";
+    });
+}
+
+} // namespace placedpar

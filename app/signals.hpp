@@ -1,0 +1,20 @@
+#pragma once
+
+#include "workbench/netlist_run.hpp"
+
+namespace placedpar {
+
+/// While it exists, SIGINT and SIGTERM request the interruption instead of ending the program. One at a time.
+class InterruptedBySignals : public Interruption {
+public:
+    InterruptedBySignals();
+    ~InterruptedBySignals();
+    InterruptedBySignals(const InterruptedBySignals&) = delete;
+    InterruptedBySignals& operator=(const InterruptedBySignals&) = delete;
+
+private:
+    void (*before_int_)(int);
+    void (*before_term_)(int);
+};
+
+} // namespace placedpar

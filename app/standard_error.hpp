@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+namespace placedpar {
+
+// What the program says on standard error while it works.
+
+/// A WarningSink: prints them as they are.
+void print_warnings(const std::string& warnings);
+
+/// One line that says what is going on; silent when standard error is not a terminal.
+class Progress {
+public:
+    Progress();
+    ~Progress() { clear(); }
+    void show(const std::string& what);
+    void clear();
+
+private:
+    bool terminal_;
+};
+
+} // namespace placedpar

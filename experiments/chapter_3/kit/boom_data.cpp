@@ -1,0 +1,133 @@
+#include "experiments/chapter_3/kit/boom_data.hpp"
+
+#include "hydraulics/circuit/voltage_spool.hpp"
+#include "hydraulics/plant/boom_sensors.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
+#include "hydraulics/plant/measured_excavator.hpp"
+#include "hydraulics/plant/record_scenario.hpp"
+#include "runtime/random.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+/// The constants of the machine and its motion.
+Parameters parameters_of(const BoomMotion& motion) {
+    Parameters all = Parameters::excavator();
+    if (motion.plant == BoomPlant::simple && motion.slow)
+        all = record_scenario_named("scenario-b")->parameters(all);
+    std::string scenario = motion.slow ? "scenario_b" : "scenario_a";
+    double desired = motion.spool_desired_in.value_or(all[scenario + ".spool_desired"]);
+    double duration = motion.duration_s.value_or(all[scenario + ".duration"]);
+    all.set(scenario + ".spool_desired", desired);
+    all.set(scenario + ".duration", duration);
+    all.set("excavator.servo_at_rest", servo_volts(all["scenario_a.spool_at_rest"] + motion.spool_offset_in));
+    all.set("excavator.servo_desired", servo_volts(desired + motion.spool_offset_in));
+    all.set("excavator.duration", duration);
+    all.set("fault.spool_offset", motion.spool_offset_in);
+    all.set("noise.pressure", motion.noise.pressure_psi);
+    all.set("noise.angle", motion.noise.angle_deg);
+    all.set("noise.spool", motion.noise.spool_in);
+    if (motion.inlet_compliance_in3_per_psi)
+        all.set("boom.inlet_compliance", *motion.inlet_compliance_in3_per_psi);
+    return all;
+}
+
+/// The drain side's pressure at the instants of the record, with noise of its own stream, so that the other channels
+/// are those of every other user of the seed.
+void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states, double noise_psi, std::uint64_t seed) {
+    RandomStream random(seed, "outlet sensor");
+    std::size_t stride = (states.size() - 1) / (record.size() - 1);
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        double noise = noise_psi * standard_normal([&] { return random.uniform(); });
+        double steps = std::nearbyint((states[i * stride].links.front().outlet_psi + noise) / pressure_resolution_psi);
+        record.of(hydraulics::Link::boom, Sensor::outlet_pressure).push_back(steps * pressure_resolution_psi);
+    }
+}
+
+/// The voltage that the controller asks for at every sampling instant: that of the wanted spool by an A.1 that is off
+/// by the offset.
+void add_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in) {
+    const auto& valve = std::get<SpoolOrifices>(scenario.links.front().valve);
+    const SpoolStep& step = valve.steps.front();
+    for (double time_s : record.time_s) {
+        double since_s = time_s - step.time_s + scenario.integration_step_s / 2;
+        double gone = since_s < 0 ? 0 : step.ramp_s > 0 ? std::min(since_s / step.ramp_s, 1.0) : 1;
+        double wanted = std::lerp(valve.rest_in, step.desired_in, gone);
+        record.of(hydraulics::Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
+    }
+}
+
+std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
+    ExcavatorScenario scenario = single_boom_scenario(parameters_of(motion), motion.slow ? "scenario_b" : "scenario_a");
+    ExcavatorMotion simulated = simulate_excavator(scenario);
+    std::vector<BoomData> all;
+    for (std::uint64_t seed : seeds) {
+        RandomStream random(seed, "sensors");
+        Record record =
+            measure_excavator(simulated, scenario, sampling_period_s, motion.noise, [&] { return random.uniform(); });
+        for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
+            spool += motion.spool_offset_in;
+        add_outlet_pressure(record, simulated.states, motion.noise.pressure_psi, seed);
+        add_voltage(record, scenario, motion.spool_offset_in);
+        all.push_back({std::move(record), scenario.flow, scenario.links.front().mechanics});
+    }
+    return all;
+}
+
+std::vector<BoomData> measure_measured(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
+    Parameters parameters = parameters_of(motion);
+    MeasuredExcavator excavator = measured_excavator(parameters);
+    auto states = simulate_measured_excavator(excavator);
+    std::vector<BoomData> all;
+    for (std::uint64_t seed : seeds) {
+        RandomStream random(seed, "sensors");
+        all.push_back({read_boom_sensors(states, excavator, boom_sensors(parameters), [&] { return random.uniform(); }),
+                       excavator.flow, excavator.boom});
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<BoomData> measure(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
+    return motion.plant == BoomPlant::simple ? measure_simple(motion, seeds) : measure_measured(motion, seeds);
+}
+
+BoomData measure(const BoomMotion& motion, std::uint64_t seed) { return measure(motion, std::array{seed}).front(); }
+
+BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.machine.spool_lag_per_s, 0}; }
+
+LinkCalibrations calibrations_of(const BoomData& data, const BoomModel& model) {
+    LinkCalibrations calibrations = boom_calibrations(data.machine);
+    LinkCalibration& boom = calibrations[index_of(hydraulics::Link::boom)];
+    boom.from = model.from;
+    boom.spool_lag_per_s = model.spool_lag_per_s;
+    boom.spool_offset_in = model.spool_offset_in;
+    return calibrations;
+}
+
+std::vector<CircuitSample> samples_of(const BoomData& data, const BoomModel& model) {
+    return circuit_samples(data.record, boom_circuit(), calibrations_of(data, model));
+}
+
+std::vector<double> spool_of(const BoomData& data, const BoomModel& model) {
+    const Record& record = data.record;
+    std::vector<double> spool =
+        model.from == AreasFrom::servo
+            ? spool_from_volts(record.of(hydraulics::Link::boom, Sensor::servo), model.spool_lag_per_s, record.period_s)
+            : record.of(hydraulics::Link::boom, Sensor::spool);
+    for (double& spool_in : spool)
+        spool_in -= model.spool_offset_in;
+    return spool;
+}
+
+} // namespace placedpar

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "experiments/chapter_3/kit/boom_search.hpp"
+#include "workbench/plot.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// Values over the record's time, up to a time.
+Series over_time(std::string name, const hydraulics::Record& record, std::span<const double> values, double until_s,
+                 Stroke stroke = Stroke::line);
+
+/// Figure 3.3: pressures, voltage, spool and angle as recorded.
+Plot plot_of_record(std::string title, const BoomData& data, double until_s);
+
+/// Figures 3.5 and 3.6: pressures, motion, and the identification of a record.
+struct WatchedIdentification {
+    std::string title;
+    const BoomData& data;
+    BoomModel model;
+    const BoomIdentified& identified;
+    const std::vector<Generation>& generations;
+};
+Plot plot_of_identification(const WatchedIdentification&, double until_s);
+
+} // namespace placedpar

@@ -1,0 +1,83 @@
+#include "experiments/chapter_3/kit/spool_lag.hpp"
+
+#include <boost/math/tools/roots.hpp>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+std::optional<double> found_with(const BoomModel& model, const BoomData& data) {
+    UsableSamples rising;
+    rising.rising = true;
+    return least_squares_compliance(data, model, rising);
+}
+
+BoomModel with_lag(double lag_per_s) { return {AreasFrom::servo, lag_per_s, 0}; }
+
+/// Where `found(x)` passes through the compliance, x from low to high; it must rise.
+template <class Found>
+double solve(double compliance_in3_per_psi, double low, double high, double precision, Found found) {
+    auto beyond = [&](double x) {
+        auto value = found(x);
+        if (!value)
+            throw std::runtime_error(fmt::format("no usable samples at {}", x));
+        return *value - compliance_in3_per_psi;
+    };
+    if (beyond(low) > 0 || beyond(high) < 0)
+        throw std::runtime_error(
+            fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
+    // The usable samples change with x, which makes the function jump: bisection minds least.
+    auto [below, above] =
+        boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
+    return (below + above) / 2;
+}
+
+Series series_over_lag(const BoomData& machine) {
+    Series series{fmt::format("true C {}", machine.machine.inlet_compliance_in3_per_psi)};
+    for (int i = 0; i <= 110; ++i)
+        if (auto found = found_with(with_lag(5 + 0.1 * i), machine))
+            series.points.push_back({5 + 0.1 * i, 1000 * *found});
+    return series;
+}
+
+} // namespace
+
+double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
+    double own = data.machine.spool_lag_per_s;
+    return solve(compliance_in3_per_psi, 0.75 * own, 4 * own, 1e-3,
+                 [&](double lag) { return found_with(with_lag(lag), data); });
+}
+
+double offset_that_finds(double compliance_in3_per_psi, const BoomData& data) {
+    // What is not taken off a reading that is too low is as good as taken off a right one.
+    return solve(compliance_in3_per_psi, -0.015, 0, 1e-6, [&](double offset) {
+        BoomModel model = model_of(data, AreasFrom::spool);
+        model.spool_offset_in = -offset;
+        return found_with(model, data);
+    });
+}
+
+Panel panel_of_lag(std::span<const BoomData> machines) {
+    Panel panel{"Compliance that the voltage gives, over the a_0 believed in",
+                {"a_0 of A.2 [1/s]", 5, 16},
+                {"compliance [0.001 in³/psi]", 0, 20},
+                {},
+                {{"thesis, spool", 5}, {"thesis, voltage", 8.6}}};
+    for (const BoomData& machine : machines) {
+        panel.series.push_back(series_over_lag(machine));
+        int colour = static_cast<int>(panel.series.size()) - 1;
+        panel.series.push_back(
+            {"  its own a_0",
+             {{machine.machine.spool_lag_per_s, 1000 * machine.machine.inlet_compliance_in3_per_psi}},
+             Stroke::points,
+             colour});
+    }
+    return panel;
+}
+
+} // namespace placedpar

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "experiments/chapter_3/kit/two_link_study.hpp"
+#include "workbench/plot.hpp"
+
+namespace placedpar {
+
+/// Figure 3.9: all states of the simulated circuit over time.
+Plot plot_of_states(const TwoLinkMotion& motion);
+
+/// Figure 3.10: the internal states that the best individuals give, over those simulated.
+Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& prepared, const SearchRun& run);
+
+/// Figure 3.11: the compliances estimated without and with the gate, over the generations, and the slopes of the
+/// samples without.
+Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& plain, const SearchRun& gated,
+                         std::size_t trials);
+
+} // namespace placedpar

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "experiments/kit/cell.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// One table of an experiment: simulated figures beside known ones.
+struct Comparison {
+    std::string name;
+    std::vector<Cell> cells = {};
+    std::string notes = {};         ///< for people, below the table
+    std::string against = "thesis"; ///< the source of the cells' references; 7 letters at most
+    bool judged = false;            ///< even where it is not an experiment's first
+
+    void add(Cell cell);
+    bool within_tolerance() const;
+};
+
+/// A table for people: each cell as simulated, known and error: in percent, or in the cell's unit where its tolerance
+/// is or that is percent itself; a cell judged from one side shows its bound instead of an error. Rows and columns come
+/// in the order of the cells. A row with a column that the rows above it do not have begins a table of its own.
+std::string print_comparison(const Comparison&);
+
+} // namespace placedpar

@@ -1,0 +1,90 @@
+#include "experiments/kit/replay_report.hpp"
+
+#include "workbench/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+boost::json::value or_null(std::optional<double> number) {
+    return number ? boost::json::value(*number) : boost::json::value(nullptr);
+}
+
+/// Figures that only some cells have.
+void add_if(boost::json::object& json, const char* key, std::optional<double> figure) {
+    if (figure)
+        json[key] = *figure;
+}
+
+boost::json::object cell_json(const Cell& cell, const std::string& against) {
+    boost::json::object json{{"row", cell.row},
+                             {"column", cell.column},
+                             {"unit", cell.unit},
+                             {"thesis", against == "thesis" ? or_null(cell.reference) : nullptr},
+                             {"simulated", cell.simulated},
+                             {"error_percent", or_null(cell.error_percent())},
+                             {"tolerance_percent", or_null(cell.tolerance_in_percent())},
+                             {"origin", name_of(cell.origin)}};
+    if (against != "thesis")
+        json[against] = or_null(cell.reference);
+    add_if(json, "tolerance", cell.tolerance); // in the cell's unit
+    add_if(json, "at_least", cell.at_least);
+    add_if(json, "at_most", cell.at_most);
+    return json;
+}
+
+boost::json::array cells_json(const Comparison& comparison) {
+    boost::json::array cells;
+    for (const Cell& cell : comparison.cells)
+        cells.push_back(cell_json(cell, comparison.against));
+    return cells;
+}
+
+std::string print_verdict(const Replay& replay) {
+    bool others = std::ranges::any_of(replay.comparisons, &Comparison::judged);
+    return fmt::format("{} cell{} {}\n", replay.within_tolerance() ? "every judged" : "a",
+                       others ? "" : " of the first reading",
+                       replay.within_tolerance() ? "is within its tolerance" : "misses its tolerance");
+}
+
+boost::json::object other_json(const Comparison& other) {
+    return {{"reading", other.name},
+            {"cells", cells_json(other)},
+            {"judged", other.judged},
+            {"within_tolerance", other.within_tolerance()}};
+}
+
+boost::json::array others_json(const Replay& replay) {
+    boost::json::array others;
+    for (std::size_t i = 1; i < replay.comparisons.size(); ++i)
+        others.push_back(other_json(replay.comparisons[i]));
+    return others;
+}
+
+} // namespace
+
+std::string print_replay(const Replay& replay) {
+    std::string out;
+    for (const Comparison& comparison : replay.comparisons)
+        out += print_comparison(comparison) + "\n";
+    return out + fmt::format("{}fingerprint: {:016x}\n{}", replay.constants, replay.fingerprint, print_verdict(replay));
+}
+
+boost::json::object replay_json(const Replay& replay, std::string_view experiment, std::uint64_t seed,
+                                const std::string& command) {
+    return {{"experiment", experiment},
+            {"version", version},
+            {"seed", seed},
+            {"fingerprint", hex(replay.fingerprint)},
+            {"command", command},
+            {"reading", replay.comparisons.front().name},
+            {"cells", cells_json(replay.comparisons.front())},
+            {"within_tolerance", replay.within_tolerance()},
+            {"other_readings", others_json(replay)}};
+}
+
+} // namespace placedpar

@@ -1,0 +1,34 @@
+#include "experiments/kit/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace placedpar {
+
+double share_below(std::vector<double> values, double share) {
+    std::ranges::sort(values);
+    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::max<std::size_t>(rank, 1) - 1];
+}
+
+double median(std::vector<double> values) { return share_below(std::move(values), 0.5); }
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double deviation(const std::vector<double>& values) {
+    double centre = mean(values), squares = 0;
+    for (double value : values)
+        squares += (value - centre) * (value - centre);
+    return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+double percent_within(const std::vector<double>& values, double limit) {
+    auto within = std::ranges::count_if(values, [&](double value) { return value <= limit; });
+    return 100 * static_cast<double>(within) / static_cast<double>(values.size());
+}
+
+} // namespace placedpar

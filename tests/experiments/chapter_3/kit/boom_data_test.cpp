@@ -1,0 +1,71 @@
+// What the experiments of 3.1 work on: records of either plant.
+#include "experiments/chapter_3/kit/boom_data.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hydraulics;
+
+namespace {
+
+const std::vector<double>& of(const BoomData& data, Sensor sensor) {
+    return data.record.of(hydraulics::Link::boom, sensor);
+}
+
+double greatest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+    REQUIRE(a.size() == b.size());
+    double greatest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        greatest = std::max(greatest, std::abs(a[i] - b[i]));
+    return greatest;
+}
+
+} // namespace
+
+TEST_CASE("a spool offset leaves the motion of the simple plant alone, and shows in the readings and by A.1") {
+    BoomData right = measure({BoomPlant::simple}, 1), off = measure({BoomPlant::simple, no_noise, 0.01}, 1);
+    CHECK(of(right, Sensor::inlet_pressure) == of(off, Sensor::inlet_pressure));
+    CHECK(of(right, Sensor::angle) == of(off, Sensor::angle));
+    for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
+        auto true_spool = spool_of(right, model_of(right, from)), believed = spool_of(off, model_of(off, from));
+        for (std::size_t i = 0; i < believed.size(); ++i)
+            CHECK(believed[i] - true_spool[i] == doctest::Approx(0.01));
+        BoomModel cured = model_of(off, from);
+        cured.spool_offset_in = 0.01;
+        CHECK(greatest_difference(spool_of(off, cured), true_spool) < 1e-9);
+    }
+}
+
+TEST_CASE("nor does it move the measured machine, but for the steps of its converters") {
+    BoomData right = measure({BoomPlant::measured}, 1), off = measure({BoomPlant::measured, no_noise, 0.01}, 1);
+    // One step of 20 V over 4096 is .0022 in of spool, and that is 2.5 in^3/s; of the pressure a few psi.
+    CHECK(greatest_difference(of(right, Sensor::inlet_pressure), of(off, Sensor::inlet_pressure)) < 20);
+    CHECK(greatest_difference(of(right, Sensor::spool), of(off, Sensor::spool)) == doctest::Approx(0.01).epsilon(0.25));
+}
+
+TEST_CASE("without noise the simple plant's spool is what the lag makes of the voltage") {
+    BoomData data = measure({BoomPlant::simple}, 1);
+    CHECK(greatest_difference(spool_of(data, model_of(data, AreasFrom::servo)), of(data, Sensor::spool)) < 1e-6);
+}
+
+TEST_CASE("the measured machine's spool comes after what the lag makes of the voltage: its dead time") {
+    BoomData data = measure({BoomPlant::measured}, 1);
+    auto by_voltage = spool_of(data, model_of(data, AreasFrom::servo));
+    // 10 ms at 0.13 in times 8 1/s, the speed at the step's beginning.
+    CHECK(greatest_difference(by_voltage, of(data, Sensor::spool)) == doctest::Approx(0.0095).epsilon(0.2));
+}
+
+TEST_CASE("many measurements are one motion, with the noise of each seed") {
+    BoomMotion motion{BoomPlant::simple, low_noise};
+    const std::vector<std::uint64_t> seeds{7, 18446744073709551615u, 9};
+    auto many = measure(motion, seeds);
+    REQUIRE(many.size() == 3);
+    CHECK(of(many[2], Sensor::inlet_pressure) == of(measure(motion, 9), Sensor::inlet_pressure));
+    CHECK(of(many[0], Sensor::inlet_pressure) != of(many[1], Sensor::inlet_pressure));
+    CHECK(of(many[0], Sensor::servo) == of(many[1], Sensor::servo));
+}

@@ -1,0 +1,42 @@
+#include "experiments/chapter_3/kit/spool_lag.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+using namespace placedpar;
+using namespace placedpar::hydraulics;
+
+namespace {
+
+double found_while_rising(const BoomData& data, const BoomModel& model) {
+    UsableSamples rising;
+    rising.rising = true;
+    return least_squares_compliance(data, model, rising).value();
+}
+
+} // namespace
+
+TEST_CASE("what the machine's own lag finds is found by the machine's own lag") {
+    BoomData data = measure({BoomPlant::simple}, 1);
+    double found = found_while_rising(data, model_of(data, AreasFrom::servo));
+    CHECK(lag_that_finds(found, data) == doctest::Approx(data.machine.spool_lag_per_s).epsilon(1e-3));
+}
+
+TEST_CASE("the lag and the offset that find a compliance do find it") {
+    BoomData data = measure({BoomPlant::simple}, 1);
+    CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) ==
+          doctest::Approx(0.011).epsilon(0.01));
+    double low = offset_that_finds(0.005, data);
+    CHECK(low < 0);
+    // A sensor that reads so much too low.
+    for (double& spool_in : data.record.of(hydraulics::Link::boom, Sensor::spool))
+        spool_in += low;
+    CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == doctest::Approx(0.005).epsilon(0.01));
+}
+
+TEST_CASE("a compliance that no lag finds is refused") {
+    BoomData data = measure({BoomPlant::simple}, 1);
+    CHECK_THROWS_AS(lag_that_finds(0.09, data), std::runtime_error);
+    CHECK_THROWS_AS(offset_that_finds(0.02, data), std::runtime_error);
+}

@@ -1,0 +1,84 @@
+#include "experiments/kit/comparison.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+namespace {
+
+Cell cell(const char* row, const char* column, const char* unit, std::optional<double> reference, double simulated,
+          std::optional<double> tolerance = {}, int decimals = 2) {
+    return {.row = row,
+            .column = column,
+            .unit = unit,
+            .reference = reference,
+            .simulated = simulated,
+            .tolerance = tolerance,
+            .decimals = decimals};
+}
+
+} // namespace
+
+TEST_CASE("a comparison is printed with its decimals, its marks, and the error in the unit of the tolerance") {
+    Comparison comparison{.name = "name", .notes = "notes\n"};
+    comparison.cells = {cell("spool", "a", "in", 0.2741, 0.27406, 2e-4, 5),
+                        cell("spool", "b", "in", 0.2688, 0.27, 2e-4, 5), cell("flow", "a", "", 50, 49.5),
+                        cell("flow", "b", "", {}, 1)};
+    comparison.cells[2].tolerance_percent = 0.5;
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                                   a                         b\n"
+                                          "            simulat.  thesis   error   simulat.  thesis   error\n"
+                                          "spool [in]  0.27406  0.2741 -.00004   0.27000  0.2688 +.00120!\n"
+                                          "flow          49.50      50   -1.0%!     1.00\n"
+                                          "notes\n");
+}
+
+TEST_CASE("a row with columns of its own begins a table") {
+    Comparison comparison{.name = "name", .against = "known"};
+    comparison.cells = {cell("x", "a", "", 1, 1), cell("x", "b", "", 2, 2), cell("y", "b", "", 3, 3),
+                        cell("z", "c", "", 0, -1e-9, 1e-3)};
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                             a                         b\n"
+                                          "      simulat.   known   error   simulat.   known   error\n"
+                                          "x        1.00       1   +0.0%      2.00       2   +0.0%\n"
+                                          "y                                  3.00       3   +0.0%\n"
+                                          "                             c\n"
+                                          "      simulat.   known   error\n"
+                                          "z        0.00       0       0\n");
+}
+
+TEST_CASE("tolerances: in percent, in the unit, none; without a figure no tolerance is met") {
+    Cell judged = cell("x", "a", "", 100, 103);
+    CHECK(judged.within_tolerance());
+    judged.tolerance_percent = 2;
+    CHECK_FALSE(judged.within_tolerance());
+    judged.tolerance = 3;
+    CHECK(judged.within_tolerance());
+    judged.tolerance = 2.9;
+    CHECK_FALSE(judged.within_tolerance());
+    judged.reference = -50;
+    CHECK(*judged.tolerance_in_percent() == doctest::Approx(5.8));
+    judged.reference.reset();
+    CHECK_FALSE(judged.tolerance_in_percent().has_value());
+    CHECK_FALSE(judged.within_tolerance());
+    Cell negative = cell("x", "a", "", -100, -103);
+    CHECK(*negative.error_percent() == doctest::Approx(-3));
+    negative.tolerance_percent = 2;
+    CHECK_FALSE(negative.within_tolerance());
+    CHECK(Comparison{.name = "", .cells = {cell("x", "a", "", 100, 1)}}.within_tolerance());
+    CHECK_FALSE(Comparison{.name = "", .cells = {cell("x", "a", "", 1, 1), judged}}.within_tolerance());
+}
+
+TEST_CASE("a one-sided cell is printed with its bound in place of an error, and marked when it misses it") {
+    Comparison comparison{.name = "name"};
+    comparison.cells = {cell("share", "a", "%", 65, 52, {}, 0), cell("share", "b", "%", 65, 72, {}, 0),
+                        cell("error", "a", "%", {}, 10.4, {}, 1)};
+    comparison.cells[0].at_least = comparison.cells[1].at_least = 55;
+    comparison.cells[2].at_most = 10;
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                                  a                         b\n"
+                                          "           simulat.  thesis   error   simulat.  thesis   error\n"
+                                          "share [%]       52      65   >= 55!       72      65   >= 55\n"
+                                          "error [%]     10.4           <= 10!\n");
+    CHECK_FALSE(comparison.within_tolerance());
+}

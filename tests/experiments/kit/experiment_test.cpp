@@ -1,0 +1,40 @@
+// What the experiments' files say of themselves.
+
+#include "experiments/kit/experiment.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace placedpar;
+
+TEST_CASE("the experiments come by chapter and number, appendices last") {
+    Experiment second{"second", "", "2", 2, nullptr}, third{"third", "", "3", 1, nullptr},
+        appendix{"appendix", "", "E", 1, nullptr}, first{"first", "", "2", 1, nullptr};
+    std::vector<std::string_view> names;
+    for (const Experiment& each : in_order({appendix, third, second, first}))
+        names.push_back(each.name);
+    CHECK(names == std::vector<std::string_view>{"first", "second", "third", "appendix"});
+}
+
+TEST_CASE("every experiment has a name, a place of its own, a line about it, and can be run") {
+    std::set<std::string_view> names;
+    std::set<std::pair<std::string_view, int>> places;
+    for (const Experiment& each : experiments()) {
+        CHECK(names.insert(each.name).second);
+        CHECK(places.emplace(each.chapter, each.number).second);
+        CHECK_FALSE(each.about.empty());
+        CHECK_FALSE(!each.run);
+    }
+    CHECK(experiments().front().name == "table-2-6");
+    CHECK(experiments().back().name == "table-e2");
+}
+
+TEST_CASE("an experiment is judged by its first comparison, and by the others that say so") {
+    Comparison good{.name = "good"}, bad{.name = "bad", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
+    CHECK(Replay{.comparisons = {good, bad}}.within_tolerance());
+    CHECK_FALSE(Replay{.comparisons = {bad, good}}.within_tolerance());
+    bad.judged = true;
+    CHECK_FALSE(Replay{.comparisons = {good, bad}}.within_tolerance());
+}

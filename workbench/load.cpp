@@ -1,0 +1,79 @@
+#include "workbench/load.hpp"
+
+#include "hydraulics/data/record_table.hpp"
+#include "text/diagnostic.hpp"
+#include "text/load_source.hpp"
+#include "text/user_error.hpp"
+#include "workbench/problems.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+constexpr std::size_t most_shown = 20;
+
+using File = std::shared_ptr<const SourceFile>;
+
+std::string render_faults(const std::vector<Diagnostic>& faults, const File& file, Severity severity) {
+    std::vector<Diagnostic> diagnostics;
+    for (const Diagnostic& fault : faults)
+        if (fault.severity == severity)
+            diagnostics.emplace_back(fault).location.file = file;
+    std::size_t more = diagnostics.size() - std::min(diagnostics.size(), most_shown);
+    diagnostics.resize(diagnostics.size() - more);
+    return render(diagnostics) + (more ? fmt::format("{}: and {} more like these\n", file->path(), more) : "");
+}
+
+/// Warns of the faults, or throws when one of them refuses the text.
+void report(const std::vector<Diagnostic>& faults, const File& file, const WarningSink& warn) {
+    if (std::string warnings = render_faults(faults, file, Severity::warning); !warnings.empty())
+        warn(warnings);
+    if (has_errors(faults))
+        throw RefusedInput(render_faults(faults, file, Severity::error));
+}
+
+File load_text(const std::filesystem::path& path) {
+    LoadedSource loaded = load_source(path);
+    if (has_errors(loaded.problems))
+        throw RefusedInput(render_faults(loaded.problems, loaded.file, Severity::error));
+    return loaded.file;
+}
+
+} // namespace
+
+Network load_network(const std::filesystem::path& path, const Overrides& overrides, const ProblemRegistry& problems,
+                     const WarningSink& warn) {
+    Catalogue catalogue = known_kinds(problems);
+    ReadResult read = read_netlist(path, catalogue, overrides);
+    if (!read.network)
+        throw RefusedInput(render(read.diagnostics));
+    if (!read.diagnostics.empty())
+        warn(render(read.diagnostics));
+    return std::move(*read.network);
+}
+
+LoadedRecord load_record(const std::filesystem::path& path, const WarningSink& warn) {
+    File file = load_text(path);
+    ReadRecord read = read_record(file->text());
+    report(read.faults, file, warn);
+    return {std::move(*read.record), std::move(read.faults)};
+}
+
+Parameters load_machine(const std::filesystem::path& path, const WarningSink& warn) {
+    Parameters machine = Parameters::excavator();
+    if (path.empty())
+        return machine;
+    File file = load_text(path);
+    std::vector<Diagnostic> faults;
+    machine.read(file->text(), faults);
+    report(faults, file, warn);
+    return machine;
+}
+
+} // namespace placedpar

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "gaprocs/problem_registry.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/data/record.hpp"
+#include "netlist/read.hpp"
+#include "text/diagnostic.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+// Files of the user's. A file with errors is refused: RefusedInput shows each with file, line, column and a caret.
+
+/// Told a file's warnings, rendered: whole lines.
+using WarningSink = std::function<void(const std::string&)>;
+
+/// Reads a netlist with this program's kinds and the problems given. Throws RefusedInput.
+Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&);
+
+/// A record of measurement, with its file's warnings.
+struct LoadedRecord {
+    hydraulics::Record record;
+    std::vector<Diagnostic> warnings;
+};
+/// Throws RefusedInput.
+LoadedRecord load_record(const std::filesystem::path&, const WarningSink&);
+
+/// The excavator's constants, with those of the file in place of those of the same name; no file when the path
+/// is empty. Throws RefusedInput.
+hydraulics::Parameters load_machine(const std::filesystem::path&, const WarningSink&);
+
+} // namespace placedpar
