@@ -79,7 +79,7 @@ bool shares_link(const NetworkChannel& channel) {
 
 Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64_t seed)
     : network_(network), seed_(seed) {
-    make_processors();
+    make_executives();
     make_links();
     make_multiplexers();
     make_channels(catalogue);
@@ -87,10 +87,10 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     expect_partners();
 }
 
-void Machine::make_processors() {
+void Machine::make_executives() {
     for (const Node& node : network_.nodes) {
-        const auto& make = node.kind->make_processor;
-        processors_.push_back(make ? make(simulation_, node) : nullptr);
+        const auto& make = node.kind->make_executive;
+        executives_.push_back(make ? make(simulation_, node) : NodeExecutive{});
     }
 }
 
@@ -109,8 +109,9 @@ void Machine::make_multiplexers() {
 Multiplexer& Machine::make_multiplexer(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
     const auto& [a, b] = std::pair(connection.a, connection.b);
-    return simulation_.add<Multiplexer>(fmt::format("{} - {}", link_name(network_.nodes, a), link_name(network_.nodes, b)),
-                                   *links_[index], processors_[a.node], processors_[b.node]);
+    return simulation_.add<Multiplexer>(
+        fmt::format("{} - {}", link_name(network_.nodes, a), link_name(network_.nodes, b)), *links_[index],
+        executives_[a.node].executive, executives_[b.node].executive);
 }
 
 void Machine::make_channels(const Catalogue& catalogue) {
@@ -155,7 +156,7 @@ Process& Machine::make_process(const ProcessInstance& process, const ProcessKind
         environments_.emplace_back(process.name, process.parameters, std::move(ports), seed_, measurements_);
     return simulation_.process(
         process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
-        processors_[process.node], process.high_priority ? Priority::high : Priority::low);
+        executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);
 }
 
 RunReport Machine::run(Time limit) { return report(simulation_.run(limit)); }

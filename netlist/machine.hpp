@@ -6,7 +6,6 @@
 #include "netlist/run_report.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/multiplexer.hpp"
-#include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
@@ -31,7 +30,7 @@ public:
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 
 private:
-    void make_processors();
+    void make_executives();
     void make_links();
     void make_multiplexers();
     Multiplexer& make_multiplexer(std::size_t connection);
@@ -50,7 +49,7 @@ private:
     Network network_;
     std::uint64_t seed_;
     Simulation simulation_;
-    std::vector<Processor*> processors_;     ///< by node; null where processes take no time, or none can be
+    std::vector<NodeExecutive> executives_;  ///< by node
     std::vector<Link*> links_;               ///< by connection
     std::vector<Multiplexer*> multiplexers_; ///< by connection; null where no channels share it
     std::vector<std::unique_ptr<AnyChannel>> channels_;

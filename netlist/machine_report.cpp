@@ -22,10 +22,9 @@ RunReport Machine::report(RunResult result) const {
 
 std::vector<ProcessorUse> Machine::processor_uses(Time whole) const {
     std::vector<ProcessorUse> uses;
-    for (std::size_t i = 0; i < processors_.size(); ++i)
-        if (processors_[i])
-            uses.push_back(
-                {network_.nodes[i].name, network_.nodes[i].type, fraction(processors_[i]->time_busy(), whole)});
+    for (std::size_t i = 0; i < executives_.size(); ++i)
+        if (const auto& time_busy = executives_[i].time_busy)
+            uses.push_back({network_.nodes[i].name, network_.nodes[i].type, fraction(time_busy(), whole)});
     return uses;
 }
 

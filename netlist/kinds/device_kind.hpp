@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/parameter.hpp"
 #include "netlist/network/network.hpp"
+#include "runtime/time.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -13,8 +14,8 @@
 
 namespace placedpar {
 
-class Processor;  // runtime/hardware: what executes the processes placed on a node
-class Simulation; // runtime: what owns it
+class Executive;  // runtime/executive.hpp: executes processes
+class Simulation; // runtime/simulation.hpp: owns the devices of a run
 
 /// What a wire finds at a device.
 enum class LinkRole {
@@ -41,6 +42,12 @@ struct DeviceModel {
     bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
 };
 
+/// What executes the processes placed on a node.
+struct NodeExecutive {
+    Executive* executive = nullptr;  ///< null: they take no time
+    std::function<Time()> time_busy; ///< so far; empty where the executive is null
+};
+
 /// How a device looks in the drawing of a network.
 struct Drawing {
     enum class Shape { hidden, box, ellipse };
@@ -61,8 +68,8 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {}; ///< attributes of the real tool: read and printed, not used by a simulation
     bool runs_processes = false;        ///< processes can be placed on it; it must then be connected
-    /// What executes the processes placed on the node. Empty: they take no time.
-    std::function<Processor*(Simulation&, const Node&)> make_processor = {};
+    /// Adds to the simulation what executes the processes placed on the node. Empty: they take no time.
+    std::function<NodeExecutive(Simulation&, const Node&)> make_executive = {};
     std::int64_t crossing_delay = 0; ///< of a bit that crosses it, in hundredths of a bit time
     Drawing drawing = {};
 

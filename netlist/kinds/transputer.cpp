@@ -75,8 +75,9 @@ std::vector<AttributeDescription> transputer_attributes() {
     return attributes;
 }
 
-Processor* make_transputer(Simulation& simulation, const Node& node) {
-    return &simulation.add<Processor>(node.name, node.integer("clock"), Cycles{node.integer("channelcall")});
+NodeExecutive make_transputer(Simulation& simulation, const Node& node) {
+    auto& processor = simulation.add<Processor>(node.name, node.integer("clock"), Cycles{node.integer("channelcall")});
+    return {&processor, [&processor] { return processor.time_busy(); }};
 }
 
 } // namespace
@@ -89,7 +90,7 @@ DeviceKind transputer() {
             .attributes = transputer_attributes(),
             .kept = attributes_of_the_real_tool(),
             .runs_processes = true,
-            .make_processor = make_transputer,
+            .make_executive = make_transputer,
             .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0"}};
 }
 
