@@ -2,11 +2,11 @@
 
 #include "hydraulics/data/link.hpp"
 #include "hydraulics/data/units.hpp"
+#include "text/user_error.hpp"
 
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,9 +67,9 @@ private:
 };
 
 /// A record that lacks what an identification of it needs; what() says what is missing, without the record's name.
-class UnfitRecord : public std::invalid_argument {
+class UnfitRecord : public UserError {
 public:
-    using std::invalid_argument::invalid_argument;
+    using UserError::UserError;
 };
 
 /// Beyond what is ever measured, in any unit of this room; slopes and squares of such values are finite.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace placedpar::hydraulics {
 
@@ -30,7 +29,7 @@ constexpr std::array all{
     Unit{"cm", Quantity::length, 1e-2 * inch_per_metre},
     Unit{"m", Quantity::length, inch_per_metre},
     Unit{"deg", Quantity::angle, 1},
-    Unit{"rad", Quantity::angle, 180 / std::numbers::pi},
+    Unit{"rad", Quantity::angle, deg_per_rad},
     Unit{"V", Quantity::voltage, 1},
     Unit{"mV", Quantity::voltage, 1e-3},
     Unit{"in^2", Quantity::area, 1},

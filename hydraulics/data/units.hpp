@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,7 @@ struct Unit {
 /// Pascals in a psi and metres in an inch; all other factors between the systems follow from these.
 inline constexpr double pascal_per_psi = 6894.757293168361;
 inline constexpr double metre_per_inch = 0.0254;
+inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
 /// None when no such unit is known. "cm^3/s", "kPa", "deg"; the room's own unit of a quantity has factor 1.
 const Unit* unit_named(std::string_view name);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace placedpar::hydraulics {
 
@@ -20,7 +19,6 @@ BoomSensors boom_sensors(const Parameters& parameters) {
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredExcavator& excavator,
                          const BoomSensors& sensors, const UniformSource& uniform) {
     std::size_t stride = steps_in(sensors.period_s, step_of(motion));
-    constexpr double deg_per_rad = 180 / std::numbers::pi;
     Record record;
     record.period_s = sensors.period_s;
     auto read = [&](Sensor sensor, double value) { record.of(Link::boom, sensor).push_back(value); };

@@ -1,14 +1,11 @@
 #include "hydraulics/plant/excavator_record.hpp"
 
-#include <numbers>
 #include <span>
 #include <variant>
 
 namespace placedpar::hydraulics {
 
 namespace {
-
-constexpr double deg_per_rad = 180 / std::numbers::pi;
 
 /// Reads the sensors of one link.
 void read_link(const LinkState& state, const ActiveLink& active, const MeasurementNoise& noise,

@@ -1,15 +1,16 @@
 #pragma once
 
-#include <stdexcept>
+#include "text/user_error.hpp"
+
 #include <string_view>
 
 namespace placedpar::hydraulics {
 
 /// A machine or a motion of it that cannot be simulated or measured; what() says which value is wrong and what is
 /// expected.
-class UnfitScenario : public std::invalid_argument {
+class UnfitScenario : public UserError {
 public:
-    using std::invalid_argument::invalid_argument;
+    using UserError::UserError;
 };
 
 /// What the values of a machine or a scenario must be for it to be simulated. All throw UnfitScenario:

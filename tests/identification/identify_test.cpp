@@ -73,7 +73,7 @@ TEST_CASE("a record at rest is refused, with what is missing") {
     CHECK_THROWS_WITH_AS(identify_boom(record, thesis_way(), 1),
                          "0 usable samples, expected at least 5: the transient after the valve opens, with the "
                          "pressure rising faster than 150 psi/s, is too short or not in the record",
-                         std::invalid_argument);
+                         UnfitRecord);
 }
 
 TEST_CASE("links that are not coupled cannot be identified together") {

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
@@ -121,7 +120,7 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
     CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}),
                          "the record has no channel boom.angle; it has boom.inlet_pressure, boom.spool, "
                          "boom.inlet_area, boom.bypass_area",
-                         std::invalid_argument);
+                         UnfitRecord);
 }
 
 TEST_CASE("two junctions in series: a link takes no flow while another holds the pressure below its own") {

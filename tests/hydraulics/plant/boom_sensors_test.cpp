@@ -1,11 +1,11 @@
 #include "hydraulics/plant/boom_sensors.hpp"
+#include "hydraulics/plant/requirement.hpp"
 #include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
@@ -40,7 +40,7 @@ TEST_CASE("bits are whole numbers from 0 to 32") {
     CHECK(bits_of(parameters, "sensors.resolver_bits") == 16);
     for (double wrong : {-1.0, 33.0, 12.5, std::nan(""), 1e300}) {
         parameters.set("sensors.resolver_bits", wrong);
-        CHECK_THROWS_AS(bits_of(parameters, "sensors.resolver_bits"), std::invalid_argument);
+        CHECK_THROWS_AS(bits_of(parameters, "sensors.resolver_bits"), UnfitScenario);
     }
 }
 
@@ -104,5 +104,5 @@ TEST_CASE("a period that is no multiple of the step is refused") {
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     BoomSensors sensors = boom_sensors();
     sensors.period_s = 0.00015;
-    CHECK_THROWS_AS(read_with(sensors, excavator, motion), std::invalid_argument);
+    CHECK_THROWS_AS(read_with(sensors, excavator, motion), UnfitScenario);
 }

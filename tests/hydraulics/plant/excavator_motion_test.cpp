@@ -1,12 +1,12 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
+#include "hydraulics/plant/requirement.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 using namespace placedpar;
@@ -209,22 +209,21 @@ TEST_CASE("a scenario that cannot be simulated says why") {
     ExcavatorScenario scenario = two_link_scenario();
     scenario.links[1].mechanics.mass_lbf_s2_per_in = 0;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario), "excavator scenario: the boom's mass is 0, expected above 0",
-                         std::invalid_argument);
+                         UnfitScenario);
     scenario = two_link_scenario();
     scenario.links[0].mechanics.damping_lbf_s_per_in = -1;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
-                         "excavator scenario: the bucket's damping is -1, expected 0 or above", std::invalid_argument);
+                         "excavator scenario: the bucket's damping is -1, expected 0 or above", UnfitScenario);
     scenario = two_link_scenario();
     scenario.links[1].link = hydraulics::Link::bucket;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
-                         "excavator scenario: the bucket is listed twice, expected each link once",
-                         std::invalid_argument);
+                         "excavator scenario: the bucket is listed twice, expected each link once", UnfitScenario);
     scenario.links.clear();
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario), "excavator scenario: no link is active, expected at least one",
-                         std::invalid_argument);
+                         UnfitScenario);
     scenario = single_boom_scenario();
     std::get<SpoolOrifices>(scenario.links[0].valve).steps.push_back({0.05, 0.2});
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
                          "excavator scenario: the boom's step time is 0.05, expected one after the step before",
-                         std::invalid_argument);
+                         UnfitScenario);
 }

@@ -1,5 +1,6 @@
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
+#include "hydraulics/plant/requirement.hpp"
 #include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 using namespace placedpar;
@@ -53,8 +53,8 @@ TEST_CASE("the same seed gives the same record; noise scales with its level") {
 TEST_CASE("a sampling period that is no multiple of the step is refused") {
     const ExcavatorScenario scenario = single_boom_scenario();
     const ExcavatorMotion motion = simulate_excavator(scenario);
-    CHECK_THROWS_AS(measure_excavator(motion, scenario, 0.00075, no_noise, [] { return 0.0; }), std::invalid_argument);
-    CHECK_THROWS_AS(measure_excavator({}, scenario, 0.02, no_noise, [] { return 0.0; }), std::invalid_argument);
+    CHECK_THROWS_AS(measure_excavator(motion, scenario, 0.00075, no_noise, [] { return 0.0; }), UnfitScenario);
+    CHECK_THROWS_AS(measure_excavator({}, scenario, 0.02, no_noise, [] { return 0.0; }), UnfitScenario);
 }
 
 TEST_CASE("a link with a spool has its spool read, one without has its areas read") {

@@ -2,13 +2,13 @@
 
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
+#include "hydraulics/plant/requirement.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 using namespace placedpar;
@@ -120,6 +120,5 @@ TEST_CASE("a scenario that cannot be simulated says why") {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.links[0].mechanics.inlet_compliance_in3_per_psi = 0;
     CHECK_THROWS_WITH_AS(simulate_boom(scenario),
-                         "excavator scenario: the boom's inlet compliance is 0, expected above 0",
-                         std::invalid_argument);
+                         "excavator scenario: the boom's inlet compliance is 0, expected above 0", UnfitScenario);
 }

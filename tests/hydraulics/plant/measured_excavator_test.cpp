@@ -3,6 +3,7 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "hydraulics/plant/measured_dynamics.hpp"
+#include "hydraulics/plant/requirement.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <stdexcept>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
@@ -235,7 +235,7 @@ TEST_CASE("an excavator that cannot be simulated says why") {
         change(excavator);
         try {
             simulate_measured_excavator(excavator);
-        } catch (const std::invalid_argument& error) {
+        } catch (const UnfitScenario& error) {
             return error.what();
         }
         return "none";
