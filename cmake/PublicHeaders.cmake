@@ -1,0 +1,26 @@
+# The public headers of the rooms, for whoever does not live in the house: under placedpar/, so that they clash with
+# nobody's runtime/. Each room names its doors (placedpar_room's DOORS); what these include is public with them. They
+# are staged in the build tree, where "room/header.hpp" is rewritten to "placedpar/room/header.hpp", again after each
+# edit; the staged folder is what is installed, and what a project sees that uses PlacedPar by add_subdirectory.
+
+get_property(doors GLOBAL PROPERTY PLACEDPAR_DOORS)
+get_property(rooms GLOBAL PROPERTY PLACEDPAR_ROOMS)
+set(room_headers)
+foreach(room ${rooms})
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.hpp)
+    list(APPEND room_headers ${headers})
+endforeach()
+file(CONFIGURE OUTPUT public_headers.cmake CONTENT "set(doors @doors@)\n" @ONLY) # changed only when they are others
+
+set(staged ${PROJECT_BINARY_DIR}/public_headers.stamp)
+add_custom_command(
+    OUTPUT ${staged}
+    COMMAND ${CMAKE_COMMAND} -DTREE=${PROJECT_SOURCE_DIR} -DDOORS=${CMAKE_CURRENT_BINARY_DIR}/public_headers.cmake
+            -DSTAGE=${PROJECT_BINARY_DIR}/include/placedpar -P ${CMAKE_CURRENT_LIST_DIR}/stage_headers.cmake
+    COMMAND ${CMAKE_COMMAND} -E touch ${staged}
+    DEPENDS ${room_headers} ${CMAKE_CURRENT_BINARY_DIR}/public_headers.cmake ${CMAKE_CURRENT_LIST_DIR}/stage_headers.cmake
+    COMMENT "Staging the public headers" VERBATIM)
+add_custom_target(placedpar_headers DEPENDS ${staged})
+foreach(room ${rooms})
+    add_dependencies(placedpar_${room} placedpar_headers)
+endforeach()
