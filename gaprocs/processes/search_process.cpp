@@ -70,7 +70,7 @@ private:
         return stream.empty() ? environment.process() : stream;
     }
 
-    /// Times are taken from the first full window on: all generations from there cost the same.
+    /// Times are measured from the first full window on: all generations from there cost the same.
     void begin_timing() {
         farm_.forget_times();
         execution_ = operators_ = Stopwatch{};
@@ -97,7 +97,7 @@ private:
         execution_.stop();
     }
 
-    /// The best goes to the next island, the best of the one before takes the place of the worst.
+    /// The best goes to the next island; the best of the island before replaces the worst.
     void exchange(std::vector<double>& fitness) {
         Emigrant emigrant;
         emigrant.individual = search_.emigrant(fitness);
@@ -128,7 +128,7 @@ private:
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 
-    /// A run on a workstation costs no time, and has no rate.
+    /// A run on a workstation takes no time, so it has no rate.
     void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
         if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)

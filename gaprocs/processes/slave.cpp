@@ -29,7 +29,7 @@ public:
         }
     }
 
-    /// The first task says in which order the results go, before any of them does.
+    /// The first task says in which order results are to be passed on.
     void run() {
         Task first = from_master_.input();
         results_in_order_ = first.results_in_order;
@@ -43,7 +43,7 @@ private:
             task = from_master_.input();
     }
 
-    /// To the slave beyond, to the own evaluator, or to both. False at the end.
+    /// To the next slave, to this slave's evaluator, or to both. False at the end.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (has_next_ && (ended || task.hops_left > 0)) {
@@ -66,7 +66,7 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// The results of all slaves beyond, the farthest first, and then the own one. False at the end.
+    /// The results of all slaves beyond, the farthest first, and then this slave's. False at the end.
     bool pass_round_on() {
         for (bool last = false; !last;) {
             Fitnesses result = from_next_.input();
@@ -76,7 +76,7 @@ private:
         return send(own_results_.in().input().message);
     }
 
-    /// Whichever result is ready. False at the end of all.
+    /// One result, as soon as any is ready. False when all have ended.
     bool pass_next_result_on() {
         auto own = when(own_open_,
                         on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = send(std::move(r.message)); }));

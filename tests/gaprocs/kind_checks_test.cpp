@@ -150,15 +150,15 @@ TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
                                              "population = {}, string_bytes = {});",
                                              population, bytes));
     };
-    says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals comes to 2147483649 bytes");
-    says(strings(196608, 65536), "comes to 4294967297 bytes"); // 1 in 32 bits
+    says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals would have 2147483649 bytes");
+    says(strings(196608, 65536), "would have 4294967297 bytes"); // 1 in 32 bits
     CHECK(strings(98301, 65536).empty());
     auto lines = statements();
     lines.at("master") = "master (problem = \"line\", slaves = 2, population = 98304);";
     lines.at("slave 1") = "slave[1] (problem = \"line\", fitness_bytes = 65536);";
     Kinds kinds;
     says(render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics),
-         "farm.cfs:7:29: error: a message for 32768 individuals comes to 2147483648 bytes");
+         "farm.cfs:7:29: error: a message for 32768 individuals would have 2147483648 bytes");
     CHECK(message_bytes(32767, 65536, 65535) == 0x7fffffff);
     CHECK_THROWS_AS(message_bytes(32767, 65536, 65536), std::invalid_argument);
 }
