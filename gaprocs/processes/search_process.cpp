@@ -1,6 +1,7 @@
-#include "gaprocs/processes/kinds.hpp"
+#include "gaprocs/processes/search_process.hpp"
 
 #include "gaprocs/processes/farm.hpp"
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/window.hpp"
 #include "netlist/kinds/environment.hpp"
@@ -163,12 +164,20 @@ private:
     Stopwatch execution_, operators_, rehearsal_, rate_;
 };
 
-} // namespace
-
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
     read_search_settings(environment).window.validate_for(recorded.record.size());
     SearchProcess(environment, *recorded.problem->coded(read_coding(environment))).run();
+}
+
+} // namespace
+
+ProcessKind searching(ProcessKind described, const ProblemRegistry& problems) {
+    described.body = [&problems](ProcessEnvironment& environment) { run_search(environment, problems); };
+    described.check = [&problems](const Network& network, std::size_t process) {
+        return check_search(network, process, problems);
+    };
+    return described;
 }
 
 } // namespace placedpar

@@ -1,8 +1,11 @@
 #include "gaprocs/processes/kinds.hpp"
 
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/processes/workload.hpp"
+#include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/alternation.hpp"
 #include "runtime/executive.hpp"
@@ -144,10 +147,27 @@ private:
     Window window_;
 };
 
-} // namespace
-
 void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     Slave(environment, problems.find(environment.text("problem")).problem).run();
+}
+
+} // namespace
+
+ProcessKind slave_kind(const ProblemRegistry& problems) {
+    using namespace search_description;
+    using namespace description;
+    return {.name = "ga.slave",
+            .about = "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves "
+                     "beyond it.",
+            .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
+                      output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
+                      optional(output<Task>("to_next", "task", "to the slave beyond")),
+                      optional(input<Fitnesses>("from_next", "fitnesses", "from the slave beyond"))},
+            .parameters = {problem(), cycles_per_error(), fitness_bytes()},
+            .body = [&problems](ProcessEnvironment& environment) { run_slave(environment, problems); },
+            .together = {{"to_next", "from_next"}},
+            .check = [&problems](const Network& network,
+                                 std::size_t process) { return check_slave(network, process, problems); }};
 }
 
 } // namespace placedpar
