@@ -10,15 +10,17 @@ foreach(room ${rooms})
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.hpp)
     list(APPEND room_headers ${headers})
 endforeach()
-file(CONFIGURE OUTPUT public_headers.cmake CONTENT "set(doors @doors@)\n" @ONLY) # changed only when they are others
+set(door_list ${PROJECT_BINARY_DIR}/public_headers.cmake)
+file(CONFIGURE OUTPUT ${door_list} CONTENT "set(doors @doors@)\n" @ONLY) # written only when they are others
 
+set(script ${CMAKE_CURRENT_LIST_DIR}/stage_headers.cmake)
 set(staged ${PROJECT_BINARY_DIR}/public_headers.stamp)
 add_custom_command(
     OUTPUT ${staged}
-    COMMAND ${CMAKE_COMMAND} -DTREE=${PROJECT_SOURCE_DIR} -DDOORS=${CMAKE_CURRENT_BINARY_DIR}/public_headers.cmake
-            -DSTAGE=${PROJECT_BINARY_DIR}/include/placedpar -P ${CMAKE_CURRENT_LIST_DIR}/stage_headers.cmake
+    COMMAND ${CMAKE_COMMAND} -DTREE=${PROJECT_SOURCE_DIR} -DDOORS=${door_list}
+            -DSTAGE=${PROJECT_BINARY_DIR}/include/placedpar -P ${script}
     COMMAND ${CMAKE_COMMAND} -E touch ${staged}
-    DEPENDS ${room_headers} ${CMAKE_CURRENT_BINARY_DIR}/public_headers.cmake ${CMAKE_CURRENT_LIST_DIR}/stage_headers.cmake
+    DEPENDS ${room_headers} ${door_list} ${script}
     COMMENT "Staging the public headers" VERBATIM)
 add_custom_target(placedpar_headers DEPENDS ${staged})
 foreach(room ${rooms})

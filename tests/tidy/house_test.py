@@ -42,7 +42,8 @@ class Functions(unittest.TestCase):
 
     def test_nine_of_ten(self):
         self.assertEqual(self.faults_of(*[1] * 8, 20, 30), [])
-        self.assertEqual(self.faults_of(*[1] * 8, 21, 21), ["text: 90 % of the functions have up to 21 lines, more than 20"])
+        self.assertEqual(self.faults_of(*[1] * 8, 21, 21),
+                         ["text: 90 % of the functions have up to 21 lines, more than 20"])
 
     def test_nearest_rank(self):
         self.assertEqual([house.nearest_rank([3, 1, 2, 4], percent) for percent in (1, 25, 50, 75, 90, 100)],

@@ -3,8 +3,8 @@
 
 usage: tidy.py TREE
 
-Sources have at most 500 lines, functions at most 50 in rooms and 70 elsewhere; nothing is left unfinished or names a path
-of somebody's machine. What includes what: walls.py. Rooms as a whole: house.py.
+Sources have at most 500 lines, functions at most 50 in rooms and 70 elsewhere; nothing is left unfinished or names a
+path of somebody's machine. What includes what: walls.py. Rooms as a whole: house.py.
 """
 
 import pathlib

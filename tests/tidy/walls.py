@@ -32,10 +32,12 @@ BELOW = {
     "workbench": ["gaprocs/processes", "identification"],
     "experiments/kit": ["workbench"],
     "experiments/chapter_2": ["experiments/kit"],
-    "experiments/chapter_3": ["experiments/kit"],
+    "experiments/chapter_3/kit": ["experiments/kit"],
+    "experiments/chapter_3": ["experiments/chapter_3/kit"],
     "experiments/appendix_e": ["experiments/kit"],
-    "experiments": ["experiments/chapter_2", "experiments/chapter_3", "experiments/appendix_e"],
-    "app": ["experiments", "monitor/service"],
+    "app": ["workbench"],
+    "app/options": ["app"],
+    "app/commands": ["app/options", "experiments/kit", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
