@@ -5,6 +5,7 @@
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -171,10 +172,8 @@ TEST_CASE("what is refused only when it runs names the process, its kind and its
     shorter.add("line", make_search_problem(LineProblem{}), line_record(9));
     Catalogue others;
     add_genetic_algorithm_kinds(others, shorter);
-    CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"),
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"), UserError);
     CHECK_THROWS_WITH_AS(
         Machine(*read.network, others, 1).run(),
-        doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"),
-        std::invalid_argument);
+        doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"), UserError);
 }
