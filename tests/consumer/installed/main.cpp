@@ -6,7 +6,7 @@
 #include "placedpar/identification/identification.hpp"
 #include "placedpar/monitor/service/service.hpp"
 #include "placedpar/runtime/channel.hpp"
-#include "placedpar/runtime/hardware/simulation.hpp"
+#include "placedpar/runtime/simulation.hpp"
 #include "placedpar/workbench/problems.hpp"
 #include "runtime/channel.hpp"
 

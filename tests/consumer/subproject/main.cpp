@@ -1,6 +1,6 @@
 // The smallest program of PlacedPar.
 
-#include "placedpar/runtime/hardware/simulation.hpp"
+#include "placedpar/runtime/simulation.hpp"
 
 int main() {
     placedpar::Simulation simulation;
