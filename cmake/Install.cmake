@@ -1,14 +1,13 @@
-# Installs the program, the rooms as an exported package, their headers, and the examples.
+# Installs the program, the rooms as an exported package, their public headers, and the examples.
 include(CMakePackageConfigHelpers)
 
-set(rooms text runtime netlist gaprocs hydraulics identification monitor workbench)
+get_property(rooms GLOBAL PROPERTY PLACEDPAR_ROOMS)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/PlacedPar)
 
 foreach(room ${rooms})
     install(TARGETS placedpar_${room} EXPORT PlacedParTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/placedpar
-            FILES_MATCHING PATTERN "*.hpp")
 endforeach()
+install(DIRECTORY ${PROJECT_BINARY_DIR}/include/placedpar DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS placedpar RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar OPTIONAL)
 

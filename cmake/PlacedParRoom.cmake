@@ -1,13 +1,17 @@
 # A room is a folder at the top and a static library placedpar_NAME, known to consumers as PlacedPar::NAME, built from
-# all sources below the folder. Includes read "room/folder/header.hpp" from the top of the tree.
+# all sources below the folder. In the tree, includes read "room/folder/header.hpp"; outside of it,
+# "placedpar/room/folder/header.hpp" (PublicHeaders.cmake).
 
+# For all that is compiled here, and nobody else.
 add_library(placedpar_options INTERFACE)
+target_include_directories(placedpar_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_features(placedpar_options INTERFACE cxx_std_20)
 # Contracted multiply-adds round differently from one compiler to the next: the same netlist and seed
 # must give the same fingerprint everywhere.
 # -Wrestrict: false alarms on string + in GCC 12 (its bug 105651).
 target_compile_options(placedpar_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # source locations name no folder of the builder's
 if(CMAKE_UNITY_BUILD)
     # A room compiled as one source, as CI's sanitizers do: what one file names at its scope must have another name in
     # the next, and may be shadowed there.
@@ -17,19 +21,24 @@ if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
 
-# placedpar_room(name [SOURCES generated.cpp] LINKS ...)
+# placedpar_room(name [SOURCES generated.cpp] DOORS header.hpp ... LINKS ...)
+# The doors are the headers that a program outside of the house begins with; what they include is public too.
 function(placedpar_room name)
-    cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
+    cmake_parse_arguments(ROOM "" "" "SOURCES;DOORS;LINKS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_library(placedpar_${name} STATIC ${sources} ${ROOM_SOURCES})
     add_library(PlacedPar::${name} ALIAS placedpar_${name})
     set_target_properties(placedpar_${name} PROPERTIES EXPORT_NAME ${name})
-    target_include_directories(placedpar_${name} PUBLIC
-        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/placedpar>)
+    target_include_directories(placedpar_${name} INTERFACE
+        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(placedpar_${name} PUBLIC cxx_std_20)
     # Else Eigen's square root with AVX-512 is an approximation: see gaprocs/population_fitness.hpp.
     target_compile_definitions(placedpar_${name} PUBLIC EIGEN_FAST_MATH=0)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
+
+    list(TRANSFORM ROOM_DOORS PREPEND ${name}/)
+    set_property(GLOBAL APPEND PROPERTY PLACEDPAR_DOORS ${ROOM_DOORS})
+    set_property(GLOBAL APPEND PROPERTY PLACEDPAR_ROOMS ${name})
 endfunction()
 
 # placedpar_test(name [PROGRAM] LINKS ...): a doctest program of all sources below the folder. One a room, with the

@@ -25,7 +25,7 @@ constexpr std::uint64_t gray_decoded(std::uint64_t code) {
 }
 
 /// A binary string whose fields are in Gray code, each field by itself. A problem that reads its string by
-/// field(first, count) reads this one alike, and never knows.
+/// field(first, count) can read this one instead, unchanged.
 template <typename G>
 class GrayCoded {
 public:

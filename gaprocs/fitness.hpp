@@ -7,10 +7,10 @@ namespace placedpar {
 /// The fitness of an individual is the sum over the window of B - E^2 (thesis eq. 3.9 and 4.1, with the
 /// square that 1.7 and 5.2 leave out).
 ///
-/// So that it does not matter who evaluates which part of the window and in which order the parts are added,
-/// each term is rounded to a multiple of 2^-20 and clamped to +-2^23. A sum of up to 1024 such terms is a
-/// multiple of 2^-20 below 2^33 in size, which a double holds exactly: INVARIANT: any partition and any order
-/// of up to `exact_fitness_terms` terms give the same bits. Rounding costs at most 5e-7 a term, of B = 400.
+/// So that the sum does not depend on which process evaluates which part of the window, nor on the order in which
+/// the parts are added, each term is rounded to a multiple of 2^-20 and clamped to +-2^23. A sum of up to 1024 such
+/// terms is a multiple of 2^-20 below 2^33 in size, which a double holds exactly: INVARIANT: any partition and any
+/// order of up to `exact_fitness_terms` terms give the same bits. Rounding costs at most 5e-7 a term, of B = 400.
 inline constexpr double fitness_quantum = 0x1p-20;
 inline constexpr double fitness_term_limit = 0x1p23;
 inline constexpr std::size_t exact_fitness_terms = 1024;

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// The three operators of the simple genetic algorithm (thesis 1.1), each by itself. None keeps a state: the
-/// same stream at the same place gives the same offspring.
+// The three operators of the simple genetic algorithm (thesis 1.1), each by itself. None keeps a state: the same stream
+// at the same position gives the same offspring.
 
 /// A wheel with a sector as wide as max(f_i, 0) for each individual.
 class RouletteWheel {
@@ -18,7 +18,7 @@ public:
     /// Throws std::invalid_argument when the sum is beyond a double.
     explicit RouletteWheel(std::span<const double> fitness);
 
-    /// No fitness is positive (a sum too small to be told from zero counts as none).
+    /// No fitness is positive, or their sum is below the smallest normal double.
     bool empty() const;
     /// The individual whose sector the ball lies in, never one without a sector. Sector i holds its lower
     /// end, not its upper. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
@@ -42,8 +42,8 @@ struct RouletteReproduction {
 
 /// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
 /// spin of a wheel with `count` evenly spaced balls, so that individual i becomes a parent floor(e) or ceil(e) times,
-/// e = count max(f_i, 0) / sum being what roulette gives on average. The parents are then shuffled, for the operators
-/// take neighbours for mates.
+/// e = count max(f_i, 0) / sum being what roulette gives on average. The parents are then shuffled, since crossover
+/// takes neighbours for mates.
 struct UniversalReproduction {
     /// As RouletteReproduction, but for the numbers drawn: one for the spin, at least count - 1 for the shuffle.
     std::optional<std::vector<std::size_t>> operator()(std::span<const double> fitness, std::size_t count,
@@ -52,7 +52,7 @@ struct UniversalReproduction {
 
 /// One-point crossover: neighbours 0 and 1, 2 and 3, ... are mates; with the given probability they exchange
 /// the characters 1 ... k, k uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). After roulette neighbours are
-/// mates at random already. The last of an odd number goes over alone, and strings of length 1 have no cut.
+/// mates at random already. The last of an odd number has no mate, and strings of length 1 have no cut.
 struct OnePointCrossover {
     double probability = 0.8;
     /// REQUIRES: all strings of one length.

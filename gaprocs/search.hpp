@@ -26,16 +26,16 @@ std::size_t worst_index(std::span<const double> fitness);
 /// REQUIRES: count <= fitness.size().
 std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count);
 
-/// The state of a traditional genetic algorithm, one generation at a time. It does not evaluate: whoever
-/// holds it (a plain loop, a master with its slaves, an island) finds the fitness of population() and hands
-/// it in. What follows depends on the settings, the stream and those numbers alone, not on who found them:
-/// this is what makes algorithm A give exactly the generations of the traditional algorithm.
+/// The state of a traditional genetic algorithm, one generation at a time. It does not evaluate: its owner (a plain
+/// loop, a master with its slaves, an island) finds the fitness of population() and hands it in. The next generation
+/// depends on the settings, the stream and those numbers alone, not on which process found them: so algorithm A gives
+/// exactly the generations of the traditional algorithm.
 ///
-/// An island goes: evaluate; emigrant() to the neighbour; accept() the immigrant; next_generation().
+/// The order of calls on an island: evaluate; emigrant() to the neighbour; accept() the immigrant; next_generation().
 ///
-/// An elite (SearchSettings::elite) goes over unchanged and stands first in the next population, the best at its head.
-/// Only the strings go over: the elite is evaluated again with everybody else, for when the window has moved its
-/// fitness is another. While the window stands, the best fitness never falls.
+/// An elite (SearchSettings::elite) is copied unchanged to the head of the next population, the best first. Only the
+/// strings are copied: the elite is evaluated again with all others, since its fitness changes when the window moves.
+/// While the window stays, the best fitness never falls.
 class Search {
 public:
     /// Draws the first population. Throws std::invalid_argument: 0 bits, or SearchSettings::validate().
@@ -47,13 +47,12 @@ public:
     const std::vector<Genome>& population() const { return population_; }
     /// Generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
-    /// How often nobody had positive fitness and the whole population was drawn anew: the thesis is silent on
-    /// this case, but roulette has no answer to it. An elite stays.
+    /// How often no individual had positive fitness, so that the whole population but the elite was drawn anew. The
+    /// thesis is silent on this case, in which no sector of the roulette wheel has any width.
     std::uint64_t redraws() const { return redraws_; }
 
     /// Ends the evaluated generation: remembers its best, then reproduction, crossover and mutation.
-    /// Throws std::invalid_argument when the number of fitness values is not that of the population, or one
-    /// of them is not finite.
+    /// Throws std::invalid_argument unless there is one finite fitness for each individual.
     void next_generation(std::span<const double> fitness);
 
     /// The best of the last evaluated generation, not of all time: the window, and with it fitness, moves.
@@ -63,8 +62,8 @@ public:
     /// The best of the population with this fitness, to be sent to another island. Throws as
     /// next_generation().
     Individual emigrant(std::span<const double> fitness) const;
-    /// The immigrant takes the place of the worst: its string in population(), its fitness in `fitness`. It
-    /// comes in whether better or not. Throws as next_generation(), or when its length is another.
+    /// The immigrant replaces the worst, better or not: its string in population(), its fitness in `fitness`.
+    /// Throws as next_generation(), or when its string has another length.
     void accept(const Individual& immigrant, std::span<double> fitness);
 
 private:
@@ -78,7 +77,7 @@ private:
     BitMutation mutation_;
     RandomStream random_;
     std::vector<Genome> population_;
-    std::vector<Genome> offspring_; // the next population in the making: kept for its memory
+    std::vector<Genome> offspring_; ///< the next population in the making: kept to reuse its memory
     std::optional<Individual> best_;
     std::uint64_t generation_ = 0;
     std::uint64_t redraws_ = 0;

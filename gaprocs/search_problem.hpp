@@ -20,10 +20,10 @@ namespace placedpar {
 /// The numbers measured at one sampling instant, in the order the problem states.
 using Sample = std::vector<double>;
 
-/// What a search needs to know of a problem. A plain struct satisfies it without including this header: it
-/// may take the genome as a template parameter and read it by field(first, count), and then any Coding serves
-/// it. Optional: `true_parameters()`, the values a simulated record was made with; what ErrorOfParameters
-/// asks for, by which a population is evaluated faster.
+/// What a search needs to know of a problem. A plain struct satisfies it without including this header: where it
+/// takes the genome as a template parameter and reads it by field(first, count), any Coding can be used with it.
+/// Optional: `true_parameters()`, the values a simulated record was made with; the members of ErrorOfParameters, with
+/// which a population is evaluated faster.
 template <typename P, typename G = Genome>
 concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;
@@ -56,7 +56,7 @@ public:
     virtual std::vector<double> decode(const Genome& genome) const = 0;
     virtual std::vector<std::string> parameter_names() const = 0;
     virtual std::vector<std::string> parameter_units() const = 0;
-    /// Empty where nobody knows them.
+    /// Empty where they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
     /// How the fields of the string are read, and the same problem with its fields read another way.

@@ -6,23 +6,24 @@ namespace placedpar {
 
 /// How the measured record is presented to the search (thesis 3.1.1 and 4.3).
 struct WindowSettings {
-    std::size_t length = 10; // samples a fitness is summed over
-    std::size_t first = 5;   // samples needed before the first generation; ours, the thesis is silent.
-                             // A window shorter than this starts when it is full.
-    std::size_t trials = 5;  // generations per new sample
-    double bias = 400;       // B of eq. 3.9, in the unit of the problem's error squared
+    std::size_t length = 10; ///< samples a fitness is summed over
+    /// Samples needed before the first generation; ours, the thesis is silent. A window shorter than this starts when
+    /// it is full.
+    std::size_t first = 5;
+    std::size_t trials = 5; ///< generations per new sample
+    double bias = 400;      ///< B of eq. 3.9, in the unit of the problem's error squared
 
     /// Throws std::invalid_argument: a zero, a length beyond exact_fitness_terms, a bias that is not
     /// positive.
     void validate() const;
-    /// Also when the window is longer than a record of that many samples.
+    /// As validate(), and when the window is longer than the record.
     void validate_for(std::size_t record_length) const;
 };
 
 /// How parents are drawn (gaprocs/operators.hpp): by roulette with replacement, or by stochastic universal sampling.
 enum class Reproduction : unsigned char { roulette, universal };
 
-/// Ours: what keeps a number with too many digits from filling the memory.
+/// Ours: a number mistyped with too many digits must not fill the memory.
 inline constexpr int largest_population = 1'000'000;
 
 /// A genetic algorithm's numbers; the defaults are the thesis's (rates of 5.4, "identical" by 4.3).
@@ -30,7 +31,7 @@ struct SearchSettings {
     std::size_t population = 120;
     double crossover_probability = 0.8;
     double mutation_probability = 0.01;
-    std::size_t elite = 0; // best individuals that go over unchanged; the thesis mentions none
+    std::size_t elite = 0; ///< best individuals copied unchanged into the next generation; the thesis mentions none
     Reproduction reproduction = Reproduction::roulette;
     WindowSettings window;
 

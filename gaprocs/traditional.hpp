@@ -10,18 +10,18 @@
 
 namespace placedpar {
 
-/// What a search has to say after the last generation of a sample.
+/// The answer of a search after the last generation of a sample.
 struct Estimate {
-    std::size_t sample; // its number in the record, from 0
-    Individual best;    // of the sample's last generation
+    std::size_t sample; ///< its number in the record, from 0
+    Individual best;    ///< of the sample's last generation
     std::vector<double> parameters;
 };
 
 struct SearchResult {
-    std::vector<Estimate> estimates; // one for each sample from the first full enough window on
+    std::vector<Estimate> estimates; ///< one for each sample, from the first for which SlidingWindow::ready()
     std::uint64_t generations = 0;
     std::uint64_t redraws = 0;
-    std::vector<Genome> population; // as the last generation left it, not yet evaluated
+    std::vector<Genome> population; ///< as the last generation left it, not yet evaluated
 };
 
 /// The fitness of each individual over the samples of the window.

@@ -1,10 +1,11 @@
 #include "identification/compliance_fit.hpp"
 
+#include "gaprocs/population_fitness.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -59,27 +60,21 @@ ComplianceFit fit_at(const Eigen::VectorXd& compliance, const Eigen::VectorXd& m
     return fit;
 }
 
-// Individuals that are evaluated at once: enough for any vector unit, few enough for the registers.
-using Batch = Eigen::Array<double, 8, 1>;
-constexpr std::uint64_t batch_size = 8;
-
-/// Fitness of strings first ... first + 7, read as one number with the first junction's code leftmost.
-Batch batch_fitness(const Circuit& circuit, std::span<const CircuitSample> window, const FlowConstants& flow,
-                    InletFlow form, std::size_t bits, double largest, double bias, std::uint64_t first) {
-    std::array<Batch, all_links.size()> compliance;
+/// Fitness of every string, read as one number with the first junction's code leftmost; not rounded as a search's is.
+std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
+                                   const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
+                                   double bias) {
     std::uint64_t codes = std::uint64_t{1} << bits;
-    for (std::size_t j = 0; j < circuit.size(); ++j)
-        for (std::uint64_t i = 0; i < batch_size; ++i) {
-            std::uint64_t code = ((first + i) >> (bits * (circuit.size() - 1 - j))) % codes;
-            compliance[j][static_cast<Eigen::Index>(i)] =
-                largest * static_cast<double>(code) / static_cast<double>(codes);
-        }
-    Batch fitness = Batch::Zero();
-    for (const CircuitSample& sample : window) {
-        Batch error =
-            circuit_error_in3_per_s<Batch>(circuit, std::span<const Batch>(compliance), sample.links, flow, form);
-        fitness += bias - error * error;
-    }
+    auto compliance = [&](std::uint64_t string, std::size_t junction) {
+        std::uint64_t code = (string >> (bits * (circuit.size() - 1 - junction))) % codes;
+        return largest * static_cast<double>(code) / static_cast<double>(codes);
+    };
+    auto term = [&](std::span<const Lanes> compliances, const CircuitSample& sample) -> Lanes {
+        Lanes error = circuit_error_in3_per_s<Lanes>(circuit, compliances, sample.links, flow, form);
+        return bias - error * error;
+    };
+    std::vector<double> fitness(std::size_t{1} << (circuit.size() * bits));
+    sum_in_lanes(circuit.size(), compliance, window, term, fitness);
     return fitness;
 }
 
@@ -114,16 +109,14 @@ ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const Cir
                                      const FlowConstants& flow, InletFlow form, std::size_t bits,
                                      double largest_in3_per_psi, double bias) {
     assert(circuit.size() * bits <= exhaustive_bits);
-    std::uint64_t strings = std::uint64_t{1} << (circuit.size() * bits), best = 0;
+    std::vector<double> fitness = fitness_of_all(circuit, window, flow, form, bits, largest_in3_per_psi, bias);
+    std::uint64_t best = 0;
     double greatest = -std::numeric_limits<double>::infinity();
-    for (std::uint64_t first = 0; first < strings; first += batch_size) {
-        Batch fitness = batch_fitness(circuit, window, flow, form, bits, largest_in3_per_psi, bias, first);
-        for (std::uint64_t i = 0; i < std::min(batch_size, strings - first); ++i)
-            if (double each = fitness[static_cast<Eigen::Index>(i)]; each > greatest) {
-                greatest = each;
-                best = first + i;
-            }
-    }
+    for (std::uint64_t string = 0; string < fitness.size(); ++string)
+        if (fitness[string] > greatest) { // false of what is no number
+            greatest = fitness[string];
+            best = string;
+        }
     ExhaustiveOptimum optimum{{}, greatest};
     for (std::size_t j = 0; j < circuit.size(); ++j)
         optimum.codes.push_back((best >> (bits * (circuit.size() - 1 - j))) % (std::uint64_t{1} << bits));

@@ -10,36 +10,35 @@
 
 namespace placedpar {
 
-/// A master and its slaves as evaluator of a population (algorithm A). The master has one link to its slaves,
-/// which stand in a chain and pass on what is not for them. It sends to the nearest slave first, evaluates a
-/// share itself, then takes in the results. Without slaves it evaluates everything.
+/// Evaluates a population by a master and its slaves (algorithm A). The master has one link to its slaves, which form a
+/// chain and pass on each other's messages. It sends to the nearest slave first, evaluates a share itself, then
+/// receives the results. Without slaves it evaluates everything.
 ///
-/// The fitness does not depend on the number of slaves nor on who evaluated what: see fitness.hpp.
+/// The fitness depends neither on the number of slaves nor on which of them evaluated what: see fitness.hpp.
 class Farm {
 public:
     struct Settings {
         std::size_t slaves = 0;
         Split split = Split::individuals;
         bool measurements_every_generation = false; ///< else only when they are new
-        bool results_in_order = false;              ///< of the chain, the farthest first; else as they come
+        bool results_in_order = false;              ///< the farthest slave's first; else as they become ready
         double bias = 0;
     };
 
-    /// The ends are not used when there are no slaves.
+    /// Without slaves the channel ends are not used.
     Farm(const SearchProblem&, const Workload&, const Settings&, Output<Task> to_slaves, Input<Fitnesses> from_slaves);
 
-    /// New measurements: the slaves get them with their next task.
+    /// New measurements: each slave is sent them with its next task.
     void measure(Window);
     /// The fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
-    /// The communication of a whole generation, new measurements and all, with nothing evaluated: what the
-    /// thesis measured as C_time2. On demand, of as many individuals as are the slaves' when nobody is faster
-    /// than another. REQUIRES: slaves > 0.
+    /// All communication of a generation with new measurements, and no evaluation: the thesis measured C_time2 this
+    /// way. With on-demand dealing, assumes equal speeds: each slave gets 1/(slaves + 1). REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
     /// Ends the slaves.
     void end();
 
-    /// Starts the times below afresh.
+    /// Resets the two stopwatches below.
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
     /// Sending, evaluating, receiving (T_sr); the master's own evaluations (P_time2).
     Stopwatch send_to_receive, own_evaluation;

@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Deals out individuals one by one, to whoever is idle: slaves by their tasks, the master's own evaluator,
-/// a process of low priority beside the dealer, over soft channels.
+/// Deals out individuals one by one, each to an evaluator that is idle: to slaves by their tasks, and over soft
+/// channels to the master's own evaluator, a process of low priority beside the dealer.
 class Farm::Dealer {
 public:
     Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
@@ -21,7 +21,7 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// True for the first task of a slave that is to get the measurements.
+    /// True once for each slave, if the measurements are new: they go with its first task.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;

@@ -1,6 +1,9 @@
 #include "gaprocs/processes/kinds.hpp"
 
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/search_description.hpp"
+#include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/parallel.hpp"
 
@@ -21,8 +24,6 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-} // namespace
-
 /// The host sends each sample of the record to every master, as fast as they take them.
 void run_host(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
@@ -38,6 +39,24 @@ void run_host(ProcessEnvironment& environment, const ProblemRegistry& problems) 
         message.end = true;
         masters[m].output(message);
     });
+}
+
+} // namespace
+
+ProcessKind host_kind(const ProblemRegistry& problems) {
+    using namespace search_description;
+    using namespace description;
+    return {.name = "ga.host",
+            .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
+                     "they take it.",
+            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master")},
+            .parameters = {problem(),
+                           integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                                   "how many samples of the record are sent; 0: all"),
+                           bytes_in_message("sample_bytes", 16, "a sample in a message")},
+            .body = [&problems](ProcessEnvironment& environment) { run_host(environment, problems); },
+            .check = [&problems](const Network& network,
+                                 std::size_t process) { return check_host(network, process, problems); }};
 }
 
 } // namespace placedpar

@@ -1,21 +1,21 @@
 #pragma once
 
 #include "gaprocs/problem_registry.hpp"
+#include "netlist/kinds/process_kind.hpp"
 
 namespace placedpar {
 
 class Catalogue;
-class ProcessEnvironment;
 
-/// Adds ga.host, ga.traditional, ga.master, ga.slave and ga.island to the catalogue. The processes find their
-/// search problem by name in `problems`, which must outlive every run.
+/// Adds every kind below. The processes find their search problem by name in `problems`, which must outlive every run.
 void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems);
 
-// The bodies of the kinds.
-void run_host(ProcessEnvironment&, const ProblemRegistry&);
-void run_slave(ProcessEnvironment&, const ProblemRegistry&);
-/// The traditional algorithm, the master of algorithm A, the island of algorithm B and the island that is
-/// itself a master are one process; which it is follows from the ports that are connected.
-void run_search(ProcessEnvironment&, const ProblemRegistry&);
+// The kinds, each in a file of its own: what it is for, and its ports, parameters, measurements and body.
+
+ProcessKind host_kind(const ProblemRegistry& problems);        ///< ga.host, in host.cpp
+ProcessKind traditional_kind(const ProblemRegistry& problems); ///< ga.traditional, in traditional.cpp
+ProcessKind master_kind(const ProblemRegistry& problems);      ///< ga.master, in master.cpp
+ProcessKind slave_kind(const ProblemRegistry& problems);       ///< ga.slave, in slave.cpp
+ProcessKind island_kind(const ProblemRegistry& problems);      ///< ga.island, in island.cpp
 
 } // namespace placedpar

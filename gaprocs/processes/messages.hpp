@@ -11,13 +11,13 @@
 
 namespace placedpar {
 
-/// How many bytes of each message travel is stated by the netlist (thesis, appendix E: 148 bytes of
-/// measurements, 240 of strings, 240 of fitness), not by how this program keeps its data. A word before
-/// the bytes says what they are and how many: occam's counted array, whose count is an INT.
+/// The netlist states how many bytes each message has on the wire (thesis, appendix E: 148 bytes of measurements, 240
+/// of strings, 240 of fitness), whatever this program's own data take. A word before the bytes says what they are and
+/// how many: occam's counted array, whose count is an INT.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
-/// The length of a message of so many strings, or fitnesses, and of what else is in it. Throws
-/// std::invalid_argument where that is more than a message can be.
+/// The length of a message of so many strings, or fitnesses, and `others` bytes more. Throws std::invalid_argument
+/// above largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
 struct Parcel {
@@ -36,14 +36,14 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 /// From a master to one of its slaves: evaluate these strings.
 struct Task : Parcel {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
-    std::size_t slave = 0;     ///< for whom, counted from the master
-    std::size_t hops_left = 0; ///< slaves that are still to pass it on
+    std::size_t slave = 0;     ///< the addressee, counted from the master
+    std::size_t hops_left = 0; ///< slaves that have yet to pass it on
     Share share;
     std::vector<Genome> strings; ///< the individuals that the share touches
-    Window window;               ///< the measurements, when they are new; null when the slave has them
+    Window window;               ///< the measurements where they are new; null where the slave has them
     double bias = 0;
     Coding coding = Coding::natural; ///< how the strings are to be read
-    bool results_in_order = false;   ///< in every round the farthest slave's result first; else as they come
+    bool results_in_order = false;   ///< the farthest slave's first in each round; else as they become ready
 };
 
 /// From a slave to its master: what the share adds to the fitness of each individual that it touches.
@@ -55,7 +55,7 @@ struct Fitnesses : Parcel {
     std::vector<double> terms;
 };
 
-/// A message between two processes of one processor, which share its memory: what passes is its address.
+/// A message between two processes of one processor, which share its memory: only its address is passed.
 template <class T>
 struct InPlace {
     T message;

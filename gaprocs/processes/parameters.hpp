@@ -11,7 +11,7 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-// The parameters of the process kinds, as kinds.cpp describes them, in the form that the processes use.
+// The parameters that the process kinds describe, in the form that their bodies use.
 
 Split split_named(const std::string&); ///< as the parameter "split" names it
 Workload read_workload(const ProcessEnvironment&);

@@ -1,6 +1,7 @@
-#include "gaprocs/processes/kinds.hpp"
+#include "gaprocs/processes/search_process.hpp"
 
 #include "gaprocs/processes/farm.hpp"
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/window.hpp"
 #include "netlist/kinds/environment.hpp"
@@ -70,7 +71,7 @@ private:
         return stream.empty() ? environment.process() : stream;
     }
 
-    /// Times are taken from the first full window on: all generations from there cost the same.
+    /// Times are measured from the first full window on: all generations from there cost the same.
     void begin_timing() {
         farm_.forget_times();
         execution_ = operators_ = Stopwatch{};
@@ -97,7 +98,7 @@ private:
         execution_.stop();
     }
 
-    /// The best goes to the next island, the best of the one before takes the place of the worst.
+    /// The best goes to the next island; the best of the island before replaces the worst.
     void exchange(std::vector<double>& fitness) {
         Emigrant emigrant;
         emigrant.individual = search_.emigrant(fitness);
@@ -128,7 +129,7 @@ private:
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 
-    /// A run on a workstation costs no time, and has no rate.
+    /// A run on a workstation takes no time, so it has no rate.
     void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
         if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)
@@ -163,12 +164,20 @@ private:
     Stopwatch execution_, operators_, rehearsal_, rate_;
 };
 
-} // namespace
-
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
     read_search_settings(environment).window.validate_for(recorded.samples());
     SearchProcess(environment, *recorded.problem()->coded(read_coding(environment))).run();
+}
+
+} // namespace
+
+ProcessKind searching(ProcessKind described, const ProblemRegistry& problems) {
+    described.body = [&problems](ProcessEnvironment& environment) { run_search(environment, problems); };
+    described.check = [&problems](const Network& network, std::size_t process) {
+        return check_search(network, process, problems);
+    };
+    return described;
 }
 
 } // namespace placedpar

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// A part of the work of one generation: error evaluations first ... last - 1, where evaluation e is that of
-/// individual e / window at sample e % window.
+/// A part of the work of one generation: error evaluations first ... last - 1. Evaluation e is of individual e / window
+/// at sample e % window.
 struct Share {
     std::size_t first = 0, last = 0;
     std::size_t window = 1; ///< samples in the window
@@ -24,18 +24,18 @@ struct Share {
 /// How the evaluations of a generation are split between a master and its slaves.
 enum class Split {
     individuals, ///< whole individuals, dealt out equally; the first evaluators get one more
-    demand,      ///< whole individuals, to whoever is idle
+    demand,      ///< whole individuals, one at a time to each evaluator that is idle
     evaluations  ///< single error evaluations, dealt out equally
 };
 
 /// Equal shares, in order. REQUIRES: evaluators > 0, window > 0. Split::demand deals as Split::individuals.
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t evaluators, Split);
 
-/// The individuals that one message is about, at the most and for any window: of the shares that deal() makes
-/// (a bound one too high at times for Split::evaluations); one on demand. REQUIRES: evaluators > 0.
+/// The most individuals that one message can be about, for any window: of the shares that deal() makes (for
+/// Split::evaluations sometimes one too high); one on demand. REQUIRES: evaluators > 0.
 std::size_t most_individuals(std::size_t population, std::size_t evaluators, Split);
 
-/// What the share adds to the fitness of each individual that it touches. `strings` are those individuals.
+/// The contribution of the share to the fitness of each individual that it touches. `strings` are those individuals.
 std::vector<double> evaluate_share(const SearchProblem&, const Share&, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias);
 

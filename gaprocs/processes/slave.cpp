@@ -1,8 +1,11 @@
 #include "gaprocs/processes/kinds.hpp"
 
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/processes/workload.hpp"
+#include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/alternation.hpp"
 #include "runtime/executive.hpp"
@@ -29,7 +32,7 @@ public:
         }
     }
 
-    /// The first task says in which order the results go, before any of them does.
+    /// The first task says in which order results are to be passed on.
     void run() {
         Task first = from_master_.input();
         results_in_order_ = first.results_in_order;
@@ -43,7 +46,7 @@ private:
             task = from_master_.input();
     }
 
-    /// To the slave beyond, to the own evaluator, or to both. False at the end.
+    /// To the next slave, to this slave's evaluator, or to both. False at the end.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (has_next_ && (ended || task.hops_left > 0)) {
@@ -66,7 +69,7 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// The results of all slaves beyond, the farthest first, and then the own one. False at the end.
+    /// The results of all slaves beyond, the farthest first, and then this slave's. False at the end.
     bool pass_round_on() {
         for (bool last = false; !last;) {
             Fitnesses result = from_next_.input();
@@ -76,7 +79,7 @@ private:
         return send(own_results_.in().input().message);
     }
 
-    /// Whichever result is ready. False at the end of all.
+    /// One result, as soon as any is ready. False when all have ended.
     bool pass_next_result_on() {
         auto own = when(own_open_,
                         on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = send(std::move(r.message)); }));
@@ -144,10 +147,27 @@ private:
     Window window_;
 };
 
-} // namespace
-
 void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     Slave(environment, problems.find(environment.text("problem")).problem()).run();
+}
+
+} // namespace
+
+ProcessKind slave_kind(const ProblemRegistry& problems) {
+    using namespace search_description;
+    using namespace description;
+    return {.name = "ga.slave",
+            .about = "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves "
+                     "beyond it.",
+            .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
+                      output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
+                      optional(output<Task>("to_next", "task", "to the slave beyond")),
+                      optional(input<Fitnesses>("from_next", "fitnesses", "from the slave beyond"))},
+            .parameters = {problem(), cycles_per_error(), fitness_bytes()},
+            .body = [&problems](ProcessEnvironment& environment) { run_slave(environment, problems); },
+            .together = {{"to_next", "from_next"}},
+            .check = [&problems](const Network& network,
+                                 std::size_t process) { return check_slave(network, process, problems); }};
 }
 
 } // namespace placedpar

@@ -16,7 +16,7 @@ public:
         measured_ += read() - started_;
         ++times_;
     }
-    /// 0 if it was never stopped. Whoever asks, of whatever priority.
+    /// 0 if it was never stopped. May be asked at either priority.
     double mean_milliseconds() const { return times_ ? in_milliseconds(measured_) / static_cast<double>(times_) : 0; }
 
 private:

@@ -8,7 +8,7 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// What the program costs on the machine, as the netlist states it.
+/// The cost of the program on the machine, as the netlist states it.
 struct Workload {
     Cycles error_evaluation{};       ///< one individual at one sample
     Cycles genetic_operators{};      ///< reproduction, crossover and mutation of one individual

@@ -6,7 +6,6 @@
 #include "identification/on_line/population_sets.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace placedpar::monitor {
 
@@ -41,24 +40,18 @@ bool SetProblem::open(const SetSample& sample) const {
 
 std::vector<double> SetProblem::fitness(std::span<const Genome> strings, std::span<const SetSample> window,
                                         double bias) const {
-    constexpr std::size_t width = Lanes::SizeAtCompileTime;
     std::vector<SetSample> ordered;
     for (const SetSample& sample : window)
         ordered.push_back(by_junction(sample));
+    auto compliance = [&](std::size_t i, std::size_t junction) {
+        return compliance_in3_per_psi(strings[i], positions_[junction]);
+    };
+    auto term = [&](std::span<const Lanes> compliances, const SetSample& sample) {
+        return fitness_terms(
+            bias, circuit_error_in3_per_s<Lanes>(circuit_, compliances, sample, flow_, InletFlow::as_signed));
+    };
     std::vector<double> fitness(strings.size());
-    PerJunction<Lanes> compliance;
-    for (std::size_t first = 0; first < strings.size(); first += width) {
-        for (std::size_t j = 0; j < circuit_.size(); ++j)
-            for (std::size_t i = 0; i < width; ++i) // what lanes past the end compute is not used
-                compliance[j][static_cast<Eigen::Index>(i)] =
-                    compliance_in3_per_psi(strings[std::min(first + i, strings.size() - 1)], positions_[j]);
-        Lanes sum = Lanes::Zero();
-        for (const SetSample& sample : ordered)
-            sum += fitness_terms(
-                bias, circuit_error_in3_per_s<Lanes>(circuit_, compliance, sample, flow_, InletFlow::as_signed));
-        std::copy_n(sum.data(), std::min(width, strings.size() - first),
-                    fitness.begin() + static_cast<std::ptrdiff_t>(first));
-    }
+    sum_in_lanes(circuit_.size(), compliance, ordered, term, fitness);
     return fitness;
 }
 

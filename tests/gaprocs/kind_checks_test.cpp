@@ -5,6 +5,7 @@
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -150,15 +151,15 @@ TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
                                              "population = {}, string_bytes = {});",
                                              population, bytes));
     };
-    says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals comes to 2147483649 bytes");
-    says(strings(196608, 65536), "comes to 4294967297 bytes"); // 1 in 32 bits
+    says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals would have 2147483649 bytes");
+    says(strings(196608, 65536), "would have 4294967297 bytes"); // 1 in 32 bits
     CHECK(strings(98301, 65536).empty());
     auto lines = statements();
     lines.at("master") = "master (problem = \"line\", slaves = 2, population = 98304);";
     lines.at("slave 1") = "slave[1] (problem = \"line\", fitness_bytes = 65536);";
     Kinds kinds;
     says(render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics),
-         "farm.cfs:7:29: error: a message for 32768 individuals comes to 2147483648 bytes");
+         "farm.cfs:7:29: error: a message for 32768 individuals would have 2147483648 bytes");
     CHECK(message_bytes(32767, 65536, 65535) == 0x7fffffff);
     CHECK_THROWS_AS(message_bytes(32767, 65536, 65536), std::invalid_argument);
 }
@@ -171,10 +172,8 @@ TEST_CASE("what is refused only when it runs names the process, its kind and its
     shorter.add("line", make_search_problem(LineProblem{}), line_record(9));
     Catalogue others;
     add_genetic_algorithm_kinds(others, shorter);
-    CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"),
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"), UserError);
     CHECK_THROWS_WITH_AS(
         Machine(*read.network, others, 1).run(),
-        doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"),
-        std::invalid_argument);
+        doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"), UserError);
 }

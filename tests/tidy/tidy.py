@@ -3,8 +3,8 @@
 
 usage: tidy.py TREE
 
-Sources have at most 500 lines, functions at most 70; nothing is left unfinished or names a path of somebody's machine;
-a room includes only itself and the rooms that it may know.
+Sources have at most 500 lines, functions at most 50 in rooms and 70 elsewhere; nothing is left unfinished or names a
+path of somebody's machine. What includes what: walls.py. Rooms as a whole: house.py.
 """
 
 import pathlib
@@ -12,9 +12,12 @@ import re
 import sys
 
 import functions
+import house
 import tree
+import walls
 
 FILE_LINES = 500
+ROOM_FUNCTION_LINES = 50
 FUNCTION_LINES = 70
 SOURCES = (".cpp", ".hpp", ".py", ".sh", ".cmake", ".cfs", ".inc", "CMakeLists.txt")
 
@@ -23,14 +26,7 @@ UNFINISHED = re.compile(r"\b(TO[D]O|FIX[M]E|XX[X]|HA[C]K)\b")
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:work|root|home)/")
 SCRATCH_PATH = re.compile(r"(?<![\w.}])/tmp/")
 
-ROOMS = {"runtime", "netlist", "gaprocs", "hydraulics", "app", "bench", "tests"}
-MAY_INCLUDE = {
-    "runtime": {"runtime"},
-    "netlist": {"netlist", "runtime"},
-    "gaprocs": {"gaprocs", "netlist", "runtime"},
-    "hydraulics": {"hydraulics"},
-}
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](\w+)/')
+USING_NAMESPACE = re.compile(r"^\s*using\s+namespace\b")
 
 
 def line_faults(name, number, line):
@@ -42,12 +38,29 @@ def line_faults(name, number, line):
         yield f"{name}:{number}: a path of one machine: {line.strip()}"
 
 
-def include_faults(name, number, line):
-    """Whether the line includes a room that this one may not know."""
-    room = name.split("/")[0]
-    included = INCLUDE.match(line)
-    if included and included[1] in ROOMS - MAY_INCLUDE.get(room, ROOMS):
-        yield f"{name}:{number}: {room} may not include {included[1]}"
+def cpp_line_faults(name, text):
+    """What is wrong with the lines of a C++ file: what they include, namespaces opened on those who include them."""
+    for number, line in enumerate(text.splitlines(), 1):
+        for included in walls.includes(line):
+            fault = walls.include_fault(name, included)
+            if fault:
+                yield f"{name}:{number}: {fault}"
+    if name.endswith(".hpp"):
+        for number, line in enumerate(functions.blank(text).splitlines(), 1):
+            if USING_NAMESPACE.match(line):
+                yield f"{name}:{number}: a header opens no namespace on those who include it"
+
+
+def cpp_faults(name, text):
+    """What is wrong with a C++ file."""
+    misplaced = walls.folder_fault(name)
+    if misplaced:
+        yield misplaced
+    yield from cpp_line_faults(name, text)
+    most = ROOM_FUNCTION_LINES if walls.room_of(name) else FUNCTION_LINES
+    for function in functions.functions(text):
+        if function.lines > most:
+            yield f"{name}:{function.first}: {function.lines} lines, more than {most}: {function.head}"
 
 
 def faults(name, text):
@@ -57,24 +70,27 @@ def faults(name, text):
         yield f"{name}: {len(lines)} lines, more than {FILE_LINES}: one idea a file"
     for number, line in enumerate(lines, 1):
         yield from line_faults(name, number, line)
-        if tree.is_cpp(name):
-            yield from include_faults(name, number, line)
     if tree.is_cpp(name):
-        for function in functions.functions(text):
-            if function.lines > FUNCTION_LINES:
-                yield f"{name}:{function.first}: {function.lines} lines, more than {FUNCTION_LINES}: {function.head}"
+        yield from cpp_faults(name, text)
+
+
+def read(top, names):
+    """Yields name and text of each file that is text."""
+    for name in names:
+        try:
+            yield name, (pathlib.Path(top) / name).read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            pass  # a picture, or the rubbish of a test
 
 
 def main(top):
-    found = []
     names = tree.names(top)
-    for name in names:
-        try:
-            text = (pathlib.Path(top) / name).read_text(encoding="utf-8")
-        except UnicodeDecodeError:
-            continue  # a picture, or the rubbish of a test
-        found += faults(name, text)
-    print("\n".join(found + [f"{len(names)} files, {len(found)} faults"]))
+    texts = dict(read(top, names))
+    rooms = house.read(texts)
+    found = [fault for name, text in texts.items() for fault in faults(name, text)]
+    found += rooms.faults(names)
+    print("\n".join([rooms.line_of(room) for room in sorted(rooms.lines)] + found))
+    print(f"{len(names)} files, {len(found)} faults")
     return 1 if found or not names else 0
 
 

@@ -1,0 +1,40 @@
+# cmake -DTREE=... -DDOORS=FILE -DSTAGE=... -P stage_headers.cmake
+# Copies the doors, and every header that they include, from TREE to STAGE; takes away what is no longer one of them.
+cmake_minimum_required(VERSION 3.25)
+include(${DOORS})
+
+set(staged)
+while(doors)
+    list(POP_FRONT doors header)
+    if(header IN_LIST staged)
+        continue()
+    endif()
+    if(NOT EXISTS ${TREE}/${header})
+        message(FATAL_ERROR "There is no ${header}, which a CMakeLists.txt calls a door or a public header includes")
+    endif()
+    list(APPEND staged ${header})
+
+    file(READ ${TREE}/${header} text)
+    string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
+    foreach(include ${includes})
+        string(REGEX REPLACE "#include \"(.+)\"" "\\1" included "${include}")
+        list(APPEND doors ${included})
+    endforeach()
+
+    # What has not changed keeps its time: consumers need not compile it again.
+    string(REPLACE "#include \"" "#include \"placedpar/" text "${text}")
+    set(before)
+    if(EXISTS ${STAGE}/${header})
+        file(READ ${STAGE}/${header} before)
+    endif()
+    if(NOT before STREQUAL text)
+        file(WRITE ${STAGE}/${header} "${text}")
+    endif()
+endwhile()
+
+file(GLOB_RECURSE present RELATIVE ${STAGE} ${STAGE}/*)
+foreach(header ${present})
+    if(NOT header IN_LIST staged)
+        file(REMOVE ${STAGE}/${header})
+    endif()
+endforeach()

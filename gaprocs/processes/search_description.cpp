@@ -1,0 +1,137 @@
+#include "gaprocs/processes/search_description.hpp"
+
+#include "gaprocs/fitness.hpp"
+#include "gaprocs/processes/messages.hpp"
+#include "gaprocs/settings.hpp"
+#include "netlist/kinds/description.hpp"
+
+#include <utility>
+
+namespace placedpar::search_description {
+
+namespace {
+
+Parameters population_parameters() {
+    using namespace description;
+    return {
+        problem(),
+        integer("population", {.unit = "individuals", .by_default = 120, .least = 2, .most = largest_population},
+                "size of this process's population (thesis 4.3: 120 in all)"),
+        integer("window", {.unit = "samples", .by_default = 10, .least = 1, .most = 1024},
+                "samples that the fitness is summed over (eq. 3.9)"),
+        integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
+                "samples needed for the first generation; a shorter window must only be full"),
+        integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
+                "generations for each new sample (thesis 4.3)"),
+    };
+}
+
+Parameters operator_parameters() {
+    using namespace description;
+    return {
+        real("bias", {.unit = "(unit of the error)^2", .by_default = 400, .least = 1e-300, .most = fitness_term_limit},
+             "B of the fitness (eq. 3.9)"),
+        real("crossover", {.by_default = 0.8, .least = 0, .most = 1}, "probability that a pair is crossed over"),
+        real("mutation", {.by_default = 0.01, .least = 0, .most = 1}, "probability that a bit is flipped"),
+        integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
+                "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
+        text("reproduction", {.by_default = "roulette", .choices = {"roulette", "universal"}},
+             "how parents are drawn: by roulette with replacement (thesis), or by stochastic universal sampling"),
+        text("coding", {.by_default = "natural", .choices = {"natural", "gray"}},
+             "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are "
+             "told"),
+        text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
+    };
+}
+
+Parameters workload_parameters() {
+    using namespace description;
+    return {
+        cycles_per_error(),
+        integer("cycles_per_individual", {.unit = "cycles", .by_default = 1750, .least = 0, .most = 1e9},
+                "workload: the genetic operators, for one individual"),
+        integer("cycles_per_measurement_word", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e9},
+                "workload: making a word of the measurements ready to send"),
+    };
+}
+
+} // namespace
+
+Parameters operator+(Parameters first, const Parameters& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+ParameterDescription problem() {
+    return description::text("problem", {.by_default = "boom"}, "the search problem and its record of measurements");
+}
+
+ParameterDescription cycles_per_error() {
+    return description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
+                                "workload: one individual's error at one sample");
+}
+
+ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about) {
+    return description::integer(std::move(name), {.unit = "bytes", .by_default = by_default, .least = 1, .most = 65536},
+                                std::move(about));
+}
+
+ParameterDescription fitness_bytes() {
+    return bytes_in_message("fitness_bytes", 2, "an individual's fitness in a message");
+}
+
+Parameters search_parameters() {
+    return population_parameters() + operator_parameters() + workload_parameters() +
+           Parameters{
+               bytes_in_message("string_bytes", 2, "an individual's string in a message"), fitness_bytes(),
+               bytes_in_message("measurement_bytes", 148, "the measurements of a window in a message (appendix E)")};
+}
+
+std::vector<MeasurementDescription> search_measurements() {
+    return {
+        {"T_exe", "ms", "one generation; like all times a mean over those with a full window, not there without one"},
+        {"T_sr", "ms", "from the first send to the last receive"},
+        {"P_time2", "ms", "the process's own share of the error evaluations"},
+        {"C_time2", "ms", "the communication of a generation with new measurements and nothing to evaluate"},
+        {"S_time2", "ms", "the genetic operators"},
+        {"generations", "", "generations evaluated"},
+        {"generations_per_second", "1/s",
+         "with everything that a generation and a new sample cost; not there when they cost no time"},
+        {"populations", "", "a hash of every population, in order: equal for equal generations"},
+        {"best_fitness", "(unit of the error)^2", "of the last generation's best individual"},
+        {"the problem's parameters", "", "as decoded from that individual"},
+    };
+}
+
+PortDescription from_host() {
+    return description::input<HostMessage>("from_host", "host message", "the samples of the record");
+}
+
+Parameters farm_parameters() {
+    using namespace description;
+    return {
+        integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
+                "slaves in the chain, where one is connected: as many as there are"),
+        text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
+             "how the evaluations are dealt out: whole individuals, individuals to whoever is idle, or single error "
+             "evaluations"),
+        text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
+             "when the slaves are sent the measurements: with each new sample, or in every generation"),
+        text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
+             "how results come back: in the order of the chain, the farthest first, or as they are ready; on demand "
+             "always as they are ready"),
+        integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 1, .most = 1e6},
+                "rounds of communication with nothing to evaluate, to measure C_time2"),
+    };
+}
+
+PortDescription to_slaves() {
+    return description::optional(description::output<Task>("to_slaves", "task", "to the first slave of the chain"));
+}
+
+PortDescription from_slaves() {
+    return description::optional(
+        description::input<Fitnesses>("from_slaves", "fitnesses", "from the first slave of the chain"));
+}
+
+} // namespace placedpar::search_description

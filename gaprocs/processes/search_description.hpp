@@ -1,0 +1,33 @@
+#pragma once
+
+#include "netlist/kinds/process_kind.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What the descriptions of several kinds of this room have in common.
+namespace placedpar::search_description {
+
+using Parameters = std::vector<ParameterDescription>;
+
+/// Every one of `first`, then every one of `second`.
+Parameters operator+(Parameters first, const Parameters& second);
+
+ParameterDescription problem();
+ParameterDescription cycles_per_error();
+ParameterDescription fitness_bytes();
+/// How many bytes something takes in a message.
+ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about);
+
+/// Of every process that holds a population, with the problem.
+Parameters search_parameters();
+std::vector<MeasurementDescription> search_measurements();
+PortDescription from_host();
+
+/// Of every process that may have slaves.
+Parameters farm_parameters();
+PortDescription to_slaves();
+PortDescription from_slaves();
+
+} // namespace placedpar::search_description

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "gaprocs/problem_registry.hpp"
+#include "netlist/kinds/process_kind.hpp"
+
+namespace placedpar {
+
+/// The kind, with the body and the check of a process that holds a population. The traditional algorithm, the master of
+/// algorithm A, the island of algorithm B and the island that is itself a master have the same body; which of them it
+/// is follows from the ports that are connected. REQUIRES: `problems` outlives every run.
+ProcessKind searching(ProcessKind described, const ProblemRegistry& problems);
+
+} // namespace placedpar

@@ -1,0 +1,24 @@
+# cmake -DTREE=... -DBUILD=... -DSCRATCH=... -DCOMPILER=... -DBUILD_TYPE=... -DFLAGS=... -DLAUNCHER=... -P test.cmake
+# Installs the program and the rooms, builds and runs a project outside of the tree that finds them, and tries the
+# installed program from where it was installed.
+include(${CMAKE_CURRENT_LIST_DIR}/../must.cmake)
+
+file(REMOVE_RECURSE ${SCRATCH}/installed)
+must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/installed --strip) # debuggers may know the source tree
+must(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build
+     -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+     -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+must(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+must(${SCRATCH}/build/consumer)
+
+unset(ENV{PLACEDPAR_EXAMPLES})
+must(${SCRATCH}/installed/bin/placedpar kinds)
+must(${SCRATCH}/installed/bin/placedpar replay table-e1) # of the installed examples
+# Sanitizers put the names of sources into the program.
+if(NOT FLAGS MATCHES "-fsanitize")
+    string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" tree "${TREE}/")
+    file(STRINGS ${SCRATCH}/installed/bin/placedpar found REGEX "${tree}")
+    if(found)
+        message(FATAL_ERROR "The installed program depends on the source tree: ${found}")
+    endif()
+endif()

@@ -1,0 +1,66 @@
+"""The rules of the house as a whole."""
+
+import unittest
+
+import house
+
+FOUR_ROOMS = {f"{room}/a.cpp": "int a;\n" * 10 for room in ("app", "gaprocs", "netlist", "text")}
+READMES = [f"{room}/README.md" for room in ("app", "gaprocs", "netlist", "text")]
+
+
+def faults(texts, names=()):
+    return list(house.read(FOUR_ROOMS | texts).faults([*READMES, *names]))
+
+
+def functions_of(*lengths):
+    return "".join("int f() {" + "\n" * (lines - 1) + "}\n" for lines in lengths)
+
+
+class Rooms(unittest.TestCase):
+    def test_four_equal_ones(self):
+        self.assertEqual(faults({}), [])
+
+    def test_a_large_one(self):
+        wrong = faults({"app/b.cpp": "int b;\n"})
+        self.assertEqual(wrong, ["app: 26.8 % of the code, more than 25 %"])
+        self.assertEqual(faults({"tests/app/b.cpp": "int b;\n", "bench/b.cpp": "int b;\n", "app/b.md": "b\n"}), [])
+
+    def test_one_without_a_readme(self):
+        room = {"runtime/a.cpp": "int a;\n"}
+        self.assertIn("runtime: there is no README.md", faults(room)[0])
+        self.assertEqual(faults(room, ["runtime/README.md"]), [])
+
+
+class Functions(unittest.TestCase):
+    def faults_of(self, *lengths):
+        texts = {f"{room}/a.cpp": "int a;\n" * 1000 for room in ("app", "gaprocs", "netlist", "text", "runtime")}
+        return faults(texts | {"text/a.cpp": functions_of(*lengths)}, ["runtime/README.md"])
+
+    def test_half_of_them(self):
+        self.assertEqual(self.faults_of(6, 6, 7, 7), [])
+        self.assertEqual(self.faults_of(6, 7, 7), ["text: 50 % of the functions have up to 7 lines, more than 6"])
+
+    def test_nine_of_ten(self):
+        self.assertEqual(self.faults_of(*[1] * 8, 20, 30), [])
+        self.assertEqual(self.faults_of(*[1] * 8, 21, 21),
+                         ["text: 90 % of the functions have up to 21 lines, more than 20"])
+
+    def test_nearest_rank(self):
+        self.assertEqual([house.nearest_rank([3, 1, 2, 4], percent) for percent in (1, 25, 50, 75, 90, 100)],
+                         [1, 1, 2, 3, 4, 4])
+
+
+class Files(unittest.TestCase):
+    def test_a_circle(self):
+        wrong = faults({"app/b.hpp": '#include "app/c.hpp"', "app/c.hpp": '#include "app/b.hpp"'})
+        self.assertIn("files include each other in a circle: app/b.hpp -> app/c.hpp -> app/b.hpp", wrong)
+
+
+class Report(unittest.TestCase):
+    def test_a_line_a_room(self):
+        text = house.read({"text/a.cpp": functions_of(2, 4, 40)}).line_of("text")
+        self.assertEqual(text.split(), "text 46 lines 100.0 % functions: p50 4, p90 40, longest 40".split())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,112 @@
+"""The walls of the house: which folder may include which.
+
+A folder may include itself, the folders that the table lists below it, and what those may include. A new folder of
+sources needs an entry here first: where it stands is decided before it is built.
+"""
+
+import functools
+import posixpath
+import re
+
+BELOW = {
+    "text": [],
+    "runtime": ["text"],
+    "runtime/hardware": ["runtime"],
+    "netlist/network": ["text"],
+    "netlist/kinds": ["netlist/network", "runtime/hardware"],
+    "netlist/language": ["netlist/network"],
+    "netlist/elaborate": ["netlist/kinds", "netlist/language"],
+    "netlist/complete": ["netlist/elaborate"],
+    "netlist/print": ["netlist/kinds"],
+    "netlist": ["netlist/complete", "netlist/print"],
+    "gaprocs": ["runtime"],
+    "gaprocs/processes": ["gaprocs", "netlist"],
+    "hydraulics/data": ["text"],
+    "hydraulics/circuit": ["hydraulics/data"],
+    "hydraulics/plant": ["hydraulics/circuit"],
+    "identification": ["gaprocs", "hydraulics/plant"],
+    "identification/on_line": ["identification"],
+    "monitor/protocol": ["identification/on_line"],
+    "monitor/memory": ["monitor/protocol"],
+    "monitor/service": ["monitor/memory"],
+    "workbench": ["gaprocs/processes", "identification"],
+    "experiments/kit": ["workbench"],
+    "experiments/chapter_2": ["experiments/kit"],
+    "experiments/chapter_3/kit": ["experiments/kit"],
+    "experiments/chapter_3": ["experiments/chapter_3/kit"],
+    "experiments/appendix_e": ["experiments/kit"],
+    "app": ["workbench"],
+    "app/options": ["app"],
+    "app/commands": ["app/options", "experiments/kit", "monitor/service"],
+}
+ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
+
+# What may include everything; no room includes them. Tests mirror the rooms.
+OUTSIDE = ("bench", "tests")
+TEST_PROJECTS = "tests/consumer"
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)
+
+
+@functools.lru_cache(maxsize=None)
+def reach(folder):
+    """The folders that one may include."""
+    return {folder}.union(*(reach(below) for below in BELOW[folder]))
+
+
+def room_of(name):
+    """The room of a file; none outside of the rooms."""
+    top = name.split("/")[0]
+    return top if "/" in name and top in ROOMS else None
+
+
+def folder_fault(name):
+    """What is wrong with where a C++ file lies."""
+    folder = posixpath.dirname(name)
+    if room_of(name):
+        return None if folder in BELOW else f"{name}: no wall is known of {folder}: see tests/tidy/walls.py"
+    if not folder.startswith(OUTSIDE):
+        return f"{name}: {folder or 'the top'} is no room: see tests/tidy/walls.py"
+    if folder.startswith("tests/") and not folder.startswith(TEST_PROJECTS):
+        mirrored = folder.removeprefix("tests/")
+        if mirrored not in BELOW and mirrored not in ROOMS:
+            return f"{name}: tests mirror the rooms, and there is no {mirrored}"
+    return None
+
+
+def includes(text):
+    """What a C++ file includes of ours, as it is written there."""
+    return [name for mark, name in INCLUDE.findall(text) if mark == '"' or room_of(name)]
+
+
+def include_fault(name, included):
+    """What is wrong with a C++ file's including another, which it should name as "room/folder/header.hpp"."""
+    folder, other = posixpath.dirname(name), posixpath.dirname(included)
+    if not room_of(name) or folder not in BELOW or other in reach(folder):
+        return None
+    return f"{folder} may not include {included}"
+
+
+def circle(graph):
+    """The nodes of one circle of {node: nodes}, in order, the first one again at the end; empty when there is none."""
+    done, path = set(), []
+
+    def follow(node):
+        if node in path:
+            return path[path.index(node):] + [node]
+        if node in done:
+            return []
+        path.append(node)
+        for other in sorted(graph.get(node, ())):
+            found = follow(other)
+            if found:
+                return found
+        path.pop()
+        done.add(node)
+        return []
+
+    for node in sorted(graph):
+        found = follow(node)
+        if found:
+            return found
+    return []

@@ -1,0 +1,85 @@
+"""Each wall must hold, and be no wider than it is."""
+
+import unittest
+
+import walls
+
+
+def may_include(folder, other):
+    return walls.include_fault(f"{folder}/a.cpp", f"{other}/b.hpp") is None
+
+
+class Arrows(unittest.TestCase):
+    def test_between_rooms(self):
+        for folder, other in [("hydraulics/data", "text"), ("netlist", "runtime/hardware"), ("netlist/print", "text"),
+                              ("gaprocs/processes", "netlist"), ("identification", "hydraulics/data"),
+                              ("monitor/service", "identification"), ("workbench", "runtime"),
+                              ("app/commands", "runtime"),
+                              ("experiments/chapter_3", "workbench"), ("app/commands", "hydraulics/circuit")]:
+            self.assertTrue(may_include(folder, other), (folder, other))
+        for folder, other in [("text", "runtime"), ("runtime", "netlist"), ("netlist", "gaprocs"),
+                              ("hydraulics/plant", "runtime"), ("hydraulics/circuit", "gaprocs"),
+                              ("gaprocs/processes", "hydraulics/data"),
+                              ("identification", "monitor/protocol"), ("monitor/service", "workbench"),
+                              ("workbench", "monitor/service"), ("workbench", "experiments/kit"),
+                              ("experiments/kit", "app"), ("app", "bench"), ("runtime", "tests/runtime")]:
+            self.assertFalse(may_include(folder, other), (folder, other))
+
+    def test_inside_rooms(self):
+        for upper, lower in [("runtime/hardware", "runtime"), ("netlist/elaborate", "netlist/language"),
+                             ("netlist", "netlist/complete"), ("gaprocs/processes", "gaprocs"),
+                             ("hydraulics/plant", "hydraulics/circuit"), ("hydraulics/circuit", "hydraulics/data"),
+                             ("identification/on_line", "identification"), ("monitor/memory", "monitor/protocol"),
+                             ("monitor/service", "monitor/memory"), ("experiments/chapter_2", "experiments/kit"),
+                             ("experiments/chapter_3", "experiments/chapter_3/kit"), ("app/commands", "app/options")]:
+            self.assertTrue(may_include(upper, lower), (upper, lower))
+            self.assertTrue(may_include(upper, upper), upper)
+            self.assertFalse(may_include(lower, upper), (lower, upper))
+
+    def test_what_stands_side_by_side(self):
+        for folder, other in [("experiments/chapter_2", "experiments/chapter_3"), ("netlist/print", "netlist/complete"),
+                              ("experiments/appendix_e", "experiments/chapter_2")]:
+            self.assertFalse(may_include(folder, other))
+            self.assertFalse(may_include(other, folder))
+
+    def test_tests_and_benchmarks_may_include_everything(self):
+        for folder in ("tests/runtime", "bench", "bench/identification"):
+            self.assertTrue(may_include(folder, "app"))
+
+    def test_includes_begin_at_the_top(self):
+        self.assertIsNotNone(walls.include_fault("runtime/a.cpp", "b.hpp"))
+        self.assertIsNotNone(walls.include_fault("runtime/a.cpp", "../app/b.hpp"))
+
+    def test_which_includes_are_ours(self):
+        text = '#include "a.hpp"\n  #  include <runtime/b.hpp>\n#include <boost/c.hpp>\n// "d"\n'
+        self.assertEqual(walls.includes(text), ["a.hpp", "runtime/b.hpp"])
+
+    def test_the_table_has_no_circle(self):
+        self.assertEqual(walls.circle(walls.BELOW), [])
+
+
+class Folders(unittest.TestCase):
+    def test_known_ones(self):
+        for name in ("app/a.cpp", "runtime/hardware/a.hpp", "bench/a.cpp", "bench/identification/a.cpp",
+                     "tests/main.cpp", "tests/netlist/a.cpp", "tests/hydraulics/a.cpp", "tests/netlist/print/a.cpp",
+                     "tests/consumer/installed/a.cpp"):
+            self.assertIsNone(walls.folder_fault(name), name)
+
+    def test_unknown_ones(self):
+        for name in ("a.cpp", "attic/a.cpp", "runtime/attic/a.cpp", "hydraulics/a.cpp", "tests/attic/a.cpp",
+                     "tests/runtime/attic/a.cpp", "netlist/print/attic/a.hpp"):
+            self.assertIsNotNone(walls.folder_fault(name), name)
+
+
+class Circles(unittest.TestCase):
+    def test_none(self):
+        self.assertEqual(walls.circle({}), [])
+        self.assertEqual(walls.circle({"a": ["b", "c"], "b": ["d"], "c": ["d"]}), [])
+
+    def test_found(self):
+        self.assertEqual(walls.circle({"a": ["a"]}), ["a", "a"])
+        self.assertEqual(walls.circle({"a": ["b"], "b": ["c", "d"], "d": ["b"]}), ["b", "d", "b"])
+
+
+if __name__ == "__main__":
+    unittest.main()
