@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace placedpar {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -130,4 +130,4 @@ ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const Cir
     return optimum;
 }
 
-} // namespace placedpar
+} // namespace placedpar::identification

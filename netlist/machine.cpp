@@ -109,8 +109,9 @@ void Machine::make_multiplexers() {
 Multiplexer& Machine::make_multiplexer(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
     const auto& [a, b] = std::pair(connection.a, connection.b);
-    return simulation_.add<Multiplexer>(fmt::format("{} - {}", link_name(network_.nodes, a), link_name(network_.nodes, b)),
-                                   *links_[index], processors_[a.node], processors_[b.node]);
+    return simulation_.add<Multiplexer>(
+        fmt::format("{} - {}", link_name(network_.nodes, a), link_name(network_.nodes, b)), *links_[index],
+        processors_[a.node], processors_[b.node]);
 }
 
 void Machine::make_channels(const Catalogue& catalogue) {

@@ -8,6 +8,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -34,7 +35,7 @@ std::size_t frozen_samples(const Identified& identified) {
 
 } // namespace
 
-std::string print_identified(const Identified& identified, const RecordProblem& prepared,
+std::string print_identified(const Identified& identified, const ComplianceSearch& prepared,
                              const IdentificationWay& way) {
     std::string text =
         fmt::format("{} usable samples from {:.3f} to {:.3f} s; {} search{} of {} individuals, {} generations\n",
@@ -54,7 +55,7 @@ std::string print_identified(const Identified& identified, const RecordProblem& 
     return text;
 }
 
-boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared,
+boost::json::object identified_json(const Identified& identified, const ComplianceSearch& prepared,
                                     const IdentificationWay& way) {
     boost::json::array links, estimates;
     for (const LinkIdentified& link : identified.links) {

@@ -6,6 +6,7 @@
 #include "experiments/kit/record_seeds.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -129,7 +131,7 @@ void add_found(Reading& reading, const Way& way, const std::vector<BoomData>& mo
     add("C_BOi of this record", one.compliance_in3_per_psi, allowed.record);
     reading.cells.push_back(
         compared_cell("  least squares", way.name, "in^3/psi", truth, one.least_squares.value_or(0), 5));
-    add("  median of 50 records", median(found), allowed.median);
+    add("  median of 50 records", quantile(found, 0.5), allowed.median);
     reading.cells.push_back(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
 }
 
@@ -174,7 +176,7 @@ Reading lag_reading(const std::vector<BoomData>& motions, const Seeds& seeds) {
         BoomModel model{AreasFrom::servo, lag.lag_per_s, 0};
         auto percent = [&](double found) { return 100 * (found / truth - 1); };
         std::string column = fmt::format("a_0 = {}", lag.lag_per_s);
-        double searched = median(found_in(motions, model, seeds));
+        double searched = quantile(found_in(motions, model, seeds), 0.5);
         reading.cells.push_back(judged_cell("search", column, "%", lag.known_percent, percent(searched), 8, 1));
         auto fit = least_squares_compliance(motions.front(), model, rising_way().usable);
         reading.cells.push_back(plain_cell("least squares, one record", column, "%", percent(fit.value_or(0)), 1));
@@ -197,7 +199,7 @@ Reading both_reading(const Seeds& seeds) {
         reading.cells.push_back(cell);
     };
     auto found = [&](const std::vector<BoomData>& data, const BoomModel& model) {
-        return median(found_in(data, model, seeds));
+        return quantile(found_in(data, model, seeds), 0.5);
     };
     std::string wrong_lag = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
     add(wrong_lag, ways[0], by_spool_in3_per_psi, found(softer, model_of(clean, AreasFrom::spool)), Origin::outcome);

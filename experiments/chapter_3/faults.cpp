@@ -3,6 +3,7 @@
 #include "experiments/kit/cells.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -58,7 +60,7 @@ void add_case(Reading& reading, const Case& each, const Plant& plant, const Seed
               double sound_one) {
     bool by_spool = from == AreasFrom::spool;
     auto found = found_in(each.fault, plant, from, seeds);
-    double middle = median(found), ratio = middle / sound_one;
+    double middle = quantile(found, 0.5), ratio = middle / sound_one;
     std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
     reading.cells.push_back(
         plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
@@ -75,7 +77,7 @@ Reading fault_reading(std::string name, const Plant& plant, const Seeds& seeds) 
     for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
         if (from == AreasFrom::servo && !plant.has_servo)
             continue;
-        double sound_one = median(found_in(no_fault(), plant, from, seeds));
+        double sound_one = quantile(found_in(no_fault(), plant, from, seeds), 0.5);
         for (const Case& each : cases())
             if (!each.in_servo || plant.has_servo)
                 add_case(reading, each, plant, seeds, from, sound_one);

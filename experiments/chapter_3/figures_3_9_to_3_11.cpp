@@ -3,6 +3,7 @@
 #include "experiments/kit/cells.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -58,10 +60,10 @@ void add_study(Reading& reading, const Study& study, const TwoLinkMotion& motion
     auto add = [&](const char* row, double value) {
         reading.cells.push_back(plain_cell(row, study.name, "%", value, 1));
     };
-    add("error of C_BUi, median", median(bucket));
-    add("  of C_BUi, 9 of 10 below", share_below(bucket, 0.9));
-    add("error of C_BOi, median", median(boom));
-    add("  of C_BOi, 9 of 10 below", share_below(boom, 0.9));
+    add("error of C_BUi, median", quantile(bucket, 0.5));
+    add("  of C_BUi, 9 of 10 below", quantile(bucket, 0.9));
+    add("error of C_BOi, median", quantile(boom, 0.5));
+    add("  of C_BOi, 9 of 10 below", quantile(boom, 0.9));
 }
 
 Reading study_reading(const TwoLinkMotion& motion, const Seeds& seeds) {
@@ -89,7 +91,7 @@ using StateErrors = std::array<double, InternalStates::count>;
 /// How far each state is off at the worst sample of one search, from the sixth on: the first answer, of five
 /// generations on five samples, is still searching. In percent of the state itself.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
     StateErrors worst{};
     for (const TransientEstimate& estimate : run.estimates) {
@@ -135,7 +137,7 @@ Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
     replay.readings = {study_reading(motion, seeds), steady_reading(motion), states_reading(motion, seeds.front()),
                        noise_reading(motion, seeds)};
     IdentificationWay way = gray_way();
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
+    ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seeds.front());
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seeds.front(), "master"));
     replay.plots = {{"figure-3-9", plot_of_states(motion)},
                     {"figure-3-10", plot_of_estimated_states(motion, prepared, run)}};

@@ -6,6 +6,7 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -93,16 +95,17 @@ void add_attempt(Reading& reading, const KnownOffset& known, const Seeds& seeds)
     auto add = [&](const char* row, const char* unit, Maybe figure, double value, double tolerance, int decimals) {
         reading.cells.push_back(maybe_judged(row, column, unit, figure, value, tolerance, decimals));
     };
-    double fit = median(spool.fit_in3_per_psi);
+    double fit = quantile(spool.fit_in3_per_psi, 0.5);
     add("C by least squares", "in^3/psi", {}, fit, 0, 5);
     reading.cells.push_back(plain_cell("  its error", column, "%", 100 * (fit / truth - 1), 1));
     reading.cells.back().thesis = known.fit_percent;
     reading.cells.back().tolerance = known.fit_tolerance;
     // Scenario A rises too fast for an offset of -.01 in to make it negative; of -.02 in it is.
     add("  negative (1: yes)", "", known.offset_in == -0.02 ? Maybe(1) : Maybe(0), fit < 0 ? 1 : 0, 0, 0);
-    add("C by the search, spool", "in^3/psi", known.search_in3_per_psi, median(spool.searched_in3_per_psi), 0.0005, 5);
-    add("C by the search, voltage", "in^3/psi", known.search_in3_per_psi, median(volts.searched_in3_per_psi), 0.0005,
-        5);
+    add("C by the search, spool", "in^3/psi", known.search_in3_per_psi, quantile(spool.searched_in3_per_psi, 0.5),
+        0.0005, 5);
+    add("C by the search, voltage", "in^3/psi", known.search_in3_per_psi, quantile(volts.searched_in3_per_psi, 0.5),
+        0.0005, 5);
     const char* flagged = "flagged: at the lower bound";
     if (known.search_in3_per_psi)
         reading.cells.push_back(
@@ -197,10 +200,11 @@ void add_cure(Reading& reading, BoomPlant plant, double offset_in, const Seeds& 
     spool = identify_all(motions, AreasFrom::spool, seeds, calibrated);
     volts = identify_all(motions, AreasFrom::servo, seeds, calibrated);
     auto add = [&](const char* row, const Found& found, double tolerance) {
-        reading.cells.push_back(
-            judged_cell(row, column, "in^3/psi", truth, median(found.searched_in3_per_psi), tolerance * truth, 5));
+        reading.cells.push_back(judged_cell(row, column, "in^3/psi", truth, quantile(found.searched_in3_per_psi, 0.5),
+                                            tolerance * truth, 5));
     };
-    reading.cells.push_back(plain_cell("C before, spool", column, "in^3/psi", median(uncured.searched_in3_per_psi), 5));
+    reading.cells.push_back(
+        plain_cell("C before, spool", column, "in^3/psi", quantile(uncured.searched_in3_per_psi, 0.5), 5));
     reading.cells.push_back(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
     add("C with it taken off, spool", spool, 0.05);
     reading.cells.push_back(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));

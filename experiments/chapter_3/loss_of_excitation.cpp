@@ -3,6 +3,7 @@
 #include "experiments/kit/cells.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -108,10 +110,10 @@ Reading single_run_reading(const Runs& plain) {
         std::vector<double> lost;
         for (const SearchRun& run : plain)
             lost.push_back(lost_from(run, percent));
-        reading.cells.push_back(is_judged ? judged_cell(row, "median", "generation", 425, median(lost), 200, 0)
-                                          : plain_cell(row, "median", "generation", median(lost), 0));
-        reading.cells.push_back(plain_cell(row, "first of 10", "generation", share_below(lost, 0.1), 0));
-        reading.cells.push_back(plain_cell(row, "last of 10", "generation", share_below(lost, 0.9), 0));
+        reading.cells.push_back(is_judged ? judged_cell(row, "median", "generation", 425, quantile(lost, 0.5), 200, 0)
+                                          : plain_cell(row, "median", "generation", quantile(lost, 0.5), 0));
+        reading.cells.push_back(plain_cell(row, "first of 10", "generation", quantile(lost, 0.1), 0));
+        reading.cells.push_back(plain_cell(row, "last of 10", "generation", quantile(lost, 0.9), 0));
     };
     add(20, true);
     add(10, false);
@@ -130,10 +132,10 @@ Replay replay_loss_of_excitation(const ReplayContext& context) {
     replay.readings = {share_reading(motion, plain, shown), single_run_reading(plain),
                        low_noise_reading(motion, shown)};
     auto search = [&](const IdentificationWay& way) {
-        RecordProblem prepared = measure_two_links(motion, no_noise, way, seeds.front());
+        ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seeds.front());
         return search_transient(prepared.problem, prepared.samples, way, RandomStream(seeds.front(), "master"));
     };
-    RecordProblem prepared = measure_two_links(motion, no_noise, long_way(), seeds.front());
+    ComplianceSearch prepared = measure_two_links(motion, no_noise, long_way(), seeds.front());
     replay.plots = {{"figure-3-11", plot_of_compliances(prepared, plain.front(), search(gated(prolonged(gray_way()))),
                                                         trials_a_sample)}};
     replay.fingerprint = fingerprint_of(replay.readings);

@@ -18,9 +18,6 @@ Cell plain_cell(std::string row, std::string column, std::string unit, double va
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
 
-/// The value that the given share of the sample does not exceed. REQUIRES: not empty.
-double share_below(std::vector<double> values, double share);
-double median(std::vector<double> values);
 /// Standard deviation of a sample. REQUIRES: two values at least.
 double deviation(const std::vector<double>& values);
 double mean(const std::vector<double>& values);
