@@ -5,7 +5,7 @@
 //
 //     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the last three parts
 
-#include "monitor/protocol/load_meter.hpp"
+#include "identification/statistics.hpp"
 #include "monitor/service/service.hpp"
 #include "runtime/fingerprint.hpp"
 #include "tests/identification/on_line/transient.hpp"
@@ -52,20 +52,21 @@ struct Part {
 std::string sample_line(const Part& part, std::size_t index) {
     using namespace placedpar;
     using namespace placedpar::hydraulics;
+    using namespace placedpar::identification;
     static constexpr std::array<double, 4> compliances{0.0150, 0.0086, 0.0200, 0.0300};
     LinkSet active;
     for (const char* symbol : part.links)
         active.insert(*link_named(symbol));
-    monitor::Transient transient(*configuration_named(part.configuration), active, compliances);
+    Transient transient(*configuration_named(part.configuration), active, compliances);
     transient.slope_psi_per_s.fill(0);
     transient.curvature_psi_per_s2 = 0;
     transient.swing_psi = 300;
     transient.swing_rad_per_s = 5;
-    monitor::SampleMessage sample = transient.sample(0, index);
+    ExcavatorSample sample = transient.sample(0, index);
     std::string links;
-    for (hydraulics::Link link : monitor::links_of(active)) {
-        const monitor::Reading& reading = *sample.links[index_of(link)];
-        const auto& areas = std::get<monitor::AreaReading>(reading.valve);
+    for (hydraulics::Link link : links_of(active)) {
+        const Reading& reading = *sample.links[index_of(link)];
+        const auto& areas = std::get<ValveAreas>(reading.valve);
         links += fmt::format(R"({}"{}":{{"inlet_psi":{:.6f},"angle_deg":{:.8f},"inlet_in2":{},"bypass_in2":{:.8f}}})",
                              links.empty() ? "" : ",", symbol_of(link), reading.inlet_psi, reading.angle_deg,
                              areas.inlet_in2, areas.bypass_in2);
@@ -163,10 +164,6 @@ private:
     Clock::time_point due_;
 };
 
-double quantile(std::vector<double>& sorted, double part) {
-    return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
-}
-
 double field(const std::string& line, const char* name) { return json::parse(line).at(name).to_number<double>(); }
 
 /// The compliances of an answer, to the bit.
@@ -209,7 +206,8 @@ void run(const Part& part, std::size_t samples) {
     double count = static_cast<double>(latencies_ms.size());
     fmt::print("{:<22} {:>7} {:>10.0f} {:>9.1f} {:>9.1f} {:>11.1f} {:>9.2f} {:>9.2f} {:>9.2f}   {:016x}\n", part.name,
                part.clients, count / took_s, 100 * work_s / took_s, 100 * cpu_s / took_s, 1e6 * cpu_s / count,
-               quantile(latencies_ms, 0.5), quantile(latencies_ms, 0.99), latencies_ms.back(), fingerprint.value());
+               placedpar::identification::quantile(latencies_ms, 0.5),
+               placedpar::identification::quantile(latencies_ms, 0.99), latencies_ms.back(), fingerprint.value());
     std::fflush(stdout);
 }
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace placedpar {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -123,4 +123,4 @@ ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const Cir
     return optimum;
 }
 
-} // namespace placedpar
+} // namespace placedpar::identification

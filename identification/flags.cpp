@@ -7,25 +7,24 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placedpar {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
 namespace {
 
-// Ours: half the gate's. At the mid noise a third of the estimates are then off by more than 10 %.
+// Ours: half the gate's. Below them a third of the estimates are off by more than 10 % at the mid noise.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
-// Shares of the compliance by which independent answers may differ.
+// By how much independent answers may differ, as shares of the compliance.
 constexpr double searches_differ = 0.2, halves_differ = 0.3;
-// ... and standard errors by which halves have to differ as well, so that noise alone raises no flag.
+// The halves must also differ by this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
-/// These two: has it been flagged?
+/// This function and the next return whether they have flagged the link.
 bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     double step = problem.field().resolution();
-    bool low = link.compliance_in3_per_psi<1.5 * step, high = link.compliance_in3_per_psi>
-                   CircuitProblem::largest_in3_per_psi -
-               2.5 * step;
+    bool low = (link.compliance_in3_per_psi < 1.5 * step);
+    bool high = (link.compliance_in3_per_psi > CircuitProblem::largest_in3_per_psi - 2.5 * step);
     if (low)
         link.flags.push_back("at the lower bound of the search: the record asks for a compliance of 0 or below, as an "
                              "offset of the spool makes it");
@@ -55,7 +54,7 @@ void flag_uncertainty(LinkIdentified& link) {
                                      size, 100 * uncertain_share));
 }
 
-/// After a valve has opened it moves on: a spool or an area that stands is a sensor that does not read.
+/// A valve that has opened keeps moving: a spool or an area that never changes comes from a dead sensor.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
     if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
@@ -118,4 +117,4 @@ void flag_calibration(Identified& identified, const SpoolOffset& found, double r
                                           found.offset_in));
 }
 
-} // namespace placedpar
+} // namespace placedpar::identification

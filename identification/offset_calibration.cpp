@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -20,8 +20,8 @@ struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
 };
 
-/// The flow that is missed if the spool is what it reads less the offset; falls as the offset grows, since a
-/// smaller spool opens the bypass wider.
+/// The missing flow, if the true spool is its reading less the offset. Falls as the offset grows, since a smaller spool
+/// opens the bypass wider.
 double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
     OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
     double pump_psi =
@@ -75,7 +75,7 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
     return motion;
 }
 
-/// How the mean of the single samples' offsets scatters, to first order.
+/// The standard error of the mean of the samples' own offsets, to first order.
 double standard_error(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
     constexpr double step_in = 1e-4;
     double sum = 0, squares = 0;
@@ -110,4 +110,4 @@ std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const Li
     return SpoolOffset{offset, standard_error(samples, offset, flow), samples.size()};
 }
 
-} // namespace placedpar
+} // namespace placedpar::identification

@@ -5,23 +5,23 @@
 #include <optional>
 #include <span>
 
-namespace placedpar {
+namespace placedpar::identification {
 
 /// A stretch of motion in which pressure and velocity hardly change, so that the flow balance of equation 3.3
 /// holds with C dP/dt near 0. All values ours.
 struct SteadyMotion {
     double duration_s = 1;
-    double drift_psi = 8;             // by which the mean pressures of its halves may differ
-    double slope_psi_per_s = 250;     // greatest rms slope of the inlet pressure: beyond what noise makes of it
-    double least_flow_in3_per_s = 10; // at every instant: the piston moves
+    double drift_psi = 8;             ///< by which the mean pressures of its halves may differ
+    double slope_psi_per_s = 250;     ///< greatest rms slope of the inlet pressure; noise alone stays below it
+    double least_flow_in3_per_s = 10; ///< at every instant: the piston moves
 };
 
-/// Beyond it no spool is read that could be used.
+/// A reading further off than this is of no use.
 inline constexpr double greatest_spool_offset_in = 0.08;
 
 struct SpoolOffset {
-    double offset_in;    // by which the readings are too high
-    double deviation_in; // standard error, from how the single samples scatter
+    double offset_in;    ///< by which the readings are too high
+    double deviation_in; ///< standard error, from how the single samples scatter
     std::size_t samples;
 };
 
@@ -35,4 +35,4 @@ std::optional<SpoolOffset> calibrate_spool_offset(const hydraulics::Record& reco
                                                   const hydraulics::FlowConstants& flow,
                                                   const SteadyMotion& steady = {});
 
-} // namespace placedpar
+} // namespace placedpar::identification

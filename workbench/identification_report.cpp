@@ -9,6 +9,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -40,13 +41,13 @@ std::string print_flags(const LinkIdentified& link) {
     return text;
 }
 
-std::string print_search(const Identified& identified, const RecordProblem& prepared, const IdentificationWay& way) {
+std::string print_search(const Identified& identified, const identification::ComplianceSearch& prepared, const IdentificationWay& way) {
     return fmt::format("{} usable samples from {:.3f} to {:.3f} s; {} search{} of {} individuals, {} generations\n",
                        prepared.samples.size(), prepared.samples.front().time_s, prepared.samples.back().time_s,
                        way.searches, way.searches == 1 ? "" : "es", way.search.population, identified.generations);
 }
 
-double spool_offset_in(const RecordProblem& prepared) {
+double spool_offset_in(const identification::ComplianceSearch& prepared) {
     return prepared.calibrations[index_of(hydraulics::Link::boom)].spool_offset_in;
 }
 
@@ -78,7 +79,7 @@ boost::json::object estimate_json(const TransientEstimate& estimate) {
 
 } // namespace
 
-std::string print_identified(const Identified& identified, const RecordProblem& prepared,
+std::string print_identified(const Identified& identified, const ComplianceSearch& prepared,
                              const IdentificationWay& way) {
     std::string text = print_search(identified, prepared, way);
     if (std::size_t frozen = frozen_samples(identified))
@@ -93,7 +94,7 @@ std::string print_identified(const Identified& identified, const RecordProblem& 
     return text;
 }
 
-boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared,
+boost::json::object identified_json(const Identified& identified, const ComplianceSearch& prepared,
                                     const IdentificationWay& way) {
     boost::json::array links, estimates;
     for (const LinkIdentified& link : identified.links)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "identification/compliance_search.hpp"
 #include "identification/identification.hpp"
-#include "identification/record_problem.hpp"
 
 #include <boost/json/object.hpp>
 
@@ -10,10 +10,13 @@
 namespace placedpar {
 
 /// For people: a line for each link with its spread and references, then what is flagged.
-std::string print_identified(const Identified& identified, const RecordProblem& prepared, const IdentificationWay& way);
+std::string print_identified(const identification::Identified& identified,
+                             const identification::ComplianceSearch& prepared,
+                             const identification::IdentificationWay& way);
 
 /// For machines: everything, with the estimates sample by sample.
-boost::json::object identified_json(const Identified& identified, const RecordProblem& prepared,
-                                    const IdentificationWay& way);
+boost::json::object identified_json(const identification::Identified& identified,
+                                    const identification::ComplianceSearch& prepared,
+                                    const identification::IdentificationWay& way);
 
 } // namespace placedpar

@@ -18,6 +18,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -118,7 +119,7 @@ Network load_with(const Settings& settings, const NetlistAsked& netlist, const P
 }
 
 /// The samples that the first search saw before its gate froze it. Throws where they are not one after the other.
-std::vector<Sample> searched_samples(const RecordProblem& prepared, const Identified& native) {
+std::vector<Sample> searched_samples(const ComplianceSearch& prepared, const Identified& native) {
     auto live = [](const TransientEstimate& estimate) { return !estimate.frozen; };
     auto frozen = std::ranges::find(native.estimates, true, &TransientEstimate::frozen);
     if (std::any_of(frozen, native.estimates.end(), live))
@@ -159,7 +160,7 @@ std::vector<double> ProcessSearch::compliances(const RunReport& report) const {
     return found;
 }
 
-ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
+ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const IdentificationWay& way, const Identified& native, const WarningSink& warn) {
     ProcessSearch search;
     search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared, native));

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gaprocs/problem_registry.hpp"
+#include "identification/compliance_search.hpp"
 #include "identification/identification.hpp"
-#include "identification/record_problem.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "workbench/load.hpp"
@@ -36,7 +36,7 @@ struct ProcessSearch {
 /// Throws RefusedInput or std::runtime_error for what cannot be the same search: another number of searching processes
 /// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
 /// a while.
-ProcessSearch search_by_processes(const NetlistAsked& netlist, const RecordProblem& prepared,
-                                  const IdentificationWay& way, const Identified& native, const WarningSink&);
+ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
+                                  const identification::IdentificationWay& way, const identification::Identified& native, const WarningSink&);
 
 } // namespace placedpar

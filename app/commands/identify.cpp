@@ -28,6 +28,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -146,7 +147,7 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
 }
 
 ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost::json::object& json) {
-    RecordProblem prepared = prepare(asked.loaded.record, asked.machine, asked.question, asked.way);
+    identification::ComplianceSearch prepared = prepare(asked.loaded.record, asked.machine, asked.question, asked.way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
     if (asked.calibration)
         flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));

@@ -1,7 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "gaprocs/fitness.hpp"
-#include "identification/on_line/estimate.hpp"
+#include "identification/on_line/link_estimate.hpp"
 #include "monitor/service/service.hpp"
 #include "text/standard_output.hpp"
 
@@ -19,6 +19,7 @@
 namespace placedpar::monitor {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -83,7 +84,7 @@ void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
         "alarm at this spread between population sets");
     add("--off-by", diagnosis.off_by, "FRACTION", {0.01, 0.99}, "a link further from its baseline is off");
-    add("--transients", diagnosis.transients, "N", {1, Estimate::kept_transients},
+    add("--transients", diagnosis.transients, "N", {1, LinkEstimate::kept_transients},
         "settled transients before a link may be called off");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9}, "older estimates take no part in cross-checks");
 }

@@ -8,6 +8,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
+#include "identification/statistics.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/random.hpp"
 
@@ -22,6 +23,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using identification::quantile;
 
 namespace {
 
@@ -35,13 +37,6 @@ Transient transient_of(std::uint64_t seed) {
     for (const auto& values : boom_record(scenario, low_noise, [&] { return sensors.uniform(); }))
         transient.record.push_back(LinkSample::from(values));
     return transient;
-}
-
-/// The value that the given share of the errors does not exceed.
-double quantile(std::vector<double> errors, double share) {
-    std::sort(errors.begin(), errors.end());
-    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size())));
-    return errors.at(std::max<std::size_t>(rank, 1) - 1);
 }
 
 struct Result {

@@ -6,6 +6,7 @@
 #include "experiments/kit/statistics.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -124,7 +126,7 @@ void add_found(Comparison& comparison, const Way& way, const std::vector<BoomDat
     };
     add("C_BOi of this record", one.compliance_in3_per_psi, allowed.record);
     comparison.add(compared_cell("  least squares", way.name, "in^3/psi", truth, one.least_squares.value_or(0), 5));
-    add("  median of 50 records", median(found), allowed.median);
+    add("  median of 50 records", quantile(found, 0.5), allowed.median);
     comparison.add(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
 }
 
@@ -170,7 +172,7 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
         BoomModel model{AreasFrom::servo, lag.lag_per_s, 0};
         auto percent = [&](double found) { return 100 * (found / truth - 1); };
         std::string column = fmt::format("a_0 = {}", lag.lag_per_s);
-        double searched = median(found_in(motions, model, seeds));
+        double searched = quantile(found_in(motions, model, seeds), 0.5);
         comparison.add(judged_cell("search", column, "%", lag.known_percent, percent(searched), 8, 1));
         auto fit = least_squares_compliance(motions.front(), model, rising_way().usable);
         comparison.add(plain_cell("least squares, one record", column, "%", percent(fit.value_or(0)), 1));
@@ -191,7 +193,7 @@ double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seeds.front());
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
-    auto found = [&](const BoomModel& model) { return median(found_in(motions, model, seeds)); };
+    auto found = [&](const BoomModel& model) { return quantile(found_in(motions, model, seeds), 0.5); };
     std::string row = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
     add_explained(comparison, row, ways[0], found(model_of(clean, AreasFrom::spool)), Origin::outcome);
     add_explained(comparison, row, ways[1], found({AreasFrom::servo, lag, 0}), Origin::calibrated);
@@ -203,7 +205,7 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     double low = offset_that_finds(by_spool_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
-    auto found = [&](const BoomModel& model) { return median(found_in(motions, model, seeds)); };
+    auto found = [&](const BoomModel& model) { return quantile(found_in(motions, model, seeds), 0.5); };
     std::string row = fmt::format("true C .0086, spool reads {:.4f} in low", -low);
     // Taking too much off the readings is the same as a sensor that reads too low.
     BoomModel low_model = model_of(clean, AreasFrom::spool);

@@ -3,6 +3,7 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "experiments/kit/statistics.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -58,7 +60,7 @@ void add_case(Comparison& comparison, const Case& each, const Plant& plant, cons
               double sound_one) {
     bool by_spool = from == AreasFrom::spool;
     auto found = found_in(each.fault, plant, from, seeds);
-    double middle = median(found), ratio = middle / sound_one;
+    double middle = quantile(found, 0.5), ratio = middle / sound_one;
     std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
     comparison.add(plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
     // What a drift does to C by the voltage nobody has told.
@@ -69,7 +71,7 @@ void add_case(Comparison& comparison, const Case& each, const Plant& plant, cons
 }
 
 void add_cases(Comparison& comparison, const Plant& plant, const Seeds& seeds, AreasFrom from) {
-    double sound_one = median(found_in(no_fault(), plant, from, seeds));
+    double sound_one = quantile(found_in(no_fault(), plant, from, seeds), 0.5);
     for (const Case& each : cases())
         if (!each.in_servo || plant.has_servo)
             add_case(comparison, each, plant, seeds, from, sound_one);

@@ -3,6 +3,7 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "experiments/kit/statistics.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -57,10 +59,10 @@ void add_study(Comparison& comparison, const Study& study, const TwoLinkMotion& 
     Cell shared = compared_cell("both within 10 %", study.name, "% of records", study.known_percent, within, 0);
     comparison.add(at_least(least, shared));
     auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, study.name, "%", value, 1)); };
-    add("error of C_BUi, median", median(bucket));
-    add("  of C_BUi, 9 of 10 below", share_below(bucket, 0.9));
-    add("error of C_BOi, median", median(boom));
-    add("  of C_BOi, 9 of 10 below", share_below(boom, 0.9));
+    add("error of C_BUi, median", quantile(bucket, 0.5));
+    add("  of C_BUi, 9 of 10 below", quantile(bucket, 0.9));
+    add("error of C_BOi, median", quantile(boom, 0.5));
+    add("  of C_BOi, 9 of 10 below", quantile(boom, 0.9));
 }
 
 Comparison study_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
@@ -88,7 +90,7 @@ using StateErrors = std::array<double, InternalStates::count>;
 /// How far each state is off at the worst sample of one search, from the sixth on: the first answer, of five
 /// generations on five samples, is still searching. In percent of the state itself.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
     StateErrors worst{};
     for (const TransientEstimate& estimate : run.estimates) {
@@ -126,7 +128,7 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
 /// Of one search without noise.
 Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    identification::ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
     return plot_of_estimated_states(motion, prepared, run);
 }

@@ -6,6 +6,7 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -90,7 +92,7 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
     std::string column = inches(known.offset_in);
     Maybe compliance = known.search_in3_per_psi;
     auto add = [&](const char* row, const Found& found) {
-        comparison.add(cell_of(row, column, "in^3/psi", compliance, median(found.searched_in3_per_psi), 0.0005, 5));
+        comparison.add(cell_of(row, column, "in^3/psi", compliance, quantile(found.searched_in3_per_psi, 0.5), 0.0005, 5));
     };
     add("C by the search, spool", spool);
     add("C by the search, voltage", volts);
@@ -101,7 +103,7 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
 void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
     auto motions = motions_with(known.offset_in, low_noise, seeds);
     Found spool = identify_all(motions, AreasFrom::spool, seeds);
-    add_fit(comparison, known, median(spool.fit_in3_per_psi), motions.front().machine.inlet_compliance_in3_per_psi);
+    add_fit(comparison, known, quantile(spool.fit_in3_per_psi, 0.5), motions.front().machine.inlet_compliance_in3_per_psi);
     add_searches(comparison, known, spool, identify_all(motions, AreasFrom::servo, seeds));
 }
 
@@ -189,7 +191,7 @@ void add_cured(Comparison& comparison, const std::string& column, const std::vec
     Found volts = identify_all(motions, AreasFrom::servo, seeds, calibrated_in);
     auto add = [&](const char* row, const Found& found, double tolerance) {
         comparison.add(
-            judged_cell(row, column, "in^3/psi", truth, median(found.searched_in3_per_psi), tolerance * truth, 5));
+            judged_cell(row, column, "in^3/psi", truth, quantile(found.searched_in3_per_psi, 0.5), tolerance * truth, 5));
     };
     add("C with it taken off, spool", spool, 0.05);
     comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
@@ -204,7 +206,7 @@ void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const S
     std::string column = inches(offset_in);
     comparison.add(judged_cell("offset found", column, "in", offset_in, calibrated_in, 0.0004, 5));
     Found uncured = identify_all(motions, AreasFrom::spool, seeds);
-    comparison.add(plain_cell("C before, spool", column, "in^3/psi", median(uncured.searched_in3_per_psi), 5));
+    comparison.add(plain_cell("C before, spool", column, "in^3/psi", quantile(uncured.searched_in3_per_psi, 0.5), 5));
     comparison.add(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
     add_cured(comparison, column, motions, calibrated_in, seeds, simple);
 }

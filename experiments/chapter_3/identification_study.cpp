@@ -2,6 +2,7 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "experiments/kit/statistics.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -53,8 +55,8 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
         comparison.cells.back().at_least = too_much_percent;
     comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
-    add("codes from the best of all, 90th percentile", "", {0, 3}, share_below(all.codes_from_optimum, 0.9), 0);
-    add("codes from that to the best in SI, greatest", "", {0, 1}, share_below(all.si_codes, 1), 0);
+    add("codes from the best of all, 90th percentile", "", {0, 3}, quantile(all.codes_from_optimum, 0.9), 0);
+    add("codes from that to the best in SI, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     Study rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
     add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
     comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
@@ -115,7 +117,7 @@ void add_variant(Comparison& comparison, const Variant& variant, const Transient
     else
         add(within, result.within_ten_percent(), 0);
     if (result.codes_from_optimum.size() == seeds.size())
-        add("codes off, 90th", share_below(result.codes_from_optimum, 0.9), 0);
+        add("codes off, 90th", quantile(result.codes_from_optimum, 0.9), 0);
 }
 
 Comparison variants_comparison(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
@@ -134,7 +136,7 @@ Series distribution(const NoiseLevel& level, const Seeds& seeds) {
     Study result = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
     for (std::size_t i = 1; i <= seeds.size(); ++i) {
         double share = static_cast<double>(i) / static_cast<double>(seeds.size()),
-               error = share_below(result.error_percent, share);
+               error = quantile(result.error_percent, share);
         series.points.push_back({error, series.points.back().y});
         series.points.push_back({error, 100 * share});
     }

@@ -3,6 +3,7 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "experiments/kit/statistics.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -98,9 +100,9 @@ void add_lost(Comparison& comparison, const Runs& plain, double percent, std::op
     std::vector<double> lost;
     for (const SearchRun& run : plain)
         lost.push_back(lost_from(run, percent));
-    comparison.add(cell_of(row, "median", "generation", known, median(lost), 200, 0));
-    comparison.add(plain_cell(row, "first of 10", "generation", share_below(lost, 0.1), 0));
-    comparison.add(plain_cell(row, "last of 10", "generation", share_below(lost, 0.9), 0));
+    comparison.add(cell_of(row, "median", "generation", known, quantile(lost, 0.5), 200, 0));
+    comparison.add(plain_cell(row, "first of 10", "generation", quantile(lost, 0.1), 0));
+    comparison.add(plain_cell(row, "last of 10", "generation", quantile(lost, 0.9), 0));
 }
 
 /// When a search loses its way, which an eye reads off a figure.
@@ -117,12 +119,12 @@ Comparison single_run_comparison(const Runs& plain) {
 }
 
 SearchRun search_once(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
-    RecordProblem prepared = measure_two_links(motion, no_noise, way, seed);
+    identification::ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
 }
 
 Plot plot_of_loss(const TwoLinkMotion& motion, const SearchRun& plain, std::uint64_t seed) {
-    RecordProblem prepared = measure_two_links(motion, no_noise, long_way(), seed);
+    identification::ComplianceSearch prepared = measure_two_links(motion, no_noise, long_way(), seed);
     return plot_of_compliances(prepared, plain, search_once(motion, gated(prolonged(gray_way())), seed),
                                trials_a_sample);
 }

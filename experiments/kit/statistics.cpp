@@ -7,14 +7,6 @@
 
 namespace placedpar {
 
-double share_below(std::vector<double> values, double share) {
-    std::ranges::sort(values);
-    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values[std::max<std::size_t>(rank, 1) - 1];
-}
-
-double median(std::vector<double> values) { return share_below(std::move(values), 0.5); }
-
 double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }

@@ -21,6 +21,8 @@ struct LinkSample {
     static LinkSample from(std::span<const double> values) {
         return {values[0], values[1], values[2], values[3], values[4]};
     }
+
+    friend bool operator==(const LinkSample&, const LinkSample&) = default;
 };
 
 /// The equations by which a supposed compliance is judged, one link at a time. Units may be of any consistent system;

@@ -16,6 +16,10 @@ inline constexpr std::array<Link, 4> all_links{Link::bucket, Link::boom, Link::s
 
 constexpr std::size_t index_of(Link link) { return static_cast<std::size_t>(link); }
 
+/// One value for each link, by index_of(link).
+template <typename T>
+using PerLink = std::array<T, all_links.size()>;
+
 /// "bucket", ...
 std::string_view name_of(Link);
 /// The thesis's "BU", "BO", "ST", "SW", as in C_BUi.

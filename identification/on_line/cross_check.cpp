@@ -1,6 +1,7 @@
 #include "identification/on_line/cross_check.hpp"
 
 #include "identification/on_line/population_sets.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -9,17 +10,17 @@
 #include <cassert>
 #include <cmath>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
 namespace {
 
-// Pump 1 feeds bucket and boom, pump 2 swing and stick; the cross-over changes who else does.
+// Pump 1 feeds bucket and boom, pump 2 swing and stick; through the cross-over each may feed others too.
 constexpr std::array<LinkSet, 2> branches{LinkSet{hydraulics::Link::bucket, hydraulics::Link::boom},
                                           LinkSet{hydraulics::Link::stick, hydraulics::Link::swing}};
 
-/// Apparent compliance with a leak of 5 to 10 % of the flow: +13 to +27 %, up to +37 % at 14 % (found by
+/// A leak of 5 to 10 % of the flow raises the apparent compliance by 13 to 27 %, one of 14 % by up to 37 % (found by
 /// simulation; equation 2.8 is its lower bound).
 constexpr double most_of_a_leak = 0.40;
 
@@ -27,7 +28,7 @@ enum class State : unsigned char { unknown, good, off };
 
 struct Verdict {
     State state = State::unknown;
-    double ratio = 1; // to the baseline, median over the sets
+    double ratio = 1; ///< to the baseline, median over the sets
 };
 
 Verdict judge(const LinkCheck& check, const DiagnosisSettings& settings) {
@@ -139,4 +140,4 @@ std::vector<Alarm> find_alarms(const PerLink<LinkCheck>& checks, const Diagnosis
     return alarms;
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "identification/on_line/estimate.hpp"
-#include "monitor/protocol/message.hpp"
+#include "hydraulics/data/link.hpp"
+#include "identification/on_line/link_estimate.hpp"
 
 #include <array>
 #include <optional>
@@ -9,23 +9,23 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
-/// What one population set says of a link, once it has settled.
+/// The compliance of a link as one population set has found it, once settled.
 struct SetEstimate {
     hydraulics::LinkSet set;
-    double compliance_in3_per_psi; // the newest settled value
-    double lasting_in3_per_psi;    // median over the last transients
-    std::size_t transients;        // that settled; at most Estimate::kept_transients
-    double time_s;                 // of the newest
+    double compliance_in3_per_psi; ///< the newest settled value
+    double lasting_in3_per_psi;    ///< median over the last transients
+    std::size_t transients;        ///< that settled; at most LinkEstimate::kept_transients
+    double time_s;                 ///< of the newest
 };
 
 /// Cross-check 1 of thesis 3.3: the same compliance, found by several population sets under different hydraulic
 /// configurations.
 struct LinkCheck {
     std::optional<double> baseline_in3_per_psi;
-    std::vector<SetEstimate> estimates; // by name of set, none of them stale
-    bool at_lower_bound = false;        // the newest estimate of an excited window
+    std::vector<SetEstimate> estimates; ///< ordered by name of set, none of them stale
+    bool at_lower_bound = false;        ///< is the newest estimate there?
 
     /// (greatest - least) / median; 0 with fewer than two estimates.
     double spread() const;
@@ -50,16 +50,16 @@ std::string_view name_of(AlarmKind);
 
 struct Alarm {
     AlarmKind kind;
-    hydraulics::LinkSet links; // one link, or those of the branch
-    std::string text;          // for people
+    hydraulics::LinkSet links; ///< one link, or all of a branch
+    std::string text;          ///< a sentence for people
 
-    /// Alarms of the same kind and links are the same alarm, whatever the figures.
+    /// Alarms of the same kind and links are the same alarm, even if the figures in their texts differ.
     friend bool operator==(const Alarm& a, const Alarm& b) { return a.kind == b.kind && a.links == b.links; }
 };
 
-/// The alarms that hold, ordered by kind and link. Cross-check 2 of thesis 3.3, locating the fault: what is off in one
-/// link alone, whichever set finds it, is in that link's hose or cylinder; what is off in all links of a branch is in
-/// what they share, its pump and the reading of its spools.
-std::vector<Alarm> find_alarms(const PerLink<LinkCheck>& checks, const DiagnosisSettings& settings);
+/// The alarms that hold, ordered by kind and link. Cross-check 2 of thesis 3.3 locates the fault: when all sets find
+/// the same link off, and only that link, its hose or cylinder is at fault; when all links of a branch are off, what
+/// they share is, their pump or the readings of their spools.
+std::vector<Alarm> find_alarms(const hydraulics::PerLink<LinkCheck>& checks, const DiagnosisSettings& settings);
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

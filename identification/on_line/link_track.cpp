@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -16,6 +16,11 @@ void push_bounded(std::vector<double>& values, double value) {
     if (values.size() == line_fit_points)
         values.erase(values.begin());
     values.push_back(value);
+}
+
+ValveAreas areas_at(double spool_in) {
+    OrificeAreas areas = boom_orifices(spool_in);
+    return {areas.inlet_in2, areas.bypass_in2};
 }
 
 } // namespace
@@ -38,21 +43,20 @@ double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& paramete
     return *state_.spool_in;
 }
 
+ValveAreas LinkTrack::areas_of(const Reading& reading, const LinkParameters& parameters,
+                               std::optional<double> elapsed_s) {
+    if (const auto* servo = std::get_if<ServoVoltage>(&reading.valve))
+        return areas_at(follow_spool_in(servo->servo_V, parameters, elapsed_s));
+    state_.spool_in = state_.desired_in = std::nullopt; // not followed any more
+    if (const auto* spool = std::get_if<SpoolPosition>(&reading.valve))
+        return areas_at(spool->spool_in);
+    return std::get<ValveAreas>(reading.valve);
+}
+
 void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s) {
     push_bounded(state_.inlet_psi, reading.inlet_psi);
     push_bounded(state_.angle_deg, reading.angle_deg);
-    AreaReading areas{};
-    if (const auto* given = std::get_if<AreaReading>(&reading.valve))
-        areas = *given;
-    else {
-        const auto* servo = std::get_if<ServoReading>(&reading.valve);
-        double spool = servo ? follow_spool_in(servo->servo_V, parameters, elapsed_s)
-                             : std::get<SpoolReading>(reading.valve).spool_in;
-        OrificeAreas orifices = boom_orifices(spool);
-        areas = {orifices.inlet_in2, orifices.bypass_in2};
-    }
-    if (!std::holds_alternative<ServoReading>(reading.valve))
-        state_.spool_in = state_.desired_in = std::nullopt; // not followed any more
+    ValveAreas areas = areas_of(reading, parameters, elapsed_s);
     push_bounded(state_.inlet_in2, areas.inlet_in2);
     push_bounded(state_.bypass_in2, areas.bypass_in2);
 }
@@ -67,4 +71,4 @@ std::optional<LinkSample> LinkTrack::centre(const CentredLineFit& fit, const Lin
                       state_.bypass_in2[middle]};
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -42,7 +42,7 @@ PopulationSet::PopulationSet(LinkSet links, const DiagnosisSettings& settings, s
 void PopulationSet::restart_window() {
     state_.window.clear();
     state_.to_skip = 0;
-    for (Estimate& estimate : state_.estimates)
+    for (LinkEstimate& estimate : state_.estimates)
         estimate.end_transient();
 }
 
@@ -50,7 +50,7 @@ std::size_t PopulationSet::take(const SetProblem& problem, const SetSample& samp
     ++state_.samples;
     if (!problem.open(sample)) {
         state_.to_skip = settings_.skipped;
-        for (Estimate& estimate : state_.estimates)
+        for (LinkEstimate& estimate : state_.estimates)
             estimate.end_transient();
         return 0;
     }
@@ -61,7 +61,7 @@ std::size_t PopulationSet::take(const SetProblem& problem, const SetSample& samp
     push(sample);
     const WindowSettings& window = settings_.search.window;
     if (state_.window.size() < std::min(window.first, window.length) ||
-        std::ranges::none_of(state_.estimates, &Estimate::excited))
+        std::ranges::none_of(state_.estimates, &LinkEstimate::excited))
         return 0;
     evolve(problem, time_s);
     return window.trials;
@@ -91,7 +91,7 @@ void PopulationSet::evolve(const SetProblem& problem, double time_s) {
 
 void PopulationSet::record(const SetProblem& problem, const Individual& best, double time_s) {
     for (std::size_t i = 0; i < state_.estimates.size(); ++i) {
-        Estimate& estimate = state_.estimates[i];
+        LinkEstimate& estimate = state_.estimates[i];
         if (!estimate.excited())
             continue;
         if (best.fitness > 0)
@@ -111,4 +111,4 @@ void PopulationSet::keep_frozen_columns(const std::vector<Genome>& former) {
     }
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

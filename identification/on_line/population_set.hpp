@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gaprocs/search.hpp"
-#include "identification/on_line/estimate.hpp"
+#include "identification/on_line/link_estimate.hpp"
 #include "identification/on_line/set_problem.hpp"
 
 #include <cstddef>
@@ -10,26 +10,27 @@
 #include <string>
 #include <vector>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
-/// A population and what it has found: the part of the diagnosis that outlives changes of configuration.
+/// A population and what it has found. Both outlive changes of configuration.
 ///
-/// Its random numbers depend on the seed, the names of machine and set, and how many samples it has seen, so
-/// that what it finds is a function of its samples alone, whatever other sets do, and goes on after a restart
-/// exactly as it would have without one.
+/// Its random numbers depend on the seed, the names of excavator and set, and how many samples it has seen. So what it
+/// finds is a function of its own samples, independent of other sets, and a restart does not change it.
 class PopulationSet {
 public:
     /// All that a restart needs.
     struct State {
-        std::vector<Genome> population; // the elite first
-        std::vector<SetSample> window;  // oldest first
-        std::size_t to_skip = 0;        // usable samples still to be left out
-        std::uint64_t samples = 0;      // seen, usable or not
+        std::vector<Genome> population; ///< the elite first
+        std::vector<SetSample> window;  ///< oldest first
+        std::size_t to_skip = 0;        ///< usable samples still to be skipped
+        std::uint64_t samples = 0;      ///< seen, usable or not
         std::uint64_t generations = 0;
-        std::vector<Estimate> estimates; // of each link, in the order of links_of()
+        std::vector<LinkEstimate> estimates; ///< of each link, in the order of links_of()
+
+        friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Draws the first population. `name` is that of the random streams.
+    /// Draws the first population. `name` names the random streams.
     PopulationSet(hydraulics::LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name);
     PopulationSet(hydraulics::LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name,
                   State state);
@@ -37,19 +38,19 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// The newest sample: window, gate and, when both allow it, the trials. Gives the number of generations.
+    /// Adds the newest sample to the window and, when window and gate allow it, makes the trials. Gives the number of
+    /// generations made.
     /// REQUIRES: the problem is one of this set's links.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
-    /// After a change of configuration, or a gap in the samples: samples of before say nothing of the circuit
-    /// of now. Population and estimates stay.
+    /// After a change of configuration or a gap in the samples: earlier samples say nothing of the present circuit.
+    /// Population and estimates stay.
     void restart_window();
 
 private:
     void push(const SetSample& sample);
     void evolve(const SetProblem& problem, double time_s);
-    /// Gives the links that are not excited their columns of the former population back: their bits would only
-    /// drift.
+    /// Restores the columns of links that are not excited from the former population: their bits would only drift.
     void keep_frozen_columns(const std::vector<Genome>& former);
     void record(const SetProblem& problem, const Individual& best, double time_s);
 
@@ -60,4 +61,4 @@ private:
     State state_;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -66,6 +66,11 @@ std::vector<hydraulics::Link> links_of(LinkSet set) {
     return links;
 }
 
+std::size_t position_in(LinkSet set, hydraulics::Link link) {
+    std::vector<hydraulics::Link> links = links_of(set);
+    return static_cast<std::size_t>(std::ranges::find(links, link) - links.begin());
+}
+
 std::vector<LinkSet> sets_in_use(Configuration configuration, LinkSet active) {
     std::vector<LinkSet> sets;
     for (LinkSet group : coupled_groups(configuration))
@@ -75,4 +80,4 @@ std::vector<LinkSet> sets_in_use(Configuration configuration, LinkSet active) {
     return sets;
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

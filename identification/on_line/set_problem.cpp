@@ -7,15 +7,14 @@
 
 #include <algorithm>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
 SetProblem::SetProblem(Configuration configuration, LinkSet links, const FlowConstants& flow, std::size_t bits)
     : circuit_(circuit_of(configuration, links)), flow_(flow), bits_(bits) {
-    std::vector<hydraulics::Link> order = links_of(links);
     for (const Junction& junction : circuit_)
-        positions_.push_back(static_cast<std::size_t>(std::ranges::find(order, junction.link) - order.begin()));
+        positions_.push_back(position_in(links, junction.link));
 }
 
 double SetProblem::step_in3_per_psi() const {
@@ -55,4 +54,4 @@ std::vector<double> SetProblem::fitness(std::span<const Genome> strings, std::sp
     return fitness;
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -8,14 +8,14 @@
 #include <span>
 #include <vector>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 /// One LinkSample for each link of a population set, in the order of links_of().
 using SetSample = std::vector<hydraulics::LinkSample>;
 
 /// The search for the compliances of a population set while the main valve is in one configuration. The string
 /// codes the links in the order of Figure 3.13, each in Gray code, so that a population means the same in every
-/// configuration that uses it; the order of the circuit's junctions is this class's own business.
+/// configuration that uses it; the order of the circuit's junctions is hidden here.
 class SetProblem {
 public:
     /// REQUIRES: `links` is a non-empty part of one coupled group of the configuration.
@@ -29,8 +29,7 @@ public:
     double compliance_in3_per_psi(const Genome& genome, std::size_t position) const;
     double step_in3_per_psi() const;
 
-    /// Is the path to every cylinder open, by the steady flow of the circuit? Equation 3.6 does not hold where it
-    /// is not.
+    /// Does flow enter every cylinder, by the steady flow of the circuit? Otherwise equation 3.6 does not hold.
     bool open(const SetSample& sample) const;
 
     /// The sum of fitness_term over the window, for each string (eq. 3.9).
@@ -42,7 +41,7 @@ private:
     hydraulics::Circuit circuit_;
     hydraulics::FlowConstants flow_;
     std::size_t bits_;
-    std::vector<std::size_t> positions_; // in the set, of the link of each junction
+    std::vector<std::size_t> positions_; ///< in the set, of the link of each junction
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -4,30 +4,30 @@
 
 #include <cstddef>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 /// The thesis's numbers, with one elite individual.
 SearchSettings service_search();
 
-/// How the on-line diagnosis searches and when it speaks. The search is the thesis's with what an engineer
-/// would add to it: one elite individual, Gray code, signed flow into the cylinder, a gate on excitation.
+/// How the on-line diagnosis searches and when it raises alarms. The search is the thesis's with what an engineer would
+/// add: one elite individual, Gray code, signed flow into the cylinder, a gate on excitation.
 struct DiagnosisSettings {
-    SearchSettings search = service_search(); // window 10, bias 400, 5 trials, population 120, 1 elite
-    std::size_t bits = 10;                    // of one compliance; the thesis does not print it
-    double gate_psi_per_s = 800;              // rms slope over the window below which an estimate is frozen; ours
-    std::size_t skipped = 2;                  // usable samples left out after the path to a cylinder opened; ours
-    std::size_t median_over = 25;             // generations whose best individuals' median is the estimate; ours
-    double settled_within = 0.2;    // (greatest - least) / median of those, at which it counts as settled; ours
-    double doubled_at = 1.8;        // times the baseline; ours: a doubled compliance is found as 2.01 +- 4.5 %
-    double inconsistent_over = 0.3; // (greatest - least) / median between population sets; ours
-    double off_by = 0.12;           // |C / baseline - 1| of a link that is off; ours: a leak of 5 % makes +13 %
-    std::size_t transients = 3;     // settled transients before a link may be called off; ours
-    double stale_after_s = 600;     // estimates older than this take no part in cross-checks; ours
+    SearchSettings search = service_search(); ///< window 10, bias 400, 5 trials, population 120, 1 elite
+    std::size_t bits = 10;                    ///< of one compliance; the thesis does not print it
+    double gate_psi_per_s = 800;              ///< rms slope over the window below which an estimate is frozen; ours
+    std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder opened; ours
+    std::size_t median_over = 25;             ///< generations whose best individuals' median is the estimate; ours
+    double settled_within = 0.2;    ///< (greatest - least) / median of those, at which it counts as settled; ours
+    double doubled_at = 1.8;        ///< times the baseline; ours: a doubled compliance is found as 2.01 +- 4.5 %
+    double inconsistent_over = 0.3; ///< (greatest - least) / median between population sets; ours
+    double off_by = 0.12;           ///< |C / baseline - 1| of a link that is off; ours: a leak of 5 % makes +13 %
+    std::size_t transients = 3;     ///< settled transients before a link may be called off; ours
+    double stale_after_s = 600;     ///< estimates older than this take no part in cross-checks; ours
 
     /// The resolution of a compliance.
     double step_in3_per_psi() const;
-    /// Throws std::invalid_argument.
+    /// Throws UserError or std::invalid_argument, saying which setting is out of range and what would be right.
     void validate() const;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

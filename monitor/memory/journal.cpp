@@ -1,5 +1,7 @@
 #include "monitor/memory/journal.hpp"
 
+#include "text/user_error.hpp"
+
 #include <boost/crc.hpp>
 #include <fmt/format.h>
 
@@ -76,7 +78,7 @@ Journal::Journal(std::filesystem::path path) : path_(std::move(path)) {
         fail("cannot be opened");
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
         ::close(file_);
-        throw std::runtime_error(fmt::format("{}: another placedpar monitor is using it", path_.string()));
+        throw UserError(fmt::format("{}: another placedpar monitor is using it", path_.string()));
     }
     off_t end = ::lseek(file_, 0, SEEK_END);
     bytes_ = end > 0 ? static_cast<std::size_t>(end) : 0;

@@ -9,22 +9,24 @@
 
 namespace placedpar::monitor {
 
-/// What is left of a journal after whatever happened to its writer.
+/// What could be read of a journal, of which a kill or a loss of power may have damaged the end.
 struct JournalContent {
-    std::uint64_t epoch = 0;          // of the state file that the records come after
-    std::vector<std::string> records; // those before the first damage
-    std::size_t good_bytes = 0;       // from the start, whole records
-    std::size_t damaged_bytes = 0;    // after those: the torn last record of a killed writer, or worse
+    std::uint64_t epoch = 0;          ///< of the state file that the records come after
+    std::vector<std::string> records; ///< up to the first damage
+    std::size_t good_bytes = 0;       ///< whole records, from the start
+    std::size_t damaged_bytes = 0;    ///< the rest: the torn last record of a killed writer, or worse
 };
 
 /// An append-only file of records, a line each: CRC-32 in hexadecimal, a blank, the record. The first line
-/// names the epoch. A record is written by one system call before anything is answered, so that a kill of the
-/// program loses none that was answered and tears at most the last; a loss of power loses what was appended
-/// since the last sync(). One program at a time may have a journal open.
+/// names the epoch. One program at a time may have a journal open.
+///
+/// 1. A record is written by one system call before its message is answered: a kill of the program loses none that was
+///    answered, and tears at most the last.
+/// 2. A loss of power loses what was appended since the last sync().
 class Journal {
 public:
-    /// Opens or makes the file and takes its lock. Throws std::runtime_error naming the file and the reason,
-    /// also when another program has it.
+    /// Opens or makes the file and takes its lock. Throws std::runtime_error naming the file and the reason, a
+    /// UserError when another program has it.
     explicit Journal(std::filesystem::path path);
     ~Journal();
     Journal(const Journal&) = delete;

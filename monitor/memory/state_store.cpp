@@ -1,7 +1,8 @@
 #include "monitor/memory/state_store.hpp"
 
-#include "monitor/memory/machine_json.hpp"
+#include "monitor/memory/diagnosis_json.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -17,7 +18,7 @@
 
 namespace placedpar::monitor {
 
-using namespace hydraulics;
+using namespace identification;
 
 namespace fs = std::filesystem;
 namespace json = boost::json;
@@ -26,7 +27,7 @@ namespace {
 
 constexpr int file_version = 1;
 
-/// A whole state file, but not for this service.
+/// A whole state file, but one of another version or other settings.
 class OtherState : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -38,11 +39,11 @@ fs::path beside(const fs::path& path, const char* ending) {
     return other;
 }
 
-/// Before there is a journal beside it. Throws when it is there and no file.
+/// Throws, before a journal is made beside it, when the path is something other than a file.
 fs::path path_of_file(fs::path path) {
     if (fs::exists(path) && !fs::is_regular_file(path))
-        throw std::runtime_error(fmt::format("{}: it is {}, no state file; say the name of a file, there or not",
-                                             path.string(), fs::is_directory(path) ? "a folder" : "a device"));
+        throw UserError(fmt::format("{}: it is {}, no state file; say the name of a file, there or not", path.string(),
+                                    fs::is_directory(path) ? "a folder" : "a device"));
     return path;
 }
 
@@ -78,18 +79,18 @@ void sync_path(const fs::path& path) {
     ::close(file);
 }
 
-/// Settings that populations of the state file depend on, and those that the journal's messages do.
-std::string settings_text(const Machines& machines) {
-    const DiagnosisSettings& s = machines.settings();
-    return fmt::format("--seed {} --population {} --bits {} --window {} --trials {} --gate {}", machines.seed(),
+/// The settings that the populations of the state file, or the messages of the journal taken again, depend on.
+std::string settings_text(const Diagnoses& diagnoses) {
+    const DiagnosisSettings& s = diagnoses.settings();
+    return fmt::format("--seed {} --population {} --bits {} --window {} --trials {} --gate {}", diagnoses.seed(),
                        s.search.population, s.bits, s.search.window.length, s.search.window.trials, s.gate_psi_per_s);
 }
 
 /// Takes a record of the journal: the machine's name, a blank, the message.
-void take_again(Machines& machines, const std::string& record, const std::string& where) {
+void take_again(Diagnoses& diagnoses, const std::string& record, const std::string& where) {
     std::size_t blank = std::min(record.find(' '), record.size() - 1);
     try {
-        machines.replay(record.substr(0, blank), std::string_view(record).substr(blank + 1));
+        diagnoses.replay(record.substr(0, blank), std::string_view(record).substr(blank + 1));
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("{} cannot be taken again: {}", where, error.what()));
     }
@@ -99,37 +100,40 @@ void take_again(Machines& machines, const std::string& record, const std::string
 
 StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(beside(path_, ".journal")) {}
 
-std::string StateStore::restore(Machines& machines) {
-    read_state_file(machines);
+std::string StateStore::restore(Diagnoses& diagnoses) {
+    read_state_file(diagnoses);
     std::string said;
-    read_journal(machines, said);
-    if (!machines.all().empty())
-        said = fmt::format("{}: {} machine{} restored{}", path_.string(), machines.all().size(),
-                           machines.all().size() == 1 ? "" : "s", said);
-    write(machines);
+    read_journal(diagnoses, said);
+    if (!diagnoses.all().empty())
+        said = fmt::format("{}: {} machine{} restored{}", path_.string(), diagnoses.all().size(),
+                           diagnoses.all().size() == 1 ? "" : "s", said);
+    write(diagnoses);
     return said;
 }
 
-void StateStore::read_state_file(Machines& machines) {
+void StateStore::take_state(const json::value& state, Diagnoses& diagnoses) {
+    if (state.at("placedpar_monitor_state").to_number<int>() != file_version)
+        throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
+    if (std::string was(state.at("settings").as_string()); was != settings_text(diagnoses))
+        throw OtherState(fmt::format("it was written with {}, this is {}; say the same, or another file", was,
+                                     settings_text(diagnoses)));
+    epoch_ = state.at("epoch").to_number<std::uint64_t>();
+    for (const json::value& diagnosis : state.at("machines").as_array())
+        diagnoses.add(state_from(diagnosis, diagnoses.settings()));
+}
+
+void StateStore::read_state_file(Diagnoses& diagnoses) {
     if (!fs::exists(path_))
         return;
     auto refuse = [&](const std::string& why) {
-        throw std::runtime_error(fmt::format("{}: this state file cannot be used: {}", path_.string(), why));
+        throw UserError(fmt::format("{}: this state file cannot be used: {}", path_.string(), why));
     };
     auto damaged = [&](const std::string& why) {
         refuse(fmt::format("{}; put a whole one there, or move it and {}.journal away and begin with nothing known",
                            why, path_.string()));
     };
     try {
-        json::value value = parsed(text_of_file(path_));
-        if (value.at("placedpar_monitor_state").to_number<int>() != file_version)
-            throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
-        if (std::string was(value.at("settings").as_string()); was != settings_text(machines))
-            throw OtherState(fmt::format("it was written with {}, this is {}; say the same, or another file", was,
-                                         settings_text(machines)));
-        epoch_ = value.at("epoch").to_number<std::uint64_t>();
-        for (const json::value& machine : value.at("machines").as_array())
-            machines.add(state_from(machine, machines.settings()));
+        take_state(parsed(text_of_file(path_)), diagnoses);
     } catch (const OtherState& other) {
         refuse(other.what());
     } catch (const boost::system::system_error& error) {
@@ -141,17 +145,16 @@ void StateStore::read_state_file(Machines& machines) {
     }
 }
 
-void StateStore::read_journal(Machines& machines, std::string& said) {
+void StateStore::read_journal(Diagnoses& diagnoses, std::string& said) {
     fs::path path = beside(path_, ".journal");
     JournalContent content = journal_.read();
     if (content.epoch > epoch_)
-        throw std::runtime_error(
-            fmt::format("{}: it goes on from a later state file (epoch {}) than {} (epoch {}); put "
-                        "that file back, or move the journal away",
-                        path.string(), content.epoch, path_.string(), epoch_));
+        throw UserError(fmt::format("{}: it goes on from a later state file (epoch {}) than {} (epoch {}); put "
+                                    "that file back, or move the journal away",
+                                    path.string(), content.epoch, path_.string(), epoch_));
     if (content.epoch == epoch_ && !content.records.empty()) {
         for (std::size_t i = 0; i < content.records.size(); ++i)
-            take_again(machines, content.records[i], fmt::format("{}: record {}", path.string(), i + 1));
+            take_again(diagnoses, content.records[i], fmt::format("{}: record {}", path.string(), i + 1));
         said += fmt::format(", {} messages taken again", content.records.size());
     }
     if (content.damaged_bytes > 0) {
@@ -170,12 +173,12 @@ void StateStore::record(const std::string& machine, std::string_view message, st
     generations_ += generations;
 }
 
-void StateStore::write(const Machines& machines) {
+void StateStore::write(const Diagnoses& diagnoses) {
     json::array all;
-    for (const auto& [name, machine] : machines.all())
-        all.push_back(state_json(machine.state()));
+    for (const auto& [name, diagnosis] : diagnoses.all())
+        all.push_back(state_json(diagnosis.state()));
     json::object state{{"placedpar_monitor_state", file_version},
-                       {"settings", settings_text(machines)},
+                       {"settings", settings_text(diagnoses)},
                        {"epoch", epoch_ + 1},
                        {"machines", std::move(all)}};
     // On the disk before it takes the old one's name: with a loss of power, one of the two is there, whole.

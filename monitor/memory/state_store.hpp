@@ -1,7 +1,9 @@
 #pragma once
 
+#include "monitor/memory/diagnoses.hpp"
 #include "monitor/memory/journal.hpp"
-#include "monitor/memory/machines.hpp"
+
+#include <boost/json.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -11,47 +13,49 @@
 namespace placedpar::monitor {
 
 /// Keeps what is known of all machines over a restart: the state file, written whole, and beside it a journal
-/// (FILE.journal) of the messages taken since, as they came. The diagnosis is a function of its messages, so
-/// that taking those of the journal again gives the state at the last of them to the bit.
+/// (FILE.journal) of the messages taken since, as they came.
 ///
-/// Writing the state file whole begins a new epoch; a journal of an older epoch is already in the state file,
-/// so that a kill between the two steps loses and repeats nothing.
+/// 1. A diagnosis is a function of its messages: taking the journal's again gives the same state to the bit.
+/// 2. Writing the state file begins a new epoch. A journal of an older epoch is already in the state file and is not
+///    read, so that a kill between the two steps loses and repeats nothing.
 class StateStore {
 public:
-    /// Journals longer than either are written into the state file: what a restart has to do again.
+    /// A journal longer than either goes into the state file: a restart would have to do it all again.
     static constexpr std::size_t most_journal_bytes = 8u << 20;
-    static constexpr std::uint64_t most_generations = 20000; // one to five seconds of work
+    static constexpr std::uint64_t most_generations = 20000; ///< one to five seconds of work
 
-    /// Takes the lock. Throws std::runtime_error.
+    /// Takes the lock. Throws UserError when the path is no file or another program has it, std::runtime_error when it
+    /// cannot be opened.
     explicit StateStore(std::filesystem::path path);
 
     /// Reads what there is, and writes it as a new epoch. Gives a sentence for people, empty when there was nothing.
-    /// Throws std::runtime_error naming the file when it is no state file, or of other settings than the machines'.
-    std::string restore(Machines& machines);
+    /// Throws UserError naming the file when it is no state file, or was written with other settings.
+    std::string restore(Diagnoses& diagnoses);
 
-    /// Before the message is answered. `generations` is what it cost. Throws std::runtime_error when it cannot be
-    /// appended. From then on it does nothing, since what came would come behind a hole, until write() has succeeded.
+    /// To be called before the message is answered. `generations` is what it cost. Throws std::runtime_error when it
+    /// cannot be appended. From then on, until write() has succeeded, does nothing: the journal has a hole.
     void record(const std::string& machine, std::string_view message, std::size_t generations);
-    /// The journal lost something on its way to the disk, as if a message of it had not been appended.
+    /// The journal has lost something on its way to the disk: it has a hole, as if a message had not been appended.
     void journal_failed() { complete_ = false; }
-    /// A restart would give all that has been recorded.
+    /// Would a restart give all that has been recorded?
     bool complete() const { return complete_; }
-    /// It is time to write(): the journal is long, or has a hole.
+    /// Is it time to write()? The journal is long, or has a hole.
     bool due() const { return !complete_ || journal_.bytes() > most_journal_bytes || generations_ > most_generations; }
-    /// The state file, whole, on the disk; the journal empty. Throws std::runtime_error; then the state file and the
-    /// journal are those before it, or the state file is the new one.
-    void write(const Machines& machines);
+    /// Brings the whole state file to the disk and empties the journal. Throws std::runtime_error; then state file and
+    /// journal are as before, or the state file is the new one.
+    void write(const Diagnoses& diagnoses);
     /// The journal to the disk; safe from another thread.
     void sync() const { journal_.sync(); }
 
 private:
-    void read_state_file(Machines& machines);
-    void read_journal(Machines& machines, std::string& said);
+    void read_state_file(Diagnoses& diagnoses);
+    void take_state(const boost::json::value& state, Diagnoses& diagnoses);
+    void read_journal(Diagnoses& diagnoses, std::string& said);
 
     std::filesystem::path path_;
     Journal journal_;
     std::uint64_t epoch_ = 0;
-    std::uint64_t generations_ = 0; // in the journal
+    std::uint64_t generations_ = 0; ///< in the journal
     bool complete_ = true;
 };
 

@@ -1,5 +1,7 @@
 #include "monitor/protocol/answers.hpp"
 
+#include "monitor/protocol/message.hpp"
+
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 namespace placedpar::monitor {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace json = boost::json;
 
@@ -75,13 +78,13 @@ json::array set_names(const std::vector<LinkSet>& sets) {
     return array;
 }
 
-json::value configuration_json(const Machine& machine) {
-    if (!machine.configuration())
+json::value configuration_json(const Diagnosis& diagnosis) {
+    if (!diagnosis.configuration())
         return nullptr;
-    return json::value(std::string(1, name_of(*machine.configuration())));
+    return json::value(std::string(1, name_of(*diagnosis.configuration())));
 }
 
-json::array flags(const Estimate& estimate, bool inconsistent, const DiagnosisSettings& settings) {
+json::array flags(const LinkEstimate& estimate, bool inconsistent, const DiagnosisSettings& settings) {
     json::array flags;
     double step = settings.step_in3_per_psi();
     if (!estimate.excited())
@@ -99,10 +102,10 @@ json::array flags(const Estimate& estimate, bool inconsistent, const DiagnosisSe
     return flags;
 }
 
-json::object estimate_json(const Machine& machine, hydraulics::Link link, const Estimate& estimate,
+json::object estimate_json(const Diagnosis& diagnosis, hydraulics::Link link, const LinkEstimate& estimate,
                            const DiagnosisSettings& settings) {
     bool inconsistent =
-        std::ranges::find(machine.alarms(), Alarm{AlarmKind::inconsistent, {link}, ""}) != machine.alarms().end();
+        std::ranges::find(diagnosis.alarms(), Alarm{AlarmKind::inconsistent, {link}, ""}) != diagnosis.alarms().end();
     return {{"compliance_in3_per_psi", number(estimate.compliance_in3_per_psi())},
             {"settled_in3_per_psi", number(estimate.settled_in3_per_psi())},
             {"excitation_psi_per_s", rounded(estimate.state().excitation_psi_per_s)},
@@ -110,11 +113,11 @@ json::object estimate_json(const Machine& machine, hydraulics::Link link, const 
             {"flags", flags(estimate, inconsistent, settings)}};
 }
 
-json::object set_json(const Machine& machine, const PopulationSet& set, const DiagnosisSettings& settings) {
+json::object set_json(const Diagnosis& diagnosis, const PopulationSet& set, const DiagnosisSettings& settings) {
     json::object links;
     std::vector<hydraulics::Link> order = links_of(set.links());
     for (std::size_t i = 0; i < order.size(); ++i)
-        links[symbol_of(order[i])] = estimate_json(machine, order[i], set.state().estimates[i], settings);
+        links[symbol_of(order[i])] = estimate_json(diagnosis, order[i], set.state().estimates[i], settings);
     return {{"window", set.state().window.size()}, {"generations", set.state().generations}, {"links", links}};
 }
 
@@ -137,87 +140,87 @@ json::object alarm_json(const Alarm& alarm) {
 
 } // namespace
 
-std::string welcome_line(const Machine& machine, std::uint64_t seed) {
+std::string welcome_line(const Diagnosis& diagnosis, std::uint64_t seed) {
     return line({{"type", "welcome"},
                  {"version", protocol_version},
-                 {"machine", machine.name()},
+                 {"machine", diagnosis.name()},
                  {"seed", seed},
-                 {"samples", machine.samples()},
-                 {"time_s", time_json(machine.time_s())},
-                 {"configuration", configuration_json(machine)},
-                 {"active", symbols(machine.active())}});
+                 {"samples", diagnosis.samples()},
+                 {"time_s", time_json(diagnosis.time_s())},
+                 {"configuration", configuration_json(diagnosis)},
+                 {"active", symbols(diagnosis.active())}});
 }
 
-std::string configured_line(const Machine& machine) {
+std::string configured_line(const Diagnosis& diagnosis) {
     return line({{"type", "configured"},
-                 {"machine", machine.name()},
-                 {"configuration", configuration_json(machine)},
-                 {"active", symbols(machine.active())},
-                 {"sets", set_names(machine.sets_in_use())}});
+                 {"machine", diagnosis.name()},
+                 {"configuration", configuration_json(diagnosis)},
+                 {"active", symbols(diagnosis.active())},
+                 {"sets", set_names(diagnosis.sets_in_use())}});
 }
 
-std::string estimates_line(const Machine& machine, const SampleOutcome& outcome, const DiagnosisSettings& settings) {
+std::string estimates_line(const Diagnosis& diagnosis, const SampleOutcome& outcome,
+                           const DiagnosisSettings& settings) {
     json::object sets;
-    for (LinkSet set : machine.sets_in_use())
-        if (auto found = machine.sets().find(set); found != machine.sets().end())
-            sets[name_of_set(set)] = set_json(machine, found->second, settings);
+    for (LinkSet set : diagnosis.sets_in_use())
+        if (auto found = diagnosis.sets().find(set); found != diagnosis.sets().end())
+            sets[name_of_set(set)] = set_json(diagnosis, found->second, settings);
     return line({{"type", "estimates"},
-                 {"machine", machine.name()},
-                 {"samples", machine.samples()},
-                 {"time_s", time_json(machine.time_s())},
+                 {"machine", diagnosis.name()},
+                 {"samples", diagnosis.samples()},
+                 {"time_s", time_json(diagnosis.time_s())},
                  {"generations", outcome.generations},
                  {"window_restarted", outcome.window_restarted},
                  {"sets", std::move(sets)}});
 }
 
-std::string alarm_line(const Machine& machine, const Alarm& alarm, bool raised) {
+std::string alarm_line(const Diagnosis& diagnosis, const Alarm& alarm, bool raised) {
     json::object object{{"type", "alarm"},
-                        {"machine", machine.name()},
-                        {"time_s", time_json(machine.time_s())},
+                        {"machine", diagnosis.name()},
+                        {"time_s", time_json(diagnosis.time_s())},
                         {"state", raised ? "raised" : "cleared"}};
     for (const auto& field : alarm_json(alarm))
         object[field.key()] = field.value();
     return line(object);
 }
 
-std::string status_line(const Machine& machine, const DiagnosisSettings& settings) {
+std::string status_line(const Diagnosis& diagnosis, const DiagnosisSettings& settings) {
     json::object sets, links;
     for (LinkSet set : all_population_sets())
-        if (auto found = machine.sets().find(set); found != machine.sets().end())
-            sets[name_of_set(set)] = set_json(machine, found->second, settings);
+        if (auto found = diagnosis.sets().find(set); found != diagnosis.sets().end())
+            sets[name_of_set(set)] = set_json(diagnosis, found->second, settings);
     for (hydraulics::Link link : all_links)
-        links[symbol_of(link)] = check_json(machine.check(link));
+        links[symbol_of(link)] = check_json(diagnosis.check(link));
     json::array alarms;
-    for (const Alarm& alarm : machine.alarms())
+    for (const Alarm& alarm : diagnosis.alarms())
         alarms.push_back(alarm_json(alarm));
     return line({{"type", "status"},
-                 {"machine", machine.name()},
-                 {"configuration", configuration_json(machine)},
-                 {"active", symbols(machine.active())},
-                 {"samples", machine.samples()},
-                 {"time_s", time_json(machine.time_s())},
-                 {"sets_in_use", set_names(machine.sets_in_use())},
+                 {"machine", diagnosis.name()},
+                 {"configuration", configuration_json(diagnosis)},
+                 {"active", symbols(diagnosis.active())},
+                 {"samples", diagnosis.samples()},
+                 {"time_s", time_json(diagnosis.time_s())},
+                 {"sets_in_use", set_names(diagnosis.sets_in_use())},
                  {"sets", std::move(sets)},
                  {"links", std::move(links)},
                  {"alarms", std::move(alarms)}});
 }
 
-std::string load_line(const LoadMeter& meter, std::size_t clients, std::size_t machines, std::size_t queued_bytes) {
-    LoadMeter::Rates rates = meter.rates();
+std::string load_line(const Load& load) {
     return line({{"type", "load"},
-                 {"over_s", rounded(rates.over_s)},
-                 {"samples_per_s", rounded(rates.samples_per_s)},
-                 {"generations_per_s", rounded(rates.generations_per_s)},
-                 {"work_of_core", rounded(rates.work_of_core)},
-                 {"cpu_of_core", rounded(rates.cpu_of_core)},
-                 {"clients", clients},
-                 {"machines", machines},
-                 {"queued_bytes", queued_bytes},
-                 {"samples", meter.samples()},
-                 {"generations", meter.generations()},
-                 {"work_s", rounded(meter.work_s())},
-                 {"cpu_s", rounded(meter.cpu_s())},
-                 {"uptime_s", rounded(meter.uptime_s())}});
+                 {"over_s", rounded(load.rates.over_s)},
+                 {"samples_per_s", rounded(load.rates.samples_per_s)},
+                 {"generations_per_s", rounded(load.rates.generations_per_s)},
+                 {"work_of_core", rounded(load.rates.work_of_core)},
+                 {"cpu_of_core", rounded(load.rates.cpu_of_core)},
+                 {"clients", load.clients},
+                 {"machines", load.machines},
+                 {"queued_bytes", load.queued_bytes},
+                 {"samples", load.samples},
+                 {"generations", load.generations},
+                 {"work_s", rounded(load.work_s)},
+                 {"cpu_s", rounded(load.cpu_s)},
+                 {"uptime_s", rounded(load.uptime_s)}});
 }
 
 std::string error_line(std::size_t number_of_line, const BadMessage& error) {

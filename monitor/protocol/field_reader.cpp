@@ -1,6 +1,6 @@
 #include "monitor/protocol/field_reader.hpp"
 
-#include "monitor/protocol/message.hpp"
+#include "monitor/protocol/bad_message.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -10,15 +10,13 @@
 
 namespace placedpar::monitor {
 
-using namespace hydraulics;
-
 namespace {
 
 std::string in_words(const Range& range) {
     return fmt::format("a number from {} to {}{}{}", range.least, range.greatest, *range.unit ? " " : "", range.unit);
 }
 
-/// What stands there, short enough for a message.
+/// The value as JSON, cut short for a message.
 std::string quote(const boost::json::value& value) {
     std::string text = boost::json::serialize(value);
     return text.size() <= 40 ? text : text.substr(0, 37) + "...";

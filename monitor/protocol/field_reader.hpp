@@ -9,14 +9,14 @@
 
 namespace placedpar::monitor {
 
-/// A range that a number has to be in, ends included.
+/// The range of a number, ends included.
 struct Range {
     double least, greatest;
-    const char* unit; // may be ""
+    const char* unit; ///< may be ""
 };
 
-/// Reads the fields of a JSON object and remembers which were asked for, so that what is left over, most likely
-/// misspelt, can be refused. Every function throws BadMessage naming the field by its path.
+/// Reads the fields of a JSON object and remembers which it was asked for: finish() refuses any other field, which is
+/// most likely misspelt. Every function throws BadMessage naming the field by its path.
 class FieldReader {
 public:
     FieldReader(const boost::json::object& object, std::string path) : object_(object), path_(std::move(path)) {}
@@ -33,7 +33,7 @@ public:
 
     /// All names, in the order of the line.
     std::vector<std::string> names() const;
-    /// Throws when a field was never asked for.
+    /// Throws when the object has a field that was never asked for.
     void finish() const;
     /// The path of a field.
     std::string path_of(std::string_view name) const;

@@ -1,6 +1,5 @@
 #include "monitor/protocol/message.hpp"
 
-#include "hydraulics/circuit/link_calibration.hpp"
 #include "monitor/protocol/field_reader.hpp"
 #include "monitor/protocol/repeated_field.hpp"
 
@@ -13,23 +12,7 @@
 namespace placedpar::monitor {
 
 using namespace hydraulics;
-
-PerLink<LinkParameters> default_link_parameters() {
-    LinkCalibrations calibrations = link_calibrations(Parameters::excavator());
-    PerLink<LinkParameters> parameters;
-    for (hydraulics::Link link : all_links) {
-        const LinkCalibration& calibration = calibrations[index_of(link)];
-        parameters[index_of(link)] = {calibration.piston_in3_per_rad, calibration.spool_lag_per_s};
-    }
-    return parameters;
-}
-
-bool operator==(const MachineParameters& a, const MachineParameters& b) {
-    auto numbers = [](const FlowConstants& flow) {
-        return std::array{flow.orifice_in3_per_s_in2_sqrt_psi, flow.pump_in3_per_s, flow.tank_psi, flow.relief_psi};
-    };
-    return a.period_s == b.period_s && numbers(a.flow) == numbers(b.flow) && a.links == b.links;
-}
+using namespace identification;
 
 namespace {
 
@@ -44,7 +27,7 @@ hydraulics::Link link_of(const std::string& name, const std::string& path) {
     throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
 }
 
-/// Gives `read` each link of the object in field "links", with the reader of that and the name used there.
+/// Calls read(link, reader of the object "links", the link's name in it) for each link of the object.
 template <typename Read>
 void for_each_link(FieldReader& message, Read read) {
     FieldReader links = message.object("links");
@@ -80,12 +63,12 @@ std::string machine_name(FieldReader& fields) {
     return name;
 }
 
-MachineParameters machine_parameters(FieldReader& fields) {
-    MachineParameters parameters;
+ExcavatorParameters machine_parameters(FieldReader& fields) {
+    ExcavatorParameters parameters;
     parameters.period_s = fields.number_or("period_s", periods, parameters.period_s);
     if (fields.has("flow")) {
         FieldReader flow = fields.object("flow");
-        // One without the others would be no fit of anything: k, Q and P_e belong together.
+        // All three or none: k, Q and P_e were fitted together.
         parameters.flow = {flow.number("orifice_in3_per_s_in2_sqrt_psi", {1, 1000, ""}),
                            flow.number("pump_in3_per_s", {1, 10000, "in^3/s"}),
                            flow.number("tank_psi", {-20, 500, "psi"}), parameters.flow.relief_psi};
@@ -133,7 +116,7 @@ Message configuration(FieldReader& fields) {
 }
 
 Reading reading(FieldReader& fields) {
-    Reading reading{fields.number("inlet_psi", pressures), fields.number("angle_deg", angles), SpoolReading{0}};
+    Reading reading{fields.number("inlet_psi", pressures), fields.number("angle_deg", angles), SpoolPosition{0}};
     bool spool = fields.has("spool_in"), servo = fields.has("servo_V"), inlet = fields.has("inlet_in2"),
          bypass = fields.has("bypass_in2");
     if (spool + servo + (inlet || bypass) != 1)
@@ -142,16 +125,16 @@ Reading reading(FieldReader& fields) {
                                                                 : "the valve is described twice",
                          "one of spool_in, servo_V, or inlet_in2 with bypass_in2");
     if (spool)
-        reading.valve = SpoolReading{fields.number("spool_in", spools)};
+        reading.valve = SpoolPosition{fields.number("spool_in", spools)};
     else if (servo)
-        reading.valve = ServoReading{fields.number("servo_V", voltages)};
+        reading.valve = ServoVoltage{fields.number("servo_V", voltages)};
     else
-        reading.valve = AreaReading{fields.number("inlet_in2", areas), fields.number("bypass_in2", areas)};
+        reading.valve = ValveAreas{fields.number("inlet_in2", areas), fields.number("bypass_in2", areas)};
     return reading;
 }
 
 Message sample(FieldReader& fields) {
-    SampleMessage sample{fields.number("time_s", times), {}};
+    ExcavatorSample sample{fields.number("time_s", times), {}};
     for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
         FieldReader of_link = links.object(name);
         sample.links[index_of(link)] = reading(of_link);
@@ -161,7 +144,7 @@ Message sample(FieldReader& fields) {
 }
 
 Message baseline(FieldReader& fields) {
-    BaselineMessage baseline;
+    Baseline baseline;
     for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
         baseline.compliance_in3_per_psi[index_of(link)] = links.number(name, compliances);
     });

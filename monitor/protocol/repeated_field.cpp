@@ -13,7 +13,7 @@ namespace {
 
 namespace json = boost::json;
 
-/// What boost::json::basic_parser tells of a text; only keys are of interest.
+/// A handler of boost::json::basic_parser that looks at keys only.
 class Keys {
 public:
     static constexpr std::size_t max_object_size = SIZE_MAX, max_array_size = SIZE_MAX, max_key_size = SIZE_MAX,
@@ -21,7 +21,7 @@ public:
     using Error = json::error_code;
     using Text = json::string_view;
 
-    std::string repeated; // its path
+    std::string repeated; ///< its path
 
     bool on_object_begin(Error&) {
         objects_.emplace_back();
@@ -67,8 +67,8 @@ private:
         std::set<std::string> seen;
     };
 
-    std::vector<Object> objects_; // the outermost first
-    std::string key_;             // as far as it has come
+    std::vector<Object> objects_; ///< the outermost first
+    std::string key_;             ///< its parts so far
 };
 
 } // namespace

@@ -63,7 +63,7 @@ void Connection::next_line() {
     else if (end != std::string::npos)
         hand_on(end);
     else if (ended_)
-        finish(); // what is left of half a line is nobody's message
+        finish(); // half a line is no message
     else {
         searched_ = input_.size();
         read();
@@ -89,9 +89,8 @@ void Connection::send(std::string_view line) {
     if (queued_bytes() + line.size() > limits_.queue_bytes) {
         std::size_t lost = waiting_.size() + line.size();
         waiting_.clear(); // what is being written ends with a whole line
-        refuse(
-            fmt::format("too slow a reader: {} bytes were waiting, {} of them are lost", queued_bytes() + lost, lost),
-            "to read as fast as is asked for, or \"answers\":\"moved\"");
+        refuse(fmt::format("client reads too slowly: {} bytes were queued, {} dropped", queued_bytes() + lost, lost),
+               "to read as fast as answers are asked for, or \"answers\":\"moved\"");
         return;
     }
     waiting_ += line;

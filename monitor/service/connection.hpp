@@ -16,9 +16,10 @@ namespace placedpar::monitor {
 
 /// One client's connection: lines come in, lines go out, both bounded.
 ///
-/// Bytes are read only while no whole line is waiting and little is waiting to be sent, so that a flood is held
-/// back by TCP and memory stays below line_bytes + queue_bytes and a read. One line is handed on a turn of the
-/// event loop, so that nobody is kept waiting by another's flood. All in the loop's one thread.
+/// 1. Bytes are read only while no whole line is waiting and little is waiting to be sent: TCP holds a flood back, and
+///    memory stays below line_bytes + queue_bytes and one read.
+/// 2. One line is handed on per turn of the event loop: no client has to wait for another's flood.
+/// 3. All functions are called from the loop's one thread.
 class Connection : public std::enable_shared_from_this<Connection> {
 public:
     using Socket = boost::asio::ip::tcp::socket;
@@ -27,7 +28,7 @@ public:
     struct Handlers {
         /// A line without its newline. May send and finish.
         std::function<void(Connection&, std::string_view)> line;
-        /// The client would be told this sentence; it will be closed. To put it in the protocol's words.
+        /// Puts why the connection will be closed into the protocol's words.
         std::function<std::string(const std::string& wrong, const std::string& right)> refusal;
         /// No handler is called any more.
         std::function<void(Connection&)> closed;
@@ -40,12 +41,12 @@ public:
     void send(std::string_view line);
     /// Sends what is waiting and closes; what still comes in is thrown away.
     void finish();
-    /// Checks what has taken too long.
+    /// Closes the connection if something has taken too long. To be called a few times a second.
     void tick(Clock::time_point now);
     /// It has said what it is: the limit of hello_s is over.
     void greeted() { greeted_ = true; }
 
-    /// It takes part in nothing any more.
+    /// It takes no more lines, and sends no more.
     bool finishing() const { return finishing_ || closed_; }
     std::size_t lines() const { return lines_; }
     std::size_t queued_bytes() const { return waiting_.size() + writing_.size(); }
@@ -65,15 +66,15 @@ private:
     const ServiceLimits& limits_;
     Handlers handlers_;
     std::array<char, 16384> chunk_;
-    std::string input_;        // not yet handed on
-    std::size_t searched_ = 0; // of input_, without a newline
+    std::string input_;        ///< not yet handed on
+    std::size_t searched_ = 0; ///< of input_, without a newline
     std::string waiting_, writing_;
-    std::size_t written_ = 0; // of writing_
+    std::size_t written_ = 0; ///< of writing_
     std::size_t lines_ = 0;
     bool greeted_ = false;
     bool reading_ = false;
-    bool held_back_ = false; // until its client reads
-    bool ended_ = false;     // the client sends no more
+    bool held_back_ = false; ///< until its client reads
+    bool ended_ = false;     ///< the client sends no more
     bool finishing_ = false;
     bool closed_ = false;
     Clock::time_point opened_, last_line_, line_begun_, last_written_, finishing_since_;

@@ -10,11 +10,11 @@
 
 namespace placedpar::monitor {
 
-using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
-/// A state file that is due is not written more often: on a full disk, and under more load than any machine makes.
+/// The state file is written no more often than this, even if it is due: on a full disk, or under extreme load.
 constexpr std::chrono::seconds between_writes{1};
 
 } // namespace
@@ -38,29 +38,31 @@ void Dispatcher::take(Client& client, std::string_view line) {
         std::visit([&](const auto& each) { answer(client, each, line); }, message);
     } catch (const BadMessage& bad) {
         client.send(error_line(client.lines(), bad));
+    } catch (const RefusedSample& refused) {
+        client.send(error_line(client.lines(), BadMessage(refused)));
     }
     meter_.count_work(LoadMeter::Clock::now() - begin);
 }
 
-Machine& Dispatcher::machine_of(Client& client) const {
+Diagnosis& Dispatcher::diagnosis_of(Client& client) const {
     if (!client.hello)
         throw BadMessage("type", "no hello yet", "first {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}");
-    return machines_.named(client.hello->machine);
+    return diagnoses_.named(client.hello->machine);
 }
 
-Machine& Dispatcher::controlled_by(Client& client) const {
-    Machine& machine = machine_of(client);
+Diagnosis& Dispatcher::controlled_by(Client& client) const {
+    Diagnosis& diagnosis = diagnosis_of(client);
     if (client.hello->role != Role::control)
         throw BadMessage("type", "a watcher may ask, not tell",
                          "status, load, ping or bye; \"role\":\"control\" in hello");
-    return machine;
+    return diagnosis;
 }
 
 void Dispatcher::answer(Client& client, const Hello& hello, std::string_view line) {
     if (client.hello)
         throw BadMessage("type", fmt::format("this connection is about \"{}\" already", client.hello->machine),
                          "another connection");
-    Machine& machine = machines_.greet(hello);
+    Diagnosis& diagnosis = diagnoses_.greet(hello);
     client.hello = hello;
     client.greeted();
     of_machine_[hello.machine].insert(&client);
@@ -72,37 +74,37 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view lin
             other->finish();
         }
     }
-    client.send(welcome_line(machine, machines_.seed()));
+    client.send(welcome_line(diagnosis, diagnoses_.seed()));
 }
 
 void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
-    Machine& machine = controlled_by(client);
-    machine.change(change);
-    record(machine.name(), line, 0);
-    tell_watchers(machine.name(), configured_line(machine), [](const Hello&) { return true; });
+    Diagnosis& diagnosis = controlled_by(client);
+    diagnosis.change(change);
+    record(diagnosis.name(), line, 0);
+    tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
 }
 
-void Dispatcher::answer(Client& client, const SampleMessage& sample, std::string_view line) {
-    Machine& machine = controlled_by(client);
-    SampleOutcome outcome = machine.take(sample);
+void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::string_view line) {
+    Diagnosis& diagnosis = controlled_by(client);
+    SampleOutcome outcome = diagnosis.take(sample);
     meter_.count_sample(outcome.generations);
-    record(machine.name(), line, outcome.generations);
-    tell_watchers(machine.name(), estimates_line(machine, outcome, machines_.settings()), [&](const Hello& hello) {
+    record(diagnosis.name(), line, outcome.generations);
+    tell_watchers(diagnosis.name(), estimates_line(diagnosis, outcome, diagnoses_.settings()), [&](const Hello& hello) {
         return hello.answers == Answers::all || (hello.answers == Answers::moved && outcome.generations > 0);
     });
-    tell_alarms(machine, outcome);
+    tell_alarms(diagnosis, outcome);
 }
 
-void Dispatcher::answer(Client& client, const BaselineMessage& baseline, std::string_view line) {
-    Machine& machine = controlled_by(client);
-    SampleOutcome outcome = machine.set_baseline(baseline);
-    record(machine.name(), line, 0);
-    client.send(status_line(machine, machines_.settings()));
-    tell_alarms(machine, outcome);
+void Dispatcher::answer(Client& client, const Baseline& baseline, std::string_view line) {
+    Diagnosis& diagnosis = controlled_by(client);
+    SampleOutcome outcome = diagnosis.set_baseline(baseline);
+    record(diagnosis.name(), line, 0);
+    client.send(status_line(diagnosis, diagnoses_.settings()));
+    tell_alarms(diagnosis, outcome);
 }
 
 void Dispatcher::answer(Client& client, const StatusRequest&, std::string_view) {
-    client.send(status_line(machine_of(client), machines_.settings()));
+    client.send(status_line(diagnosis_of(client), diagnoses_.settings()));
 }
 
 void Dispatcher::answer(Client& client, const LoadRequest&, std::string_view) {
@@ -127,12 +129,12 @@ void Dispatcher::tell_watchers(const std::string& machine, std::string_view line
             client->send(line);
 }
 
-void Dispatcher::tell_alarms(const Machine& machine, const SampleOutcome& outcome) {
+void Dispatcher::tell_alarms(const Diagnosis& diagnosis, const SampleOutcome& outcome) {
     auto everybody = [](const Hello&) { return true; };
     for (const Alarm& alarm : outcome.raised)
-        tell_watchers(machine.name(), alarm_line(machine, alarm, true), everybody);
+        tell_watchers(diagnosis.name(), alarm_line(diagnosis, alarm, true), everybody);
     for (const Alarm& alarm : outcome.cleared)
-        tell_watchers(machine.name(), alarm_line(machine, alarm, false), everybody);
+        tell_watchers(diagnosis.name(), alarm_line(diagnosis, alarm, false), everybody);
 }
 
 void Dispatcher::record(const std::string& machine, std::string_view line, std::size_t generations) {
@@ -157,7 +159,7 @@ void Dispatcher::write_state() {
         return;
     last_write_ = now;
     try {
-        store_->write(machines_);
+        store_->write(diagnoses_);
         note_keeping("");
     } catch (const std::exception& error) {
         note_keeping(error.what());
@@ -182,10 +184,12 @@ std::size_t Dispatcher::clients() const {
 }
 
 std::string Dispatcher::load() const {
-    std::size_t queued = 0;
+    Load load = meter_.load();
+    load.clients = clients();
+    load.machines = diagnoses_.all().size();
     for (const Client* client : clients_)
-        queued += client->queued_bytes();
-    return load_line(meter_, clients(), machines_.all().size(), queued);
+        load.queued_bytes += client->queued_bytes();
+    return load_line(load);
 }
 
 void Dispatcher::tick() {

@@ -4,17 +4,17 @@
 
 namespace placedpar::monitor {
 
-/// What the service puts up with; all ours.
+/// What the service tolerates; all ours.
 struct ServiceLimits {
     std::size_t clients = 256;
     std::size_t machines = 1000;
-    std::size_t line_bytes = 64u << 10; // of one message
-    std::size_t queue_bytes = 1u << 20; // waiting to be sent to one client
-    double hello_s = 10;                // from the connection to the first hello, load or ping
-    double line_s = 10;                 // from the first to the last byte of a line
-    double idle_s = 300;                // without a line
-    double stall_s = 10;                // without the client reading anything
-    double closing_s = 1;               // for a client to read the last message
+    std::size_t line_bytes = 64u << 10; ///< of one message
+    std::size_t queue_bytes = 1u << 20; ///< waiting to be sent to one client
+    double hello_s = 10;                ///< from the connection to the first hello, load or ping
+    double line_s = 10;                 ///< from the first to the last byte of a line
+    double idle_s = 300;                ///< without a line
+    double stall_s = 10;                ///< without the client reading anything
+    double closing_s = 1;               ///< for a client to read the last message
 };
 
 } // namespace placedpar::monitor

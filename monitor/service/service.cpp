@@ -2,6 +2,7 @@
 
 #include "monitor/protocol/answers.hpp"
 #include "monitor/service/connection.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -16,13 +17,10 @@
 #include <csignal>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace placedpar::monitor {
-
-using namespace hydraulics;
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -36,8 +34,7 @@ tcp::acceptor listen(asio::io_context& io, const std::string& address, std::uint
     error_code error;
     asio::ip::address parsed = asio::ip::make_address(address, error);
     if (error)
-        throw std::runtime_error(
-            fmt::format("--address {}: it is no address, expected one such as 127.0.0.1 or ::1", address));
+        throw UserError(fmt::format("--address {}: it is no address, expected one such as 127.0.0.1 or ::1", address));
     tcp::acceptor acceptor(io);
     acceptor.open(tcp::endpoint(parsed, port).protocol());
     acceptor.set_option(tcp::acceptor::reuse_address(true));
@@ -45,8 +42,8 @@ tcp::acceptor listen(asio::io_context& io, const std::string& address, std::uint
     if (!error)
         acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error)
-        throw std::runtime_error(fmt::format("cannot listen on {} port {}: {}; another --port, or 0 for any free one",
-                                             address, port, error.message()));
+        throw UserError(fmt::format("cannot listen on {} port {}: {}; another --port, or 0 for any free one", address,
+                                    port, error.message()));
     return acceptor;
 }
 
@@ -57,14 +54,14 @@ public:
     Loop(const ServiceSettings& settings, std::function<void(const std::string&)> say)
         : settings_(settings), say_(std::move(say)), acceptor_(listen(io_, settings.address, settings.port)),
           retry_(io_), ticker_(io_), signals_(io_),
-          machines_(settings.diagnosis, settings.seed, settings.limits.machines) {
+          diagnoses_(settings.diagnosis, settings.seed, settings.limits.machines) {
         settings.diagnosis.validate();
         if (!settings.state.empty()) {
             store_.emplace(settings.state);
-            if (std::string said = store_->restore(machines_); !said.empty())
+            if (std::string said = store_->restore(diagnoses_); !said.empty())
                 say_(said);
         }
-        dispatcher_.emplace(machines_, store_ ? &*store_ : nullptr, say_);
+        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, say_);
     }
 
     std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -84,7 +81,7 @@ public:
         io_.run();
         disk_.join();
         if (store_)
-            store_->write(machines_);
+            store_->write(diagnoses_);
     }
 
     void stop() {
@@ -111,7 +108,7 @@ private:
 
     struct Guest {
         std::shared_ptr<Connection> connection;
-        std::unique_ptr<ConnectedClient> client; // null: turned away
+        std::unique_ptr<ConnectedClient> client; ///< null: turned away
     };
 
     void accept() {
@@ -133,7 +130,7 @@ private:
     }
 
     void welcome(tcp::socket socket) {
-        // Those turned away linger until they have read why; no crowd of them may.
+        // Those turned away linger until they have read why: their number is limited, too.
         if (guests_.size() >= 2 * settings_.limits.clients)
             return;
         error_code ignored;
@@ -148,16 +145,23 @@ private:
                                  [this](Connection& gone) { leave(gone); }});
         Guest& guest = guests_[connection.get()];
         guest.connection = connection;
-        if (dispatcher_->clients() < settings_.limits.clients) {
-            guest.client = std::make_unique<ConnectedClient>(*connection);
-            dispatcher_->enter(*guest.client);
-            connection->start();
-        } else {
-            connection->send(
-                error_line(0, BadMessage("", fmt::format("there are {} clients already", settings_.limits.clients),
-                                         "to come again later; --max-clients allows more")));
-            connection->finish();
-        }
+        if (dispatcher_->clients() < settings_.limits.clients)
+            let_in(guest);
+        else
+            turn_away(*connection);
+    }
+
+    void let_in(Guest& guest) {
+        guest.client = std::make_unique<ConnectedClient>(*guest.connection);
+        dispatcher_->enter(*guest.client);
+        guest.connection->start();
+    }
+
+    void turn_away(Connection& connection) {
+        connection.send(
+            error_line(0, BadMessage("", fmt::format("there are {} clients already", settings_.limits.clients),
+                                     "to come again later; --max-clients allows more")));
+        connection.finish();
     }
 
     void take(Connection& from, std::string_view line) {
@@ -234,7 +238,7 @@ private:
     tcp::acceptor acceptor_;
     asio::steady_timer retry_, ticker_;
     asio::signal_set signals_;
-    Machines machines_;
+    Diagnoses diagnoses_;
     std::optional<StateStore> store_;
     std::optional<Dispatcher> dispatcher_;
     std::map<Connection*, Guest> guests_;

@@ -2,7 +2,8 @@
 
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
-#include "identification/record_problem.hpp"
+#include "identification/compliance_search.hpp"
+#include "identification/identification.hpp"
 #include "runtime/random.hpp"
 
 #include <algorithm>
@@ -23,18 +24,13 @@ inline hydraulics::Record boom_measured(double duration_s, const hydraulics::Mea
                              [&] { return sensors.uniform(); });
 }
 
-inline Identified identify_boom(const hydraulics::Record& record, const IdentificationWay& way, std::uint64_t seed,
-                                std::optional<double> spool_offset_in = {}) {
-    RecordProblem prepared = prepare(record, hydraulics::Parameters::excavator(),
-                                     {hydraulics::Configuration::a, {hydraulics::Link::boom}, spool_offset_in}, way);
-    return identify(prepared.problem, prepared.flow, prepared.samples, way, seed);
-}
-
-/// The value that the given share of the sample does not exceed.
-inline double share_below(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values.at(std::max<std::size_t>(rank, 1) - 1);
+inline identification::Identified identify_boom(const hydraulics::Record& record,
+                                                const identification::IdentificationWay& way, std::uint64_t seed,
+                                                std::optional<double> spool_offset_in = {}) {
+    identification::ComplianceSearch prepared =
+        identification::prepare(record, hydraulics::Parameters::excavator(),
+                                {hydraulics::Configuration::a, {hydraulics::Link::boom}, spool_offset_in}, way);
+    return identification::identify(prepared.problem, prepared.flow, prepared.samples, way, seed);
 }
 
 inline double error_percent(double compliance, double truth) { return 100 * std::abs(compliance / truth - 1); }

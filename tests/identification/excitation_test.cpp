@@ -1,10 +1,12 @@
 // What becomes of the estimate when the motion no longer excites the compliance (thesis 3.2, the end).
 #include "boom_records.hpp"
+#include "identification/statistics.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 namespace {
 
@@ -31,8 +33,8 @@ TEST_CASE("without the gate the estimate has walked away by generation 400, as t
         early.push_back(error_percent(at_generation(identified, 50).compliance_in3_per_psi[0], truth));
         late.push_back(error_percent(at_generation(identified, 400).compliance_in3_per_psi[0], truth));
     }
-    CHECK(share_below(early, 0.5) <= 3.5);
-    CHECK(share_below(late, 0.5) >= 30);
+    CHECK(quantile(early, 0.5) <= 3.5);
+    CHECK(quantile(late, 0.5) >= 30);
 }
 
 TEST_CASE("with the gate it stays, to the bit, and is right") {
@@ -47,7 +49,7 @@ TEST_CASE("with the gate it stays, to the bit, and is right") {
         CHECK(identified.estimates.back().compliance_in3_per_psi == last_live->compliance_in3_per_psi);
         errors.push_back(error_percent(identified.estimates.back().compliance_in3_per_psi[0], truth));
     }
-    CHECK(share_below(errors, 0.9) <= 12);
+    CHECK(quantile(errors, 0.9) <= 12);
 }
 
 TEST_CASE("a frozen search evaluates nothing") {

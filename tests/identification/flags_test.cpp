@@ -8,6 +8,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 namespace {
 
@@ -89,7 +90,7 @@ TEST_CASE("long after the transient: no excitation") {
 }
 
 TEST_CASE("a pump that gives less than the model's: inconsistent") {
-    RecordProblem prepared = prepare(boom_measured(1.5, low_noise, 1), Parameters::excavator(), {}, thesis_way());
+    ComplianceSearch prepared = prepare(boom_measured(1.5, low_noise, 1), Parameters::excavator(), {}, thesis_way());
     FlowConstants stronger = prepared.flow;
     stronger.pump_in3_per_s *= 1.5;
     CircuitProblem problem(prepared.problem.circuit(), stronger);

@@ -6,6 +6,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 namespace {
 
@@ -70,7 +71,7 @@ TEST_CASE("by the servo-valve's voltage, samples lost before the transient chang
         whole.of(hydraulics::Link::boom, Sensor::servo).push_back(servo_volts(time_s < 0.0999 ? 0.1297 : 0.2593));
     auto estimates = [](const Record& record) {
         Question question{Configuration::a, {hydraulics::Link::boom}, {}, AreasFrom::servo};
-        RecordProblem prepared = prepare(record, Parameters::excavator(), question, thesis_way());
+        ComplianceSearch prepared = prepare(record, Parameters::excavator(), question, thesis_way());
         return identify(prepared.problem, prepared.flow, prepared.samples, thesis_way(), 1).links[0];
     };
     CHECK(error_percent(estimates(whole).compliance_in3_per_psi, 0.0086) < 3);

@@ -4,15 +4,16 @@
 #include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
+#include "identification/statistics.hpp"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 namespace {
 
@@ -20,8 +21,8 @@ constexpr std::uint64_t seeds = 50;
 constexpr double true_compliance = 0.0086;
 
 struct Study {
-    std::vector<double> error_percent;      // of the last estimate, one a seed
-    std::vector<double> codes_from_optimum; // distance to the best of all 1024 codes
+    std::vector<double> error_percent;      ///< of the last estimate, one a seed
+    std::vector<double> codes_from_optimum; ///< distance to the best of all 1024 codes
 };
 
 /// The code of greatest fitness over the last window.
@@ -55,13 +56,6 @@ Study study(const MeasurementNoise& noise) {
         result.codes_from_optimum.push_back(std::abs(static_cast<double>(found) - static_cast<double>(optimum)));
     }
     return result;
-}
-
-/// The value that the given share of the sample does not exceed.
-double quantile(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values.at(std::max<std::size_t>(rank, 1) - 1);
 }
 
 void check_study(const Study& study, double median_percent, double ninetieth_percent) {

@@ -1,6 +1,8 @@
 #include "boom_records.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/traditional.hpp"
+#include "identification/statistics.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,10 +10,11 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 TEST_CASE("the thesis's way is the traditional genetic algorithm over the usable samples, to the bit") {
     Record record = boom_measured(1.5, low_noise, 7);
-    RecordProblem prepared = prepare(record, Parameters::excavator(), {}, thesis_way());
+    ComplianceSearch prepared = prepare(record, Parameters::excavator(), {}, thesis_way());
     std::vector<Sample> samples;
     for (const CircuitSample& sample : prepared.samples)
         samples.push_back(sample.values());
@@ -34,8 +37,8 @@ TEST_CASE("the service way: within 6 % at low and 12 % at mid noise, for 9 seeds
         low.push_back(error(low_noise));
         mid.push_back(error(mid_noise));
     }
-    CHECK(share_below(low, 0.9) <= 6);
-    CHECK(share_below(mid, 0.9) <= 12);
+    CHECK(quantile(low, 0.9) <= 6);
+    CHECK(quantile(mid, 0.9) <= 12);
 }
 
 TEST_CASE("the service way: 21 searches, from the third sample after the opening, with a gate") {
@@ -81,5 +84,5 @@ TEST_CASE("links that are not coupled cannot be identified together") {
     Question question{Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick}, {}};
     CHECK_THROWS_WITH_AS(prepare(record, Parameters::excavator(), question, thesis_way()),
                          "boom,stick are not coupled with each other in configuration a: identify them one by one",
-                         std::invalid_argument);
+                         UserError);
 }

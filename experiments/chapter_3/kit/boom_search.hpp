@@ -12,14 +12,15 @@ namespace placedpar {
 /// What is identified from data with a model, by the thesis's way or another.
 struct BoomIdentified {
     std::vector<hydraulics::CircuitSample> samples; ///< the usable ones
-    Identified found;
+    identification::Identified found;
     double compliance_in3_per_psi;       ///< the search's
     std::optional<double> least_squares; ///< of all samples; may be negative, as the thesis's first value was
     bool at_lower_bound;                 ///< flagged so
 };
 
 /// Throws std::invalid_argument as identify().
-BoomIdentified identify_boom(const BoomData&, const BoomModel&, const IdentificationWay&, std::uint64_t seed);
+BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identification::IdentificationWay&,
+                             std::uint64_t seed);
 
 /// The signed least squares of all usable samples; none when there are fewer than 5 or it does not settle.
 std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&,
@@ -35,6 +36,6 @@ struct Generation {
 
 /// The search of identify() again, watched: the same population by population.
 std::vector<Generation> watch_search(const BoomData&, std::span<const hydraulics::CircuitSample> samples,
-                                     const IdentificationWay&, std::uint64_t seed);
+                                     const identification::IdentificationWay&, std::uint64_t seed);
 
 } // namespace placedpar

@@ -1,10 +1,12 @@
 #include "experiments/chapter_3/kit/fault_plots.hpp"
 
 #include "experiments/kit/statistics.hpp"
+#include "identification/statistics.hpp"
 
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -43,8 +45,8 @@ Panel panel_over_drift(const Plant& plant, std::span<const std::uint64_t> seeds)
             by_spool.push_back(identified(record, AreasFrom::spool, seed));
             by_voltage.push_back(identified(record, AreasFrom::servo, seed));
         }
-        panel.series[0].points.push_back({1.0 * drift_mv, 1000 * median(by_spool)});
-        panel.series[1].points.push_back({1.0 * drift_mv, 1000 * median(by_voltage)});
+        panel.series[0].points.push_back({1.0 * drift_mv, 1000 * quantile(by_spool, 0.5)});
+        panel.series[1].points.push_back({1.0 * drift_mv, 1000 * quantile(by_voltage, 0.5)});
     }
     return panel;
 }

@@ -1,7 +1,8 @@
 #include "experiments/chapter_3/kit/fault_study.hpp"
 
 #include "identification/compliance_fit.hpp"
-#include "identification/record_problem.hpp"
+#include "identification/compliance_search.hpp"
+#include "identification/transient_search.hpp"
 #include "runtime/random.hpp"
 
 #include <array>
@@ -9,12 +10,13 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
 constexpr double valve_opens_s = 0.192; // in scenario A
 
-RecordProblem rising(const Record& record, const Question& question, IdentificationWay& way) {
+ComplianceSearch rising(const Record& record, const Question& question, IdentificationWay& way) {
     way.usable.rising = true;
     return prepare(record, Parameters::excavator(), question, way);
 }
@@ -44,7 +46,7 @@ Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed) {
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
     IdentificationWay way = service_way();
-    RecordProblem prepared = rising(record, {Configuration::a, {hydraulics::Link::boom}, {}, from}, way);
+    ComplianceSearch prepared = rising(record, {Configuration::a, {hydraulics::Link::boom}, {}, from}, way);
     return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
 }
 
@@ -54,7 +56,7 @@ double identified(const Record& record, AreasFrom from, std::uint64_t seed) {
 
 double least_squares(const Record& record) {
     IdentificationWay way = thesis_way();
-    RecordProblem prepared = rising(record, {}, way);
+    ComplianceSearch prepared = rising(record, {}, way);
     std::array start{Parameters::excavator()["boom.inlet_compliance"]};
     return fit_compliances(prepared.problem.circuit(), prepared.samples, prepared.flow, start)
         .value()

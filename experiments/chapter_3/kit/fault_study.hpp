@@ -34,7 +34,8 @@ hydraulics::Record record_of(const Fault& fault, const Plant& plant, std::uint64
 
 /// One search, the engineer's way, while the pressure rises. The identifier knows nothing of the fault: it takes the
 /// machine to be that of excavator.csv.
-SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
+identification::SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from,
+                                        std::uint64_t seed);
 /// Its last answer, in in^3/psi.
 double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
 

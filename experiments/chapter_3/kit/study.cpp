@@ -5,6 +5,7 @@
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/compliance_fit.hpp"
+#include "identification/statistics.hpp"
 #include "runtime/random.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -89,8 +91,8 @@ void add(Study& study, const Transients& transients, std::span<const CircuitSamp
 
 } // namespace
 
-double Study::median_percent() const { return median(error_percent); }
-double Study::ninetieth_percent() const { return share_below(error_percent, 0.9); }
+double Study::median_percent() const { return quantile(error_percent, 0.5); }
+double Study::ninetieth_percent() const { return quantile(error_percent, 0.9); }
 double Study::within_ten_percent() const { return percent_within(error_percent, 10); }
 
 Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable,

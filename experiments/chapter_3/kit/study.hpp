@@ -30,6 +30,7 @@ Transients measure_transients(const hydraulics::MeasurementNoise& noise, const h
                               std::span<const std::uint64_t> seeds);
 
 /// REQUIRES: a seed for each transient.
-Study study(const Transients& transients, const IdentificationWay& way, std::span<const std::uint64_t> seeds);
+Study study(const Transients& transients, const identification::IdentificationWay& way,
+            std::span<const std::uint64_t> seeds);
 
 } // namespace placedpar

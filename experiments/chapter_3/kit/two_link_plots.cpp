@@ -5,6 +5,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -34,7 +35,7 @@ const ExcavatorState& state_at(const TwoLinkMotion& motion, double time_s) {
 constexpr std::array<const char*, InternalStates::count> state_names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
 
 /// One state as simulated, and as estimated at the samples.
-void add_state(Panel& panel, std::size_t which, const TwoLinkMotion& motion, const RecordProblem& prepared,
+void add_state(Panel& panel, std::size_t which, const TwoLinkMotion& motion, const ComplianceSearch& prepared,
                const SearchRun& run, int colour) {
     Series truth{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
     Series found{std::string(state_names[which]) + " identified", {}, Stroke::points, colour};
@@ -67,7 +68,7 @@ Panel panel_of_compliances(std::string title, const SearchRun& run, std::size_t 
     return panel;
 }
 
-Panel panel_of_excitation(const RecordProblem& prepared, const SearchRun& run, std::size_t trials) {
+Panel panel_of_excitation(const ComplianceSearch& prepared, const SearchRun& run, std::size_t trials) {
     Panel panel = over_generations("c: excitation, the slope of the pressures", {"slope [psi/s]"},
                                    {{"P_BUi", {}}, {"P_BOi", {}}});
     for (std::size_t i = 0; i < run.estimates.size(); ++i) {
@@ -98,7 +99,7 @@ Plot plot_of_states(const TwoLinkMotion& motion) {
     return {"Bucket and boom together, simulated (Figure 3.9)", {pressures, flows, velocities}};
 }
 
-Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& prepared, const SearchRun& run) {
+Plot plot_of_estimated_states(const TwoLinkMotion& motion, const ComplianceSearch& prepared, const SearchRun& run) {
     Panel pressures = over_time("Pressures at the junctions", "pressure [psi]", {});
     Panel flows = over_time("Flows", "flow [in³/s]", {});
     for (int which = 0; which < 2; ++which)
@@ -109,7 +110,7 @@ Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& 
             {pressures, flows}};
 }
 
-Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& plain, const SearchRun& gated,
+Plot plot_of_compliances(const ComplianceSearch& prepared, const SearchRun& plain, const SearchRun& gated,
                          std::size_t trials) {
     return {"Two compliances found, and lost again when the motion is steady (Figure 3.11)",
             {panel_of_compliances("a: as the thesis has it", plain, trials),

@@ -9,11 +9,12 @@ namespace placedpar {
 Plot plot_of_states(const TwoLinkMotion& motion);
 
 /// Figure 3.10: the internal states that the best individuals give, over those simulated.
-Plot plot_of_estimated_states(const TwoLinkMotion& motion, const RecordProblem& prepared, const SearchRun& run);
+Plot plot_of_estimated_states(const TwoLinkMotion& motion, const identification::ComplianceSearch& prepared,
+                              const identification::SearchRun& run);
 
 /// Figure 3.11: the compliances estimated without and with the gate, over the generations, and the slopes of the
 /// samples without.
-Plot plot_of_compliances(const RecordProblem& prepared, const SearchRun& plain, const SearchRun& gated,
-                         std::size_t trials);
+Plot plot_of_compliances(const identification::ComplianceSearch& prepared, const identification::SearchRun& plain,
+                         const identification::SearchRun& gated, std::size_t trials);
 
 } // namespace placedpar

@@ -9,6 +9,7 @@
 namespace placedpar {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace {
 
@@ -21,8 +22,8 @@ TwoLinkMotion simulate_two_links() {
     return {scenario, simulate_excavator(scenario), link_calibrations(Parameters::excavator())};
 }
 
-RecordProblem measure_two_links(const TwoLinkMotion& motion, const MeasurementNoise& noise,
-                                const IdentificationWay& way, std::uint64_t seed) {
+ComplianceSearch measure_two_links(const TwoLinkMotion& motion, const MeasurementNoise& noise,
+                                   const IdentificationWay& way, std::uint64_t seed) {
     RandomStream sensors(seed, "sensors");
     Record record =
         measure_excavator(motion.motion, motion.scenario, sampling_period_s, noise, [&] { return sensors.uniform(); });
@@ -53,7 +54,7 @@ std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const Measuremen
                                    const IdentificationWay& way, std::span<const std::uint64_t> seeds) {
     std::vector<SearchRun> runs;
     for (std::uint64_t seed : seeds) {
-        RecordProblem prepared = measure_two_links(motion, noise, way, seed);
+        ComplianceSearch prepared = measure_two_links(motion, noise, way, seed);
         runs.push_back(search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master")));
     }
     return runs;

@@ -2,7 +2,8 @@
 
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/measurement.hpp"
-#include "identification/record_problem.hpp"
+#include "identification/compliance_search.hpp"
+#include "identification/transient_search.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +21,9 @@ struct TwoLinkMotion {
 TwoLinkMotion simulate_two_links();
 
 /// The record of it that a seed's sensors write, and what identification uses of that.
-RecordProblem measure_two_links(const TwoLinkMotion& motion, const hydraulics::MeasurementNoise& noise,
-                                const IdentificationWay& way, std::uint64_t seed);
+identification::ComplianceSearch measure_two_links(const TwoLinkMotion& motion,
+                                                   const hydraulics::MeasurementNoise& noise,
+                                                   const identification::IdentificationWay& way, std::uint64_t seed);
 
 /// Errors of the two compliances, in percent without sign.
 struct TwoErrors {
@@ -32,19 +34,22 @@ struct TwoErrors {
 TwoErrors errors_of(std::span<const double> compliance_in3_per_psi);
 
 /// What 3.2 describes, made surer: one elite, and the first two samples after the valve opens left out.
-IdentificationWay elite_way();
+identification::IdentificationWay elite_way();
 /// That, and Gray code.
-IdentificationWay gray_way();
+identification::IdentificationWay gray_way();
 
 /// Records that a judged share is counted over: one of p scatters by sqrt(p (1 - p) / 200), 3.5 points at one half.
 inline constexpr std::size_t search_records = 200;
 
 /// Many searches, each with noise and random numbers of its own.
-std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const hydraulics::MeasurementNoise& noise,
-                                   const IdentificationWay& way, std::span<const std::uint64_t> seeds);
+std::vector<identification::SearchRun> search_many(const TwoLinkMotion& motion,
+                                                   const hydraulics::MeasurementNoise& noise,
+                                                   const identification::IdentificationWay& way,
+                                                   std::span<const std::uint64_t> seeds);
 
 /// The share of searches in percent in which both are within 10 % after the given generation.
-double both_within_ten_percent(std::span<const SearchRun> runs, std::size_t generation, std::size_t trials);
+double both_within_ten_percent(std::span<const identification::SearchRun> runs, std::size_t generation,
+                               std::size_t trials);
 
 /// Pressures at the junctions and all flows at one instant: P_11, P_12 in psi, Q_11, Q_12, Q_BUi, Q_BOi in in^3/s.
 struct InternalStates {

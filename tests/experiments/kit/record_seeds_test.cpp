@@ -11,6 +11,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 TEST_CASE("studies of 100 seeds have no record in common") {
     std::set<std::uint64_t> all;

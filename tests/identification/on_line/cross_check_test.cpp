@@ -7,7 +7,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using namespace placedpar::monitor;
+using namespace placedpar::identification;
 
 namespace {
 
@@ -34,7 +34,7 @@ bool has(const std::vector<Alarm>& alarms, AlarmKind kind, LinkSet links) {
 
 } // namespace
 
-TEST_CASE("a healthy machine raises nothing") {
+TEST_CASE("a healthy excavator raises nothing") {
     CHECK(alarms_of({}, {}, {}, {}).empty());
     CHECK(alarms_of(check_of({{{bu}, 1.0}, {{bu, bo}, 1.1}}), check_of({{{bo}, 0.95}, {{bu, bo}, 1.05}}),
                     check_of({{{st}, 1}}), check_of({{{sw}, 1.11}}))

@@ -9,7 +9,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using namespace placedpar::monitor;
+using namespace placedpar::identification;
 
 namespace {
 

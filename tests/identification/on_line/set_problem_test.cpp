@@ -10,7 +10,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using namespace placedpar::monitor;
+using namespace placedpar::identification;
 
 namespace {
 
@@ -89,10 +89,10 @@ TEST_CASE("a path is open where the pump can reach the cylinder") {
 TEST_CASE("the readings of the tests' transients fit the equations exactly") {
     PerLink<double> c{0.015, 0.0086, 0.02, 0.03};
     for (Configuration configuration : all_configurations) {
-        Machine machine("m", {}, {}, 1);
-        machine.change({configuration, LinkSet::all()});
-        feed(machine, {configuration, LinkSet::all(), c}, 0, 12);
-        for (LinkSet set : machine.sets_in_use()) {
+        Diagnosis diagnosis("m", {}, {}, 1);
+        diagnosis.change({configuration, LinkSet::all()});
+        feed(diagnosis, {configuration, LinkSet::all(), c}, 0, 12);
+        for (LinkSet set : diagnosis.sets_in_use()) {
             SetProblem problem(configuration, set, fitted_flow_constants(), 16);
             std::vector<std::uint64_t> codes;
             Genome genome(16 * set.size());
@@ -101,7 +101,7 @@ TEST_CASE("the readings of the tests' transients fit the equations exactly") {
                 auto code = static_cast<std::uint64_t>(std::lround(c[index_of(link)] / 0.1 * 65536));
                 genome.set_field(16 * i++, 16, code ^ (code >> 1));
             }
-            std::vector<SetSample> window = machine.sets().at(set).state().window;
+            std::vector<SetSample> window = diagnosis.sets().at(set).state().window;
             CHECK(problem.fitness({&genome, 1}, window, 400).front() ==
                   doctest::Approx(400.0 * static_cast<double>(window.size())).epsilon(1e-4));
         }

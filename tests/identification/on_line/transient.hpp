@@ -1,15 +1,14 @@
 #pragma once
 
-#include "identification/on_line/machine.hpp"
+#include "identification/on_line/diagnosis.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 /// Readings that fit the equations of a circuit exactly, with known compliances: the pressures and the flows into
 /// the cylinders are chosen, and from them the bypass areas that make the flows of every junction balance.
@@ -19,20 +18,20 @@ public:
     static constexpr double period_s = 0.020;
 
     Transient(hydraulics::Configuration configuration, hydraulics::LinkSet active,
-              const PerLink<double>& compliance_in3_per_psi)
+              const hydraulics::PerLink<double>& compliance_in3_per_psi)
         : configuration_(configuration), active_(active), compliance_(compliance_in3_per_psi) {}
 
-    PerLink<double> slope_psi_per_s{1800, 1400, 1600, 2000}; // at the start
+    hydraulics::PerLink<double> slope_psi_per_s{1800, 1400, 1600, 2000}; ///< at the start
     double curvature_psi_per_s2 = -600;
 
-    double swing_psi = 0, swing_rad_per_s = 0; // beside that
+    double swing_psi = 0, swing_rad_per_s = 0; ///< beside that
 
-    SampleMessage sample(double start_s, std::size_t index) const {
+    ExcavatorSample sample(double start_s, std::size_t index) const {
         double t = static_cast<double>(index) * period_s;
-        SampleMessage message{start_s + t, {}};
+        ExcavatorSample made{start_s + t, {}};
         for (hydraulics::LinkSet set : sets_in_use(configuration_, active_))
-            read(circuit_of(configuration_, set), t, message);
-        return message;
+            read(circuit_of(configuration_, set), t, made);
+        return made;
     }
 
 private:
@@ -42,14 +41,14 @@ private:
     }
     static double base_psi(std::size_t position) { return 1700 - 250 * static_cast<double>(position); }
 
-    Reading reading(hydraulics::Link link, double psi, double flow_in3_per_s, double t, AreaReading areas) const {
+    Reading reading(hydraulics::Link link, double psi, double flow_in3_per_s, double t, ValveAreas areas) const {
         // The integral of (flow - C dP/dt).
         double piston_in3 = flow_in3_per_s * t - compliance_[index_of(link)] * risen_psi(link, t);
         double angle_rad = piston_in3 / default_link_parameters()[index_of(link)].piston_in3_per_rad;
         return {psi, angle_rad * 180 / std::numbers::pi, areas};
     }
 
-    void read(const hydraulics::Circuit& circuit, double t, SampleMessage& message) const {
+    void read(const hydraulics::Circuit& circuit, double t, ExcavatorSample& sample) const {
         const hydraulics::FlowConstants& flow = hydraulics::fitted_flow_constants();
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi, inlet_in2 = 0.1;
         std::array<double, 4> psi{}, into{}, junction_psi{}, arriving{};
@@ -67,28 +66,26 @@ private:
             double past = arriving[j] - into[j];
             double bypass_in2 = past > 0 ? past / (k * std::sqrt(junction_psi[j] - below)) : 0.02;
             hydraulics::Link link = circuit[j].link;
-            message.links[index_of(link)] = reading(link, psi[j], into[j], t, {inlet_in2, bypass_in2});
+            sample.links[index_of(link)] = reading(link, psi[j], into[j], t, {inlet_in2, bypass_in2});
         }
     }
 
     hydraulics::Configuration configuration_;
     hydraulics::LinkSet active_;
-    PerLink<double> compliance_;
+    hydraulics::PerLink<double> compliance_;
 };
 
 /// The samples of a transient, one after another; the outcomes.
-inline std::vector<SampleOutcome> feed(Machine& machine, const Transient& transient, double start_s,
+inline std::vector<SampleOutcome> feed(Diagnosis& diagnosis, const Transient& transient, double start_s,
                                        std::size_t samples = 30) {
     std::vector<SampleOutcome> outcomes;
     for (std::size_t i = 0; i < samples; ++i)
-        outcomes.push_back(machine.take(transient.sample(start_s, i)));
+        outcomes.push_back(diagnosis.take(transient.sample(start_s, i)));
     return outcomes;
 }
 
-inline const Estimate& estimate_of(const Machine& machine, hydraulics::LinkSet set, hydraulics::Link link) {
-    std::vector<hydraulics::Link> links = links_of(set);
-    auto position = static_cast<std::size_t>(std::find(links.begin(), links.end(), link) - links.begin());
-    return machine.sets().at(set).state().estimates.at(position);
+inline const LinkEstimate& estimate_of(const Diagnosis& diagnosis, hydraulics::LinkSet set, hydraulics::Link link) {
+    return diagnosis.sets().at(set).state().estimates.at(position_in(set, link));
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -1,4 +1,4 @@
-#include "monitor/memory/machine_json.hpp"
+#include "monitor/memory/diagnosis_json.hpp"
 #include "monitor/memory/state_store.hpp"
 #include "scratch.hpp"
 
@@ -10,6 +10,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 using namespace placedpar::monitor;
 
 namespace {
@@ -24,53 +25,53 @@ std::string sample(int i) {
                        t, 1500 + 1700.1 * t - 300.3 * t * t, 2.7 * t + 0.1 * std::sin(40 * t));
 }
 
-Machines none() { return {DiagnosisSettings{}, 1, 10}; }
+Diagnoses none() { return {DiagnosisSettings{}, 1, 10}; }
 
-std::string text_of(const Machines& machines) {
+std::string text_of(const Diagnoses& diagnoses) {
     std::string text;
-    for (const auto& [name, machine] : machines.all())
+    for (const auto& [name, machine] : diagnoses.all())
         text += boost::json::serialize(state_json(machine.state()));
     return text;
 }
 
 /// What the service does with a message.
-void take(Machines& machines, StateStore& store, const std::string& message) {
-    machines.replay("m", message);
+void take(Diagnoses& diagnoses, StateStore& store, const std::string& message) {
+    diagnoses.replay("m", message);
     store.record("m", message, 5);
 }
 
 /// A store that saw a hello, a configuration and samples, and was never closed properly.
-void run(const Scratch& scratch, Machines& machines, int samples) {
+void run(const Scratch& scratch, Diagnoses& diagnoses, int samples) {
     StateStore store(scratch / "state");
-    store.restore(machines);
-    take(machines, store, hello);
-    take(machines, store, configuration);
+    store.restore(diagnoses);
+    take(diagnoses, store, hello);
+    take(diagnoses, store, configuration);
     for (int i = 0; i < samples; ++i)
-        take(machines, store, sample(i));
+        take(diagnoses, store, sample(i));
 }
 
 } // namespace
 
 TEST_CASE("a killed service comes back to the bit") {
     Scratch scratch;
-    Machines before = none(), after = none();
+    Diagnoses before = none(), after = none();
     run(scratch, before, 20);
     CHECK(before.all().at("m").sets().begin()->second.state().generations > 0);
     std::string said = StateStore(scratch / "state").restore(after);
     CHECK(said.find("1 machine restored, 22 messages taken again") != std::string::npos);
     CHECK(text_of(after) == text_of(before));
     // What has been taken again is in the state file now.
-    Machines again = none();
+    Diagnoses again = none();
     CHECK(StateStore(scratch / "state").restore(again).find("taken again") == std::string::npos);
     CHECK(text_of(again) == text_of(before));
 }
 
 TEST_CASE("a torn journal loses its last message at most") {
     Scratch scratch;
-    Machines whole = none();
+    Diagnoses whole = none();
     run(scratch, whole, 12);
     std::string journal = scratch.read("state.journal"), state = scratch.read("state");
-    Machines shorter = none();
+    Diagnoses shorter = none();
     {
         Scratch other;
         run(other, shorter, 11);
@@ -79,7 +80,7 @@ TEST_CASE("a torn journal loses its last message at most") {
     for (std::size_t size = last; size < journal.size(); size += 23) {
         scratch.write("state.journal", journal.substr(0, size));
         scratch.write("state", state);
-        Machines restored = none();
+        Diagnoses restored = none();
         std::string said = StateStore(scratch / "state").restore(restored);
         CHECK(text_of(restored) == text_of(shorter));
         CHECK((said.find("torn") != std::string::npos) == (size > last));
@@ -88,80 +89,80 @@ TEST_CASE("a torn journal loses its last message at most") {
 
 TEST_CASE("a kill between the state file and the journal repeats nothing") {
     Scratch scratch;
-    Machines machines = none();
-    run(scratch, machines, 12);
+    Diagnoses diagnoses = none();
+    run(scratch, diagnoses, 12);
     std::string journal = scratch.read("state.journal");
-    Machines restored = none();
+    Diagnoses restored = none();
     StateStore(scratch / "state").restore(restored); // writes the state file
     scratch.write("state.journal", journal);         // as if the journal had not been emptied
-    Machines again = none();
+    Diagnoses again = none();
     StateStore(scratch / "state").restore(again);
-    CHECK(text_of(again) == text_of(machines));
+    CHECK(text_of(again) == text_of(diagnoses));
 }
 
 TEST_CASE("nothing is appended behind what a full disk lost") {
     Scratch scratch;
-    Machines machines = none(), restored = none();
+    Diagnoses diagnoses = none(), restored = none();
     {
         StateStore store(scratch / "state");
-        store.restore(machines);
-        take(machines, store, hello);
-        std::string before = text_of(machines);
+        store.restore(diagnoses);
+        take(diagnoses, store, hello);
+        std::string before = text_of(diagnoses);
         {
             FullDisk disk(scratch.read("state.journal").size() + 20);
-            CHECK_THROWS_WITH_AS(take(machines, store, configuration), doctest::Contains("cannot be appended to"),
+            CHECK_THROWS_WITH_AS(take(diagnoses, store, configuration), doctest::Contains("cannot be appended to"),
                                  std::runtime_error);
-            CHECK_THROWS_WITH_AS(store.write(machines), doctest::Contains("cannot be written"), std::runtime_error);
+            CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("cannot be written"), std::runtime_error);
         }
         CHECK_FALSE(store.complete());
         CHECK(store.due());
         for (int i = 0; i < 12; ++i)
-            take(machines, store, sample(i));
+            take(diagnoses, store, sample(i));
         // A kill now: what was known before the hole.
         Scratch copy;
         copy.write("state", scratch.read("state"));
         copy.write("state.journal", scratch.read("state.journal"));
-        Machines earlier = none();
+        Diagnoses earlier = none();
         StateStore(copy / "state").restore(earlier);
         CHECK(text_of(earlier) == before);
 
-        store.write(machines);
+        store.write(diagnoses);
         CHECK(store.complete());
         CHECK_FALSE(store.due());
-        take(machines, store, sample(12));
+        take(diagnoses, store, sample(12));
     }
     StateStore(scratch / "state").restore(restored);
-    CHECK(text_of(restored) == text_of(machines));
+    CHECK(text_of(restored) == text_of(diagnoses));
 }
 
 TEST_CASE("a state file that cannot be written leaves the journal as it was") {
     Scratch scratch;
-    Machines machines = none(), restored = none();
+    Diagnoses diagnoses = none(), restored = none();
     {
         StateStore store(scratch / "state");
-        store.restore(machines);
-        take(machines, store, hello);
-        take(machines, store, configuration);
+        store.restore(diagnoses);
+        take(diagnoses, store, hello);
+        take(diagnoses, store, configuration);
         {
             FullDisk disk(100);
-            CHECK_THROWS_AS(store.write(machines), std::runtime_error);
+            CHECK_THROWS_AS(store.write(diagnoses), std::runtime_error);
         }
         CHECK(store.complete());
-        take(machines, store, sample(0));
+        take(diagnoses, store, sample(0));
     }
     StateStore(scratch / "state").restore(restored);
-    CHECK(text_of(restored) == text_of(machines));
+    CHECK(text_of(restored) == text_of(diagnoses));
 }
 
 TEST_CASE("what does not come to the disk does not take the state file's name") {
     Scratch scratch;
-    Machines machines = none();
+    Diagnoses diagnoses = none();
     StateStore store(scratch / "state");
-    store.restore(machines);
+    store.restore(diagnoses);
     std::string state = scratch.read("state");
-    take(machines, store, hello);
+    take(diagnoses, store, hello);
     std::filesystem::create_symlink("/dev/null", scratch / "state.next"); // which takes all and syncs nothing
-    CHECK_THROWS_WITH_AS(store.write(machines), doctest::Contains("state.next: cannot be brought to the disk"),
+    CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("state.next: cannot be brought to the disk"),
                          std::runtime_error);
     CHECK(scratch.read("state") == state);
     CHECK(store.complete());
@@ -171,10 +172,10 @@ TEST_CASE("no state file: what it is instead, and what to do") {
     Scratch scratch;
     auto refused = [&](const char* text, const char* because) {
         scratch.write("state", text);
-        Machines machines = none();
+        Diagnoses diagnoses = none();
         std::string said;
         try {
-            StateStore(scratch / "state").restore(machines);
+            StateStore(scratch / "state").restore(diagnoses);
         } catch (const std::runtime_error& error) {
             said = error.what();
         }
@@ -192,8 +193,8 @@ TEST_CASE("no state file: what it is instead, and what to do") {
     refused("{\"placedpar_monitor_state\":1}", "a part of it is missing");
     refused("{\"placedpar_monitor_state\":\"one\"}", "a part of it is wrong: not a number");
     scratch.write("state", "{\"placedpar_monitor_state\":7}");
-    Machines machines = none();
-    CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(machines),
+    Diagnoses diagnoses = none();
+    CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(diagnoses),
                          doctest::Contains("it is of another version than 1; say another file"), std::runtime_error);
     std::filesystem::create_directory(scratch / "folder");
     CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"),
@@ -203,9 +204,9 @@ TEST_CASE("no state file: what it is instead, and what to do") {
 
 TEST_CASE("files that do not fit are refused by name") {
     Scratch scratch;
-    Machines machines = none();
-    run(scratch, machines, 3);
-    auto refused = [&](Machines&& others, const char* because) {
+    Diagnoses diagnoses = none();
+    run(scratch, diagnoses, 3);
+    auto refused = [&](Diagnoses&& others, const char* because) {
         CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(others), doctest::Contains(because),
                              std::runtime_error);
     };
@@ -221,22 +222,22 @@ TEST_CASE("files that do not fit are refused by name") {
     std::filesystem::remove(scratch / "state");
     refused(none(), "a later state file");
     scratch.write("state", state);
-    CHECK_NOTHROW(StateStore(scratch / "state").restore(machines = none()));
+    CHECK_NOTHROW(StateStore(scratch / "state").restore(diagnoses = none()));
 }
 
 TEST_CASE("machines are known with one set of parameters") {
-    Machines machines = none();
-    machines.replay("m", hello);
-    machines.replay("m", configuration);
-    CHECK_NOTHROW(machines.replay("m", hello));
-    CHECK(machines.named("m").active() == LinkSet{hydraulics::Link::boom});
-    CHECK_THROWS_WITH_AS(machines.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01})"),
+    Diagnoses diagnoses = none();
+    diagnoses.replay("m", hello);
+    diagnoses.replay("m", configuration);
+    CHECK_NOTHROW(diagnoses.replay("m", hello));
+    CHECK(diagnoses.named("m").active() == LinkSet{hydraulics::Link::boom});
+    CHECK_THROWS_WITH_AS(diagnoses.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01})"),
                          doctest::Contains("other parameters"), BadMessage);
-    machines.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01,"anew":true})");
-    CHECK(machines.named("m").active().empty());
-    CHECK_THROWS_AS(machines.replay("x", R"({"type":"hello","version":1,"machine":"x","role":"watch"})"), BadMessage);
+    diagnoses.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01,"anew":true})");
+    CHECK(diagnoses.named("m").active().empty());
+    CHECK_THROWS_AS(diagnoses.replay("x", R"({"type":"hello","version":1,"machine":"x","role":"watch"})"), BadMessage);
     for (int i = 1; i < 10; ++i)
-        machines.replay("", fmt::format(R"({{"type":"hello","version":1,"machine":"m{}"}})", i));
-    CHECK_THROWS_WITH_AS(machines.replay("", R"({"type":"hello","version":1,"machine":"eleventh"})"),
+        diagnoses.replay("", fmt::format(R"({{"type":"hello","version":1,"machine":"m{}"}})", i));
+    CHECK_THROWS_WITH_AS(diagnoses.replay("", R"({"type":"hello","version":1,"machine":"eleventh"})"),
                          doctest::Contains("10 machines already"), BadMessage);
 }

@@ -7,6 +7,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 using namespace placedpar::monitor;
 
 namespace {
@@ -32,7 +33,7 @@ TEST_CASE("hello") {
     auto plain = parsed<Hello>(R"({"type":"hello","version":1,"machine":"digger-7"})");
     CHECK(plain.machine == "digger-7");
     CHECK(plain.role == Role::control);
-    CHECK(plain.parameters == MachineParameters{});
+    CHECK(plain.parameters == ExcavatorParameters{});
     CHECK(plain.parameters.links[index_of(hydraulics::Link::boom)].piston_in3_per_rad == doctest::Approx(32 * 22.4));
 
     auto full = parsed<Hello>(R"({"type":"hello","version":1,"machine":"m","role":"watch","answers":"moved",)"
@@ -57,20 +58,20 @@ TEST_CASE("configuration") {
 }
 
 TEST_CASE("sample: the valve by spool, voltage or areas") {
-    auto sample = parsed<SampleMessage>(
+    auto sample = parsed<ExcavatorSample>(
         R"({"type":"sample","time_s":1.5,"links":{"BO":{"inlet_psi":1800,"angle_deg":3,"spool_in":0.25},)"
         R"("BU":{"inlet_psi":1900,"angle_deg":-4.5,"servo_V":0.3},)"
         R"("SW":{"inlet_psi":100,"angle_deg":0,"inlet_in2":0.1,"bypass_in2":0.3}}})");
     CHECK(sample.time_s == 1.5);
     CHECK_FALSE(sample.links[index_of(hydraulics::Link::stick)]);
-    CHECK(std::get<SpoolReading>(sample.links[index_of(hydraulics::Link::boom)]->valve).spool_in == 0.25);
-    CHECK(std::get<ServoReading>(sample.links[index_of(hydraulics::Link::bucket)]->valve).servo_V == 0.3);
-    CHECK(std::get<AreaReading>(sample.links[index_of(hydraulics::Link::swing)]->valve).bypass_in2 == 0.3);
+    CHECK(std::get<SpoolPosition>(sample.links[index_of(hydraulics::Link::boom)]->valve).spool_in == 0.25);
+    CHECK(std::get<ServoVoltage>(sample.links[index_of(hydraulics::Link::bucket)]->valve).servo_V == 0.3);
+    CHECK(std::get<ValveAreas>(sample.links[index_of(hydraulics::Link::swing)]->valve).bypass_in2 == 0.3);
     CHECK(sample.links[index_of(hydraulics::Link::bucket)]->angle_deg == -4.5);
 }
 
 TEST_CASE("baseline, status, load, ping, bye") {
-    auto baseline = parsed<BaselineMessage>(R"({"type":"baseline","links":{"BO":0.0086}})");
+    auto baseline = parsed<Baseline>(R"({"type":"baseline","links":{"BO":0.0086}})");
     CHECK(baseline.compliance_in3_per_psi[index_of(hydraulics::Link::boom)] == 0.0086);
     CHECK_FALSE(baseline.compliance_in3_per_psi[index_of(hydraulics::Link::bucket)]);
     CHECK_NOTHROW(parsed<StatusRequest>(R"({"type":"status"})"));

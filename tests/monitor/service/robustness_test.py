@@ -108,7 +108,7 @@ class Robustness(ServiceTest):
         while message is not None:
             last, message = message, slow.receive()
         self.assertEqual(last["type"], "error")
-        self.assertIn("too slow", last["wrong"])
+        self.assertIn("client reads too slowly", last["wrong"])
         self.assertEqual(control.ask(type="status")["samples"], asked)
 
     def test_who_never_reads_is_dropped(self):

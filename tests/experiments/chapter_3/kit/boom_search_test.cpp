@@ -4,6 +4,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
 
 TEST_CASE("the search that is watched is the search that identifies, to the bit") {
     IdentificationWay other = thesis_way();

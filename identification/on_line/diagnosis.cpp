@@ -1,21 +1,23 @@
-#include "identification/on_line/machine.hpp"
+#include "identification/on_line/diagnosis.hpp"
+
+#include "identification/on_line/refused_sample.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
 namespace {
 
-/// A sample may come this part of a period early or late before the line through 5 of them is no longer one
-/// through equally spaced points.
+/// The share of a period by which a sample may be early or late. Beyond it, 5 samples no longer count as equally
+/// spaced, and the windows begin anew.
 constexpr double jitter = 0.1;
 
-/// Those of `a` that are not in `b`.
+/// The alarms of `a` that are not in `b`.
 std::vector<Alarm> without(const std::vector<Alarm>& a, const std::vector<Alarm>& b) {
     std::vector<Alarm> rest;
     std::ranges::copy_if(a, std::back_inserter(rest),
@@ -23,8 +25,8 @@ std::vector<Alarm> without(const std::vector<Alarm>& a, const std::vector<Alarm>
     return rest;
 }
 
-Machine::State new_machine(std::string name, const MachineParameters& parameters) {
-    Machine::State state;
+Diagnosis::State first_state_of(std::string name, const ExcavatorParameters& parameters) {
+    Diagnosis::State state;
     state.name = std::move(name);
     state.parameters = parameters;
     return state;
@@ -32,11 +34,11 @@ Machine::State new_machine(std::string name, const MachineParameters& parameters
 
 } // namespace
 
-Machine::Machine(std::string name, const MachineParameters& parameters, const DiagnosisSettings& settings,
-                 std::uint64_t seed)
-    : Machine(new_machine(std::move(name), parameters), settings, seed) {}
+Diagnosis::Diagnosis(std::string name, const ExcavatorParameters& parameters, const DiagnosisSettings& settings,
+                     std::uint64_t seed)
+    : Diagnosis(first_state_of(std::move(name), parameters), settings, seed) {}
 
-Machine::Machine(State state, const DiagnosisSettings& settings, std::uint64_t seed)
+Diagnosis::Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed)
     : settings_(settings), seed_(seed), state_(std::move(state)), fit_(state_.parameters.period_s) {
     settings_.validate();
     for (auto& [links, set] : state_.sets)
@@ -45,32 +47,32 @@ Machine::Machine(State state, const DiagnosisSettings& settings, std::uint64_t s
     state_.sets.clear();
 }
 
-Machine::State Machine::state() const {
+Diagnosis::State Diagnosis::state() const {
     State copy = state_;
     for (const auto& [links, set] : sets_)
         copy.sets.emplace(links, set.state());
     return copy;
 }
 
-std::vector<LinkSet> Machine::sets_in_use() const {
+std::vector<LinkSet> Diagnosis::sets_in_use() const {
     if (!state_.configuration)
         return {};
-    return monitor::sets_in_use(*state_.configuration, state_.active);
+    return identification::sets_in_use(*state_.configuration, state_.active);
 }
 
-PopulationSet& Machine::population(LinkSet set) {
+PopulationSet& Diagnosis::population(LinkSet set) {
     auto [place, made] =
         sets_.try_emplace(set, set, settings_, seed_, fmt::format("{}/{}", state_.name, name_of_set(set)));
     return place->second;
 }
 
-const SetProblem& Machine::problem(LinkSet set) {
+const SetProblem& Diagnosis::problem(LinkSet set) {
     auto [place, made] = problems_.try_emplace({*state_.configuration, set}, *state_.configuration, set,
                                                state_.parameters.flow, settings_.bits);
     return place->second;
 }
 
-void Machine::change(const ConfigurationChange& change) {
+void Diagnosis::change(const ConfigurationChange& change) {
     if (state_.configuration == change.configuration && state_.active == change.active)
         return;
     restart_windows(); // of the sets in use until now
@@ -78,10 +80,10 @@ void Machine::change(const ConfigurationChange& change) {
     state_.active = change.active;
     for (hydraulics::Link link : all_links)
         if (!state_.active.contains(link))
-            state_.tracks[index_of(link)] = {}; // nobody tells its voltage any more
+            state_.tracks[index_of(link)] = {}; // its voltage is not read any more
 }
 
-void Machine::restart_windows() {
+void Diagnosis::restart_windows() {
     for (LinkTrack& track : state_.tracks)
         track.restart();
     for (LinkSet set : sets_in_use())
@@ -89,39 +91,40 @@ void Machine::restart_windows() {
             found->second.restart_window();
 }
 
-void Machine::require_acceptable(const SampleMessage& message) const {
+void Diagnosis::require_acceptable(const ExcavatorSample& sample) const {
     if (!state_.configuration)
-        throw BadMessage("type", "a sample before any configuration",
-                         "first {\"type\":\"configuration\",\"configuration\":\"a\",\"active\":[\"BU\",\"BO\"]}");
+        throw RefusedSample(NoConfiguration{});
     for (hydraulics::Link link : links_of(state_.active))
-        if (!message.links[index_of(link)])
-            throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is missing, and the link is active",
-                             "a reading of each active link, or a configuration without it");
-    if (state_.time_s && message.time_s <= *state_.time_s && !state_.time_may_restart)
-        throw BadMessage("time_s", fmt::format("it is {}, not after the last sample's", message.time_s),
-                         fmt::format("more than {}; after another hello time may begin anew", *state_.time_s));
+        if (!sample.links[index_of(link)])
+            throw RefusedSample(LinkNotRead{link});
+    if (state_.time_s && sample.time_s <= *state_.time_s && !state_.time_may_restart)
+        throw RefusedSample(TimeNotLater{sample.time_s, *state_.time_s});
 }
 
-std::optional<double> Machine::elapsed_s(double time_s) const {
+std::optional<double> Diagnosis::elapsed_s(double time_s) const {
     return state_.time_s && time_s > *state_.time_s ? std::optional(time_s - *state_.time_s) : std::nullopt;
 }
 
-SampleOutcome Machine::take(const SampleMessage& message) {
-    require_acceptable(message);
+void Diagnosis::push(const ExcavatorSample& sample, std::optional<double> elapsed_s) {
+    state_.time_s = sample.time_s;
+    state_.time_may_restart = false;
+    ++state_.samples;
+    for (hydraulics::Link link : links_of(state_.active))
+        state_.tracks[index_of(link)].push(*sample.links[index_of(link)], state_.parameters.links[index_of(link)],
+                                           elapsed_s);
+}
+
+SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
+    require_acceptable(sample);
     SampleOutcome outcome;
-    std::optional<double> elapsed = elapsed_s(message.time_s);
+    std::optional<double> elapsed = elapsed_s(sample.time_s);
     double period_s = state_.parameters.period_s;
     if (!elapsed || std::abs(*elapsed - period_s) > jitter * period_s) {
         outcome.window_restarted = state_.time_s.has_value();
         restart_windows();
     }
-    state_.time_s = message.time_s;
-    state_.time_may_restart = false;
-    ++state_.samples;
-    for (hydraulics::Link link : links_of(state_.active))
-        state_.tracks[index_of(link)].push(*message.links[index_of(link)], state_.parameters.links[index_of(link)],
-                                           elapsed);
-    double centre_s = message.time_s - static_cast<double>(line_fit_points / 2) * period_s;
+    push(sample, elapsed);
+    double centre_s = sample.time_s - static_cast<double>(line_fit_points / 2) * period_s;
     for (LinkSet set : sets_in_use())
         outcome.generations += search(set, centre_s);
     settle_baselines();
@@ -129,7 +132,7 @@ SampleOutcome Machine::take(const SampleMessage& message) {
     return outcome;
 }
 
-std::size_t Machine::search(LinkSet set, double centre_s) {
+std::size_t Diagnosis::search(LinkSet set, double centre_s) {
     SetSample samples;
     for (hydraulics::Link link : links_of(set)) {
         auto sample = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
@@ -140,36 +143,30 @@ std::size_t Machine::search(LinkSet set, double centre_s) {
     return population(set).take(problem(set), samples, centre_s);
 }
 
-LinkCheck Machine::check(hydraulics::Link link) const {
+LinkCheck Diagnosis::check(hydraulics::Link link) const {
     LinkCheck check{state_.baseline_in3_per_psi[index_of(link)], {}};
-    double newest_s = 0;
-    bool any = false;
     for (LinkSet set : all_population_sets()) {
         auto found = sets_.find(set);
         if (!set.contains(link) || found == sets_.end())
             continue;
-        std::vector<hydraulics::Link> links = links_of(set);
-        auto position = static_cast<std::size_t>(std::ranges::find(links, link) - links.begin());
-        const Estimate& estimate = found->second.state().estimates[position];
+        const LinkEstimate& estimate = found->second.state().estimates[position_in(set, link)];
         double settled_s = estimate.state().settled_time_s;
         if (!estimate.settled_in3_per_psi() || std::abs(*state_.time_s - settled_s) > settings_.stale_after_s)
             continue;
         check.estimates.push_back({set, *estimate.settled_in3_per_psi(), *estimate.lasting_in3_per_psi(),
                                    estimate.state().settled_in3_per_psi.size(), settled_s});
-        if (!any || settled_s > newest_s)
-            check.at_lower_bound = at_lower_bound(*estimate.settled_in3_per_psi(), settings_.step_in3_per_psi());
-        newest_s = any ? std::max(newest_s, settled_s) : settled_s;
-        any = true;
     }
+    if (!check.estimates.empty())
+        check.at_lower_bound = at_lower_bound(check.newest().compliance_in3_per_psi, settings_.step_in3_per_psi());
     return check;
 }
 
-void Machine::settle_baselines() {
+void Diagnosis::settle_baselines() {
     for (const auto& [set, population] : sets_) {
         std::vector<hydraulics::Link> links = links_of(set);
         for (std::size_t i = 0; i < links.size(); ++i) {
-            // The first settled value that will not move any more: at the end of its transient.
-            const Estimate& estimate = population.state().estimates[i];
+            // The first settled value whose transient is over, so that it moves no more.
+            const LinkEstimate& estimate = population.state().estimates[i];
             auto& baseline = state_.baseline_in3_per_psi[index_of(links[i])];
             if (!baseline && !estimate.excited() && estimate.settled_in3_per_psi() &&
                 !at_lower_bound(*estimate.settled_in3_per_psi(), settings_.step_in3_per_psi()))
@@ -178,16 +175,16 @@ void Machine::settle_baselines() {
     }
 }
 
-SampleOutcome Machine::set_baseline(const BaselineMessage& message) {
+SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
     for (hydraulics::Link link : all_links)
-        if (const auto& compliance = message.compliance_in3_per_psi[index_of(link)])
+        if (const auto& compliance = baseline.compliance_in3_per_psi[index_of(link)])
             state_.baseline_in3_per_psi[index_of(link)] = *compliance;
     SampleOutcome outcome;
     update_alarms(outcome);
     return outcome;
 }
 
-void Machine::update_alarms(SampleOutcome& outcome) {
+void Diagnosis::update_alarms(SampleOutcome& outcome) {
     PerLink<LinkCheck> checks;
     for (hydraulics::Link link : all_links)
         checks[index_of(link)] = check(link);
@@ -197,4 +194,4 @@ void Machine::update_alarms(SampleOutcome& outcome) {
     state_.alarms = std::move(now);
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "hydraulics/circuit/line_fit.hpp"
 #include "identification/on_line/cross_check.hpp"
+#include "identification/on_line/excavator_parameters.hpp"
+#include "identification/on_line/inputs.hpp"
 #include "identification/on_line/link_track.hpp"
 #include "identification/on_line/population_set.hpp"
 #include "identification/on_line/population_sets.hpp"
-#include "monitor/protocol/message.hpp"
 
 #include <cstdint>
 #include <map>
@@ -13,43 +15,47 @@
 #include <utility>
 #include <vector>
 
-namespace placedpar::monitor {
+namespace placedpar::identification {
 
 /// What a sample led to.
 struct SampleOutcome {
     std::size_t generations = 0;
-    bool window_restarted = false; // a gap in time, or time began anew
+    bool window_restarted = false; ///< after a gap in time, or because time began anew
     std::vector<Alarm> raised, cleared;
 };
 
-/// The diagnosis of one excavator: its population sets, what feeds them, and the alarms that hold. A function
-/// of the settings, the seed, the name and the messages taken, in their order; of nothing else.
-class Machine {
+/// The on-line diagnosis of one excavator: its population sets, what feeds them, and the alarms that hold.
+///
+/// 1. Its state is a function of settings, seed, name and the inputs taken, in their order; of nothing else.
+/// 2. An input that is refused changes nothing.
+class Diagnosis {
 public:
     /// All that a restart needs.
     struct State {
-        std::string name;
-        MachineParameters parameters;
+        std::string name; ///< the excavator's
+        ExcavatorParameters parameters;
         std::optional<hydraulics::Configuration> configuration;
         hydraulics::LinkSet active;
-        std::optional<double> time_s;  // of the last sample
-        bool time_may_restart = false; // a control system has connected since the last sample
+        std::optional<double> time_s;  ///< of the last sample
+        bool time_may_restart = false; ///< a control system has connected since the last sample
         std::uint64_t samples = 0;
-        PerLink<LinkTrack> tracks;
-        std::map<hydraulics::LinkSet, PopulationSet::State> sets; // those ever used
-        PerLink<std::optional<double>> baseline_in3_per_psi;
-        std::vector<Alarm> alarms; // that hold
+        hydraulics::PerLink<LinkTrack> tracks;
+        std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< those ever used
+        hydraulics::PerLink<std::optional<double>> baseline_in3_per_psi;
+        std::vector<Alarm> alarms; ///< that hold
+
+        friend bool operator==(const State&, const State&) = default;
     };
 
-    Machine(std::string name, const MachineParameters& parameters, const DiagnosisSettings& settings,
-            std::uint64_t seed);
-    Machine(State state, const DiagnosisSettings& settings, std::uint64_t seed);
+    Diagnosis(std::string name, const ExcavatorParameters& parameters, const DiagnosisSettings& settings,
+              std::uint64_t seed);
+    Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed);
 
-    /// A copy: the sets are gathered.
+    /// A copy, with the states of the sets in it.
     State state() const;
 
     const std::string& name() const { return state_.name; }
-    const MachineParameters& parameters() const { return state_.parameters; }
+    const ExcavatorParameters& parameters() const { return state_.parameters; }
     std::optional<hydraulics::Configuration> configuration() const { return state_.configuration; }
     hydraulics::LinkSet active() const { return state_.active; }
     std::optional<double> time_s() const { return state_.time_s; }
@@ -64,15 +70,16 @@ public:
     /// The same configuration with the same links again changes nothing; any other restarts the windows.
     void change(const ConfigurationChange& change);
     /// Gives the alarms that this raises or clears.
-    SampleOutcome set_baseline(const BaselineMessage& message);
-    /// Throws BadMessage, having changed nothing, when there is no configuration yet, a reading of an active link
-    /// is missing, or the time does not move on.
-    SampleOutcome take(const SampleMessage& message);
+    SampleOutcome set_baseline(const Baseline& baseline);
+    /// Throws RefusedSample when there is no configuration yet, a reading of an active link is missing, or the sample
+    /// is not later than the last one.
+    SampleOutcome take(const ExcavatorSample& sample);
 
 private:
-    void require_acceptable(const SampleMessage& message) const;
+    void require_acceptable(const ExcavatorSample& sample) const;
     /// Since the last sample; none when there was none, or time has begun anew.
     std::optional<double> elapsed_s(double time_s) const;
+    void push(const ExcavatorSample& sample, std::optional<double> elapsed_s);
     void restart_windows();
     std::size_t search(hydraulics::LinkSet set, double centre_s);
     const SetProblem& problem(hydraulics::LinkSet set);
@@ -82,10 +89,10 @@ private:
 
     DiagnosisSettings settings_;
     std::uint64_t seed_;
-    State state_; // without its sets
+    State state_; ///< without its sets
     hydraulics::CentredLineFit fit_;
     std::map<hydraulics::LinkSet, PopulationSet> sets_;
     std::map<std::pair<hydraulics::Configuration, hydraulics::LinkSet>, SetProblem> problems_;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::identification

@@ -1,4 +1,4 @@
-#include "monitor/protocol/load_meter.hpp"
+#include "monitor/service/load_meter.hpp"
 
 #include <ctime>
 
@@ -28,7 +28,7 @@ void LoadMeter::count_sample(std::size_t generations) {
     now_.generations += generations;
 }
 
-LoadMeter::Rates LoadMeter::between(const Totals& from, const Totals& to) {
+LoadRates LoadMeter::between(const Totals& from, const Totals& to) {
     double over_s = std::chrono::duration<double>(to.time - from.time).count();
     if (over_s <= 0)
         return {};
@@ -45,10 +45,16 @@ void LoadMeter::tick() {
     last_ = totals;
 }
 
-double LoadMeter::cpu_s() const { return thread_cpu_s(); }
-
-double LoadMeter::uptime_s() const { return std::chrono::duration<double>(Clock::now() - start_.time).count(); }
-
-LoadMeter::Rates LoadMeter::rates() const { return rates_.over_s > 0 ? rates_ : between(start_, read()); }
+Load LoadMeter::load() const {
+    Totals totals = read();
+    Load load;
+    load.rates = rates_.over_s > 0 ? rates_ : between(start_, totals);
+    load.samples = totals.samples;
+    load.generations = totals.generations;
+    load.work_s = totals.work_s;
+    load.cpu_s = totals.cpu_s;
+    load.uptime_s = std::chrono::duration<double>(totals.time - start_.time).count();
+    return load;
+}
 
 } // namespace placedpar::monitor

@@ -1,4 +1,4 @@
-#include "monitor/protocol/exact_text.hpp"
+#include "monitor/memory/exact_text.hpp"
 
 #include <fmt/format.h>
 

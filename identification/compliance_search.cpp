@@ -1,13 +1,13 @@
-#include "identification/record_problem.hpp"
+#include "identification/compliance_search.hpp"
 
 #include "hydraulics/plant/converter.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
-namespace placedpar {
+namespace placedpar::identification {
 
 using namespace hydraulics;
 
@@ -25,9 +25,8 @@ void require_one_group(const Question& question) {
     for (LinkSet group : coupled_groups(question.configuration))
         if ((question.links & group) == question.links)
             return;
-    throw std::invalid_argument(
-        fmt::format("{} are not coupled with each other in configuration {}: identify them one by one",
-                    list(question.links), name_of(question.configuration)));
+    throw UserError(fmt::format("{} are not coupled with each other in configuration {}: identify them one by one",
+                                list(question.links), name_of(question.configuration)));
 }
 
 } // namespace
@@ -36,8 +35,8 @@ double spool_sensor_step_in(const Parameters& machine) {
     return Converter{machine["sensors.spool_range"], bits_of(machine, "sensors.spool_bits")}.step();
 }
 
-RecordProblem prepare(const Record& record, const Parameters& machine, const Question& question,
-                      const IdentificationWay& way) {
+ComplianceSearch prepare(const Record& record, const Parameters& machine, const Question& question,
+                         const IdentificationWay& way) {
     require_one_group(question);
     Circuit circuit = circuit_of(question.configuration, question.links);
     FlowConstants flow = flow_constants(machine);
@@ -49,4 +48,4 @@ RecordProblem prepare(const Record& record, const Parameters& machine, const Que
     return {CircuitProblem(circuit, flow, way.bits), flow, calibrations, std::move(samples)};
 }
 
-} // namespace placedpar
+} // namespace placedpar::identification

@@ -1,37 +1,30 @@
-#include "identification/on_line/estimate.hpp"
+#include "identification/on_line/link_estimate.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace placedpar;
-using namespace placedpar::monitor;
+using namespace placedpar::identification;
 
 namespace {
 
 constexpr double step = 0.1 / 1024;
 
-void add(Estimate& estimate, double compliance, int times, double time_s = 1) {
+void add(LinkEstimate& estimate, double compliance, int times, double time_s = 1) {
     for (int i = 0; i < times; ++i)
         estimate.add(compliance, time_s, step, {});
 }
 
 } // namespace
 
-TEST_CASE("median") {
-    CHECK(median({3}) == 3);
-    CHECK(median({4, 1}) == 2.5);
-    CHECK(median({9, 1, 5}) == 5);
-    CHECK(median({4, 3, 2, 1}) == 2.5);
-}
-
 TEST_CASE("nothing is known before the first generation") {
-    Estimate estimate;
+    LinkEstimate estimate;
     CHECK_FALSE(estimate.compliance_in3_per_psi());
     CHECK_FALSE(estimate.settled_in3_per_psi());
     CHECK_FALSE(estimate.lasting_in3_per_psi());
 }
 
 TEST_CASE("an estimate settles when the last 25 generations of one transient agree") {
-    Estimate estimate;
+    LinkEstimate estimate;
     estimate.excite(1000, {});
     add(estimate, 0.05, 5);
     add(estimate, 0.01, 24);
@@ -53,7 +46,7 @@ TEST_CASE("an estimate settles when the last 25 generations of one transient agr
 }
 
 TEST_CASE("the last five transients are kept") {
-    Estimate estimate;
+    LinkEstimate estimate;
     for (int i = 1; i <= 7; ++i) {
         estimate.excite(1000, {});
         add(estimate, 0.001 * i, 60, 10.0 * i);
@@ -65,7 +58,7 @@ TEST_CASE("the last five transients are kept") {
 }
 
 TEST_CASE("excitation that comes and goes makes no new transient") {
-    Estimate estimate;
+    LinkEstimate estimate;
     for (int i = 1; i <= 4; ++i) {
         estimate.excite(1000, {});
         add(estimate, 0.001 * i, 60, 0.3 * i);

@@ -10,7 +10,7 @@
 
 namespace placedpar::monitor {
 
-/// Numbers and strings as text that gives back the same bits, which a JSON parser's doubles need not.
+/// Numbers and genomes as text from which the same bits are read back. A JSON parser's doubles may differ in the last.
 
 /// Separated by blanks, each as short as it can be.
 std::string exact_text(std::span<const double> numbers);

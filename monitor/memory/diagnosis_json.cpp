@@ -1,6 +1,6 @@
-#include "monitor/memory/machine_json.hpp"
+#include "monitor/memory/diagnosis_json.hpp"
 
-#include "monitor/protocol/exact_text.hpp"
+#include "monitor/memory/exact_text.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 namespace placedpar::monitor {
 
 using namespace hydraulics;
+using namespace identification;
 
 namespace json = boost::json;
 
@@ -50,7 +51,7 @@ LinkSet links_from(const json::value& value) {
 }
 
 // The parameters, in this order.
-json::string parameters_json(const MachineParameters& p) {
+json::string parameters_json(const ExcavatorParameters& p) {
     std::vector<double> numbers{p.period_s, p.flow.orifice_in3_per_s_in2_sqrt_psi, p.flow.pump_in3_per_s,
                                 p.flow.tank_psi, p.flow.relief_psi};
     for (const LinkParameters& link : p.links)
@@ -58,11 +59,11 @@ json::string parameters_json(const MachineParameters& p) {
     return json::string(exact_text(numbers));
 }
 
-MachineParameters parameters_from(const json::value& value) {
+ExcavatorParameters parameters_from(const json::value& value) {
     std::vector<double> n = numbers_from(text(value));
     if (n.size() != 5 + 2 * all_links.size())
         throw std::runtime_error(fmt::format("{} parameters of a machine", n.size()));
-    MachineParameters p{n[0], {n[1], n[2], n[3], n[4]}, {}};
+    ExcavatorParameters p{n[0], {n[1], n[2], n[3], n[4]}, {}};
     for (std::size_t i = 0; i < p.links.size(); ++i)
         p.links[i] = {n[5 + 2 * i], n[6 + 2 * i]};
     return p;
@@ -85,7 +86,7 @@ LinkTrack track_from(const json::value& value) {
     return LinkTrack(std::move(track));
 }
 
-json::object estimate_json(const Estimate::State& e) {
+json::object estimate_json(const LinkEstimate::State& e) {
     return {{"recent", exact_text(e.recent_in3_per_psi)},
             {"settled", exact_text(e.settled_in3_per_psi)},
             {"times", exact_text(std::array{e.time_s, e.settled_time_s, e.excitation_psi_per_s})},
@@ -95,13 +96,13 @@ json::object estimate_json(const Estimate::State& e) {
             {"generations", e.generations_in_transient}};
 }
 
-Estimate estimate_from(const json::value& value) {
+LinkEstimate estimate_from(const json::value& value) {
     std::vector<double> times = numbers_from(text(value.at("times")));
     if (times.size() != 3)
         throw std::runtime_error("an estimate without its times");
-    return Estimate({numbers_from(text(value.at("recent"))), numbers_from(text(value.at("settled"))), times[0],
-                     times[1], times[2], value.at("excited").as_bool(), value.at("fits").as_bool(),
-                     value.at("settled_now").as_bool(), value.at("generations").to_number<std::size_t>()});
+    return LinkEstimate({numbers_from(text(value.at("recent"))), numbers_from(text(value.at("settled"))), times[0],
+                         times[1], times[2], value.at("excited").as_bool(), value.at("fits").as_bool(),
+                         value.at("settled_now").as_bool(), value.at("generations").to_number<std::size_t>()});
 }
 
 json::string sample_json(const SetSample& sample) {
@@ -126,7 +127,7 @@ json::object set_json(LinkSet links, const PopulationSet::State& set) {
     json::array window, estimates;
     for (const SetSample& sample : set.window)
         window.push_back(sample_json(sample));
-    for (const Estimate& estimate : set.estimates)
+    for (const LinkEstimate& estimate : set.estimates)
         estimates.push_back(estimate_json(estimate.state()));
     return {{"set", name_of_set(links)},        {"population", exact_text(set.population)},
             {"window", std::move(window)},      {"to_skip", set.to_skip},
@@ -171,7 +172,7 @@ Alarm alarm_from(const json::value& value) {
 
 } // namespace
 
-json::object state_json(const Machine::State& state) {
+json::object state_json(const Diagnosis::State& state) {
     json::array tracks, sets, baselines;
     for (const LinkTrack& track : state.tracks)
         tracks.push_back(track_json(track.state()));
@@ -192,8 +193,8 @@ json::object state_json(const Machine::State& state) {
             {"alarms", alarms_json(state.alarms)}};
 }
 
-Machine::State state_from(const json::value& value, const DiagnosisSettings& settings) {
-    Machine::State state;
+Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& settings) {
+    Diagnosis::State state;
     state.name = text(value.at("machine"));
     state.parameters = parameters_from(value.at("parameters"));
     state.configuration = configuration_named(text(value.at("configuration")));

@@ -1,0 +1,29 @@
+#include "identification/identification_way.hpp"
+
+#include <algorithm>
+
+namespace placedpar::identification {
+
+std::size_t samples_for_first_generation(const IdentificationWay& way) {
+    return std::min(way.search.window.first, way.search.window.length);
+}
+
+IdentificationWay thesis_way() { return {}; }
+
+IdentificationWay rising_way() {
+    IdentificationWay way = thesis_way();
+    way.usable.rising = true;
+    return way;
+}
+
+IdentificationWay service_way() {
+    IdentificationWay way;
+    way.coding = Coding::gray;
+    way.search.elite = 1;
+    way.usable.skipped = 2;
+    way.gate.emplace();
+    way.searches = 21;
+    return way;
+}
+
+} // namespace placedpar::identification

@@ -1,0 +1,34 @@
+#include "monitor/protocol/bad_message.hpp"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+namespace placedpar::monitor {
+
+using namespace hydraulics;
+using namespace identification;
+
+namespace {
+
+BadMessage in_words_of_protocol(const NoConfiguration&) {
+    return {"type", "a sample before any configuration",
+            "first {\"type\":\"configuration\",\"configuration\":\"a\",\"active\":[\"BU\",\"BO\"]}"};
+}
+
+BadMessage in_words_of_protocol(const LinkNotRead& missing) {
+    return {fmt::format("links.{}", symbol_of(missing.link)), "it is missing, and the link is active",
+            "a reading of each active link, or a configuration without it"};
+}
+
+BadMessage in_words_of_protocol(const TimeNotLater& time) {
+    return {"time_s", fmt::format("it is {}, not after the last sample's", time.time_s),
+            fmt::format("more than {}; after another hello time may begin anew", time.last_time_s)};
+}
+
+} // namespace
+
+BadMessage::BadMessage(const RefusedSample& refused)
+    : BadMessage(std::visit([](const auto& reason) { return in_words_of_protocol(reason); }, refused.reason())) {}
+
+} // namespace placedpar::monitor

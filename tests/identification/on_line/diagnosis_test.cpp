@@ -1,0 +1,297 @@
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
+#include "hydraulics/plant/measurement.hpp"
+#include "identification/on_line/diagnosis.hpp"
+#include "identification/on_line/refused_sample.hpp"
+#include "runtime/random.hpp"
+#include "transient.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+using namespace placedpar;
+using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
+
+namespace {
+
+constexpr PerLink<double> healthy{0.0150, 0.0086, 0.0200, 0.0300};
+constexpr LinkSet bucket{hydraulics::Link::bucket}, boom{hydraulics::Link::boom},
+    bucket_boom{hydraulics::Link::bucket, hydraulics::Link::boom};
+
+Diagnosis diagnosis_in(Configuration configuration, LinkSet active, std::uint64_t seed = 1) {
+    Diagnosis diagnosis("digger", {}, {}, seed);
+    diagnosis.change({configuration, active});
+    return diagnosis;
+}
+
+Record boom_record(std::uint64_t seed, const MeasurementNoise& noise) {
+    ExcavatorScenario scenario = single_boom_scenario();
+    RandomStream random(seed, "noise");
+    return measure_excavator(simulate_excavator(scenario), scenario, 0.020, noise, [&] { return random.uniform(); });
+}
+
+void feed(Diagnosis& diagnosis, const Record& record) {
+    auto of = [&](Sensor sensor) { return record.of(hydraulics::Link::boom, sensor); };
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        ExcavatorSample sample{record.time_s[i], {}};
+        sample.links[index_of(hydraulics::Link::boom)] = Reading{of(Sensor::inlet_pressure)[i], of(Sensor::angle)[i],
+                                                                 SpoolPosition{std::max(of(Sensor::spool)[i], 0.0)}};
+        diagnosis.take(sample);
+    }
+}
+
+RefusedSample refusal(Diagnosis& diagnosis, const ExcavatorSample& sample) {
+    try {
+        diagnosis.take(sample);
+    } catch (const RefusedSample& refused) {
+        return refused;
+    }
+    FAIL("taken");
+    throw std::logic_error("not reached");
+}
+
+double off(std::optional<double> found, double right) { return std::abs(found.value() / right - 1); }
+
+} // namespace
+
+TEST_CASE("the boom's compliance out of scenario A, by spool") {
+    for (const MeasurementNoise& noise : {no_noise, low_noise}) {
+        int good = 0;
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            Diagnosis diagnosis = diagnosis_in(Configuration::a, boom, seed);
+            feed(diagnosis, boom_record(seed, noise));
+            good += off(estimate_of(diagnosis, boom, hydraulics::Link::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
+        }
+        CHECK(good >= 19); // 90th percentile 4 % without noise, 8 % at low noise
+    }
+}
+
+TEST_CASE("all links of every configuration are found within 10 %") {
+    for (Configuration configuration : all_configurations) {
+
+        int good = 0, of = 0;
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            Diagnosis diagnosis = diagnosis_in(configuration, LinkSet::all(), seed);
+            feed(diagnosis, {configuration, LinkSet::all(), healthy}, 0);
+            for (LinkSet set : diagnosis.sets_in_use())
+                for (hydraulics::Link link : links_of(set)) {
+                    auto found = estimate_of(diagnosis, set, link).compliance_in3_per_psi();
+                    CHECK(found);
+                    good += off(found, healthy[index_of(link)]) <= 0.10;
+                    ++of;
+                }
+        }
+        MESSAGE(std::string(1, name_of(configuration)), ": ", good, " of ", of);
+        CHECK(good >= 0.9 * of);
+    }
+}
+
+TEST_CASE("a change from a to b leaves P2a untouched") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, bucket_boom);
+    feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
+    CHECK(diagnosis.sets().size() == 1); // lazily made
+    diagnosis.change({Configuration::b, bucket_boom});
+    PopulationSet::State before = diagnosis.sets().at(bucket_boom).state();
+    feed(diagnosis, {Configuration::b, bucket_boom, healthy}, 10);
+    CHECK(diagnosis.sets().size() == 3);
+    CHECK(diagnosis.sets().at(bucket).state().generations > 0);
+    CHECK(diagnosis.sets().at(bucket_boom).state() == before);
+    diagnosis.change({Configuration::a, bucket_boom});
+    feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 20);
+    CHECK(diagnosis.sets().at(bucket_boom).state() != before);
+}
+
+TEST_CASE("what a set finds does not depend on the other sets") {
+    Diagnosis alone = diagnosis_in(Configuration::a, boom),
+              both = diagnosis_in(Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick});
+    feed(alone, {Configuration::a, boom, healthy}, 0);
+    feed(both, {Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick}, healthy}, 0);
+    CHECK(alone.sets().at(boom).state() == both.sets().at(boom).state());
+    Diagnosis other = diagnosis_in(Configuration::a, boom, 2);
+    feed(other, {Configuration::a, boom, healthy}, 0);
+    CHECK(alone.sets().at(boom).state() != other.sets().at(boom).state());
+}
+
+TEST_CASE("after a change of configuration the window begins anew") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    Transient before(Configuration::a, boom, healthy), after(Configuration::b, boom, healthy);
+    auto generations = [](const std::vector<SampleOutcome>& outcomes) {
+        std::vector<std::size_t> counts;
+        for (const SampleOutcome& outcome : outcomes)
+            counts.push_back(outcome.generations);
+        return counts;
+    };
+    // 5 samples to the first slope, 5 slopes to the first generation, 5 generations a sample.
+    std::vector<std::size_t> expected{0, 0, 0, 0, 0, 0, 0, 0, 5, 5};
+    CHECK(generations(feed(diagnosis, before, 0, 10)) == expected);
+    diagnosis.change({Configuration::a, boom}); // the same again: no change
+    CHECK(diagnosis.take(before.sample(0, 10)).generations == 5);
+    diagnosis.change({Configuration::b, boom});
+    CHECK(diagnosis.sets().at(boom).state().window.empty());
+    std::vector<SampleOutcome> outcomes;
+    for (std::size_t i = 11; i < 21; ++i)
+        outcomes.push_back(diagnosis.take(after.sample(0, i)));
+    CHECK(generations(outcomes) == expected);
+    CHECK(diagnosis.take(after.sample(7, 0)).window_restarted); // a gap
+    CHECK(diagnosis.take(after.sample(7, 1)).generations == 0);
+}
+
+TEST_CASE("below the gate nothing moves") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    feed(diagnosis, {Configuration::a, boom, healthy}, 0);
+    double found = estimate_of(diagnosis, boom, hydraulics::Link::boom).compliance_in3_per_psi().value();
+    CHECK(estimate_of(diagnosis, boom, hydraulics::Link::boom).excited());
+    std::vector<Genome> population = diagnosis.sets().at(boom).state().population;
+    Transient slow(Configuration::a, boom, {0.03, 0.03, 0.03, 0.03});
+    slow.slope_psi_per_s.fill(700);
+    slow.curvature_psi_per_s2 = 0;
+    for (const SampleOutcome& outcome : feed(diagnosis, slow, 10))
+        CHECK(outcome.generations == 0);
+    CHECK(estimate_of(diagnosis, boom, hydraulics::Link::boom).compliance_in3_per_psi() == found);
+    CHECK_FALSE(estimate_of(diagnosis, boom, hydraulics::Link::boom).excited());
+    CHECK(estimate_of(diagnosis, boom, hydraulics::Link::boom).state().excitation_psi_per_s == doctest::Approx(700));
+    CHECK(diagnosis.sets().at(boom).state().population == population);
+}
+
+TEST_CASE("a link below the gate keeps its column of a common population") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, bucket_boom);
+    feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
+    auto columns = [&](std::size_t first) {
+        std::vector<std::uint64_t> codes;
+        for (const Genome& genome : diagnosis.sets().at(bucket_boom).state().population)
+            codes.push_back(genome.field(first, 10));
+        return codes;
+    };
+    auto bucket_codes = columns(0), boom_codes = columns(10);
+    Transient half(Configuration::a, bucket_boom, healthy);
+    half.slope_psi_per_s[index_of(hydraulics::Link::bucket)] = 500;
+    half.curvature_psi_per_s2 = 0;
+    auto outcomes = feed(diagnosis, half, 10, 12); // the boom stays below the bucket
+    CHECK(outcomes.back().generations == 5);
+    CHECK(columns(0) == bucket_codes);
+    CHECK(columns(10) != boom_codes);
+}
+
+TEST_CASE("a refused sample changes nothing") {
+    Diagnosis fresh("digger", {}, {}, 1);
+    Transient transient(Configuration::a, boom, healthy);
+    CHECK(std::holds_alternative<NoConfiguration>(refusal(fresh, transient.sample(0, 0)).reason()));
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    feed(diagnosis, transient, 0, 12);
+    Diagnosis::State before = diagnosis.state();
+    auto same = std::get<TimeNotLater>(refusal(diagnosis, transient.sample(0, 11)).reason());
+    CHECK(same.time_s == same.last_time_s);
+    RefusedSample earlier = refusal(diagnosis, transient.sample(0, 3));
+    CHECK(std::get<TimeNotLater>(earlier.reason()).time_s == doctest::Approx(0.06));
+    CHECK(std::get<TimeNotLater>(earlier.reason()).last_time_s == doctest::Approx(0.22));
+    CHECK(std::string(earlier.what()) == "the sample's time, 0.06 s, is not after the last sample's, 0.22 s");
+    CHECK(std::get<LinkNotRead>(refusal(diagnosis, {5, {}}).reason()).link == hydraulics::Link::boom);
+    CHECK(diagnosis.state() == before);
+    diagnosis.connected(); // after another hello time may begin anew
+    CHECK(diagnosis.take(transient.sample(0, 0)).window_restarted);
+}
+
+TEST_CASE("a doubled compliance is told once, and its end") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    Transient good(Configuration::a, boom, healthy);
+    PerLink<double> twice = healthy;
+    twice[index_of(hydraulics::Link::boom)] *= 2;
+    Transient bad(Configuration::a, boom, twice);
+    feed(diagnosis, good, 0);
+    feed(diagnosis, good, 10);
+    CHECK(diagnosis.alarms().empty());
+    CHECK(off(diagnosis.check(hydraulics::Link::boom).baseline_in3_per_psi, 0.0086) < 0.05);
+    std::size_t raised = 0, cleared = 0;
+    for (const SampleOutcome& outcome : feed(diagnosis, bad, 20)) {
+        raised += static_cast<std::size_t>(std::ranges::count(outcome.raised, AlarmKind::doubled, &Alarm::kind));
+        cleared += outcome.cleared.size();
+    }
+    CHECK(raised == 1);
+    CHECK(cleared == 0);
+    for (const SampleOutcome& outcome : feed(diagnosis, good, 30))
+        cleared += static_cast<std::size_t>(std::ranges::count(outcome.cleared, AlarmKind::doubled, &Alarm::kind));
+    CHECK(cleared == 1);
+    CHECK(diagnosis.alarms().empty());
+}
+
+TEST_CASE("sets that disagree are told") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, bucket_boom);
+    feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
+    diagnosis.change({Configuration::b, bucket_boom});
+    PerLink<double> other = healthy;
+    other[index_of(hydraulics::Link::boom)] *= 1.5;
+    feed(diagnosis, {Configuration::b, bucket_boom, other}, 10);
+    LinkCheck check = diagnosis.check(hydraulics::Link::boom);
+    REQUIRE(check.estimates.size() == 2);
+    CHECK(check.spread() == doctest::Approx(0.5 / 1.25).epsilon(0.1));
+    CHECK(std::ranges::count(diagnosis.alarms(), Alarm{AlarmKind::inconsistent, boom, ""}) == 1);
+    CHECK(std::ranges::count(diagnosis.alarms(), Alarm{AlarmKind::inconsistent, bucket, ""}) == 0);
+}
+
+TEST_CASE("an excavator of negative compliance is at its lower bound: drift") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    PerLink<double> negative = healthy;
+    negative[index_of(hydraulics::Link::boom)] = -0.004;
+    feed(diagnosis, {Configuration::a, boom, negative}, 0);
+    CHECK(std::ranges::count(diagnosis.alarms(), Alarm{AlarmKind::drift, boom, ""}) == 1);
+    CHECK_FALSE(diagnosis.check(hydraulics::Link::boom).baseline_in3_per_psi); // no measure of health
+}
+
+namespace {
+
+ExcavatorSample boom_by_voltage(double time_s, double volts) {
+    ExcavatorSample sample{time_s, {}};
+    sample.links[index_of(hydraulics::Link::boom)] = Reading{1500, 0, ServoVoltage{volts}};
+    return sample;
+}
+
+double followed_spool_in(const Diagnosis& diagnosis) {
+    return diagnosis.state().tracks[index_of(hydraulics::Link::boom)].state().spool_in.value();
+}
+
+// A.1 at .3 V, and the spool at rest.
+constexpr double raised_in = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1297, rest_in = 0.1297;
+
+} // namespace
+
+TEST_CASE("the spool moves on over a gap, a change of configuration and a late sample, by the time that passed") {
+    // From rest, .3 V from 1 s on; a_0 as in A.2.
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    double lag_per_s = diagnosis.parameters().links[index_of(hydraulics::Link::boom)].spool_lag_per_s;
+    auto way = [&](double elapsed_s) { return raised_in + (rest_in - raised_in) * std::exp(-lag_per_s * elapsed_s); };
+    diagnosis.take(boom_by_voltage(0.98, 0));
+    diagnosis.take(boom_by_voltage(1, 0.3));
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(rest_in));
+    CHECK(diagnosis.take(boom_by_voltage(1.1, 0.3)).window_restarted);
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(way(0.1)));
+    diagnosis.change({Configuration::b, boom});
+    diagnosis.take(boom_by_voltage(1.12, 0.3));
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(way(0.12)));
+    diagnosis.take(boom_by_voltage(1.1417, 0.3)); // within the jitter
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(way(0.1417)));
+    diagnosis.take(boom_by_voltage(1000, 0));
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(raised_in));
+}
+
+TEST_CASE("where its voltage was not told the spool starts at rest") {
+    Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
+    diagnosis.take(boom_by_voltage(1, 0));
+    diagnosis.connected(); // and time begins anew
+    diagnosis.take(boom_by_voltage(0, 0.3));
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(raised_in));
+    diagnosis.change({Configuration::a, bucket});
+    diagnosis.change({Configuration::a, boom});
+    diagnosis.take(boom_by_voltage(0.02, 0));
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(rest_in));
+    ExcavatorSample by_spool = boom_by_voltage(0.04, 0);
+    by_spool.links[index_of(hydraulics::Link::boom)]->valve = SpoolPosition{0.2};
+    diagnosis.take(by_spool);
+    diagnosis.take(boom_by_voltage(0.06, 0.3));
+    CHECK(followed_spool_in(diagnosis) == doctest::Approx(raised_in));
+}
