@@ -41,7 +41,8 @@ std::string print_flags(const LinkIdentified& link) {
     return text;
 }
 
-std::string print_search(const Identified& identified, const identification::ComplianceSearch& prepared, const IdentificationWay& way) {
+std::string print_search(const Identified& identified, const identification::ComplianceSearch& prepared,
+                         const IdentificationWay& way) {
     return fmt::format("{} usable samples from {:.3f} to {:.3f} s; {} search{} of {} individuals, {} generations\n",
                        prepared.samples.size(), prepared.samples.front().time_s, prepared.samples.back().time_s,
                        way.searches, way.searches == 1 ? "" : "es", way.search.population, identified.generations);

@@ -37,6 +37,7 @@ struct ProcessSearch {
 /// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
 /// a while.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
-                                  const identification::IdentificationWay& way, const identification::Identified& native, const WarningSink&);
+                                  const identification::IdentificationWay& way,
+                                  const identification::Identified& native, const WarningSink&);
 
 } // namespace placedpar

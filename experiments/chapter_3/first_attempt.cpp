@@ -92,7 +92,8 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
     std::string column = inches(known.offset_in);
     Maybe compliance = known.search_in3_per_psi;
     auto add = [&](const char* row, const Found& found) {
-        comparison.add(cell_of(row, column, "in^3/psi", compliance, quantile(found.searched_in3_per_psi, 0.5), 0.0005, 5));
+        comparison.add(
+            cell_of(row, column, "in^3/psi", compliance, quantile(found.searched_in3_per_psi, 0.5), 0.0005, 5));
     };
     add("C by the search, spool", spool);
     add("C by the search, voltage", volts);
@@ -103,7 +104,8 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
 void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
     auto motions = motions_with(known.offset_in, low_noise, seeds);
     Found spool = identify_all(motions, AreasFrom::spool, seeds);
-    add_fit(comparison, known, quantile(spool.fit_in3_per_psi, 0.5), motions.front().machine.inlet_compliance_in3_per_psi);
+    add_fit(comparison, known, quantile(spool.fit_in3_per_psi, 0.5),
+            motions.front().machine.inlet_compliance_in3_per_psi);
     add_searches(comparison, known, spool, identify_all(motions, AreasFrom::servo, seeds));
 }
 
@@ -190,8 +192,8 @@ void add_cured(Comparison& comparison, const std::string& column, const std::vec
     Found spool = identify_all(motions, AreasFrom::spool, seeds, calibrated_in);
     Found volts = identify_all(motions, AreasFrom::servo, seeds, calibrated_in);
     auto add = [&](const char* row, const Found& found, double tolerance) {
-        comparison.add(
-            judged_cell(row, column, "in^3/psi", truth, quantile(found.searched_in3_per_psi, 0.5), tolerance * truth, 5));
+        comparison.add(judged_cell(row, column, "in^3/psi", truth, quantile(found.searched_in3_per_psi, 0.5),
+                                   tolerance * truth, 5));
     };
     add("C with it taken off, spool", spool, 0.05);
     comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
