@@ -17,7 +17,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-constexpr std::uint64_t seeds = 50;
+constexpr std::uint64_t study_seeds = 50;
 constexpr double true_compliance = 0.0086;
 
 struct Study {
@@ -44,7 +44,7 @@ Study study(const MeasurementNoise& noise) {
     ExcavatorScenario scenario = single_boom_scenario();
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), scenario.flow));
     Study result;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= study_seeds; ++seed) {
         RandomStream sensors(seed, "sensors");
         auto record = boom_record(scenario, noise, [&] { return sensors.uniform(); });
         REQUIRE(record.size() == 20);

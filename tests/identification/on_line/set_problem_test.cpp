@@ -24,7 +24,7 @@ Genome string_of(const std::vector<std::uint64_t>& codes) {
     return genome;
 }
 
-SetSample random_sample(std::size_t links, RandomStream& random) {
+SetSample random_set_sample(std::size_t links, RandomStream& random) {
     SetSample sample;
     for (std::size_t i = 0; i < links; ++i)
         sample.push_back({1000 + 1000 * random.uniform(), 3000 * random.uniform() - 1500, 100 * random.uniform() - 20,
@@ -49,7 +49,8 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
             std::vector<hydraulics::Link> links = links_of(group);
             SetProblem problem(configuration, group, fitted_flow_constants(), bits);
             Circuit circuit = circuit_of(configuration, group);
-            std::vector<SetSample> window{random_sample(links.size(), random), random_sample(links.size(), random)};
+            std::vector<SetSample> window{random_set_sample(links.size(), random),
+                                          random_set_sample(links.size(), random)};
             std::vector<Genome> strings = random_population(19, problem.bits(), random); // no multiple of a block
             std::vector<double> fitness = problem.fitness(strings, window, 400);
             for (std::size_t i = 0; i < strings.size(); ++i) {
