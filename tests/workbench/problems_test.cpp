@@ -2,7 +2,7 @@
 
 #include "workbench/problems.hpp"
 
-#include "hydraulics/plant/boom_record.hpp"
+#include "hydraulics/circuit/circuit_sample.hpp"
 #include "workbench/kinds_report.hpp"
 #include "workbench/load.hpp"
 #include "workbench/netlist_run.hpp"
