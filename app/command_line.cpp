@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <exception>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -38,8 +37,7 @@ void declare(CLI::App& app, const Command& command, const std::string& command_l
 
 void require_command(const CLI::App& app, int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
-        throw std::runtime_error(
-            fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
+        throw UserError(fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
 }
 
 /// Parses the command line. What it chose is then in `chosen`, or it was wrong, or asked for help.

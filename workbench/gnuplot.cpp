@@ -1,5 +1,7 @@
 #include "workbench/gnuplot.hpp"
 
+#include "text/user_error.hpp"
+
 #define BOOST_PROCESS_USE_STD_FS // Boost.Filesystem would have to be linked
 #include <boost/asio/io_context.hpp>
 #include <boost/process/args.hpp>
@@ -25,7 +27,7 @@ namespace process = boost::process;
 std::filesystem::path find_gnuplot() {
     auto path = process::search_path("gnuplot");
     if (path.empty())
-        throw std::runtime_error("plots are drawn by gnuplot, which is not installed: apt-get install gnuplot-nox");
+        throw UserError("plots are drawn by gnuplot, which is not installed: apt-get install gnuplot-nox");
     return path;
 }
 

@@ -62,7 +62,7 @@ struct NamedPlot {
 };
 
 /// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series and
-/// a series without points, std::runtime_error when gnuplot is not there or refuses the plot.
+/// a series without points, UserError when gnuplot is not there, std::runtime_error when it refuses the plot.
 std::string draw_svg(const Plot&);
 
 } // namespace placedpar

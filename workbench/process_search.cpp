@@ -12,7 +12,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 namespace placedpar {
@@ -123,19 +122,18 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared, const Ide
     auto live = [](const TransientEstimate& estimate) { return !estimate.frozen; };
     auto frozen = std::ranges::find(native.estimates, true, &TransientEstimate::frozen);
     if (std::any_of(frozen, native.estimates.end(), live))
-        throw std::runtime_error(fmt::format("--on: the gate freezes the search for a while at {:.3f} s, and processes "
-                                             "know no gate; --samples, --rising or --way thesis search without a rest",
-                                             frozen->time_s));
+        throw UserError(fmt::format("--on: the gate freezes the search for a while at {:.3f} s, and processes "
+                                    "know no gate; --samples, --rising or --way thesis search without a rest",
+                                    frozen->time_s));
     std::size_t last = std::prev(frozen)->index;
     std::vector<Sample> record;
     for (const CircuitSample& sample : prepared.samples) {
         if (sample.index > last)
             break;
         if (sample.stretch != prepared.samples.front().stretch)
-            throw std::runtime_error(
-                fmt::format("--on: the record has a gap before {:.3f} s, after which the search "
-                            "begins a new window; processes know no gaps. --samples {} ends before it",
-                            sample.time_s, record.size()));
+            throw UserError(fmt::format("--on: the record has a gap before {:.3f} s, after which the search "
+                                        "begins a new window; processes know no gaps. --samples {} ends before it",
+                                        sample.time_s, record.size()));
         record.push_back(sample.values());
     }
     return record;
@@ -145,7 +143,7 @@ std::string searching_process(const Network& network, const std::filesystem::pat
     auto first = std::ranges::find_if(network.processes, searches);
     auto count = std::ranges::count_if(network.processes, searches);
     if (count != 1)
-        throw std::runtime_error(
+        throw UserError(
             fmt::format("--on {}: {} processes search, expected one: ga.traditional, or ga.master with its slaves",
                         netlist.string(), count));
     return first->name;

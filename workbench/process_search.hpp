@@ -33,7 +33,7 @@ struct ProcessSearch {
 /// Hands the way over to the netlist: what its processes leave to their defaults, and what it has a val of the same
 /// name for (population, elite), unless an override sets it. The processes know neither gaps nor a gate; they are sent
 /// the samples up to where the gate froze the search for good.
-/// Throws RefusedInput or std::runtime_error for what cannot be the same search: another number of searching processes
+/// Throws UserError for what cannot be the same search: another number of searching processes
 /// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
 /// a while.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,

@@ -2,12 +2,12 @@
 
 #include "hydraulics/data/units.hpp"
 #include "runtime/random.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace placedpar {
@@ -22,7 +22,7 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
     if (!reading)
         return;
     std::string value = std::isnan(reading->value) ? "nan" : fmt::format("{:.3g}", reading->value);
-    throw std::runtime_error(fmt::format(
+    throw UserError(fmt::format(
         "{} cannot be simulated with these parameters: {}.{} would be {} {} at {:.3f} s; one of them is far too large "
         "or far too small",
         scenario.name, name_of(reading->link), name_of(reading->sensor), value,

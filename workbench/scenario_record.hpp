@@ -9,7 +9,7 @@
 namespace placedpar {
 
 /// The record, whose description says how to make it again: the command, with every parameter that is not the
-/// program's own, and the true compliance. Throws std::runtime_error, naming the first instant and channel, where
+/// program's own, and the true compliance. Throws UserError, naming the first instant and channel, where
 /// parameters far from any machine's make a record that no sensor could have read.
 hydraulics::Record scenario_record(const hydraulics::RecordScenario& scenario, const hydraulics::LinksInMotion& moving,
                                    const hydraulics::Parameters& parameters, std::uint64_t seed);

@@ -3,12 +3,12 @@
 #include "hydraulics/data/parameter_range.hpp"
 #include "hydraulics/data/units.hpp"
 #include "text/nearest.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace placedpar {
@@ -18,7 +18,7 @@ using namespace hydraulics;
 namespace {
 
 [[noreturn]] void refuse(const Parameter& parameter, const std::string& text, const std::string& why) {
-    throw std::runtime_error(fmt::format("--set {}={}: {}", parameter.name, text, why));
+    throw UserError(fmt::format("--set {}={}: {}", parameter.name, text, why));
 }
 
 /// A number, and perhaps a unit behind it.
@@ -60,7 +60,7 @@ const Parameter& parameter_called(const RecordScenario& scenario, const Paramete
         if (scenario.uses(each.name))
             names.push_back(each.name);
     std::string nearest = did_you_mean(name, names);
-    throw std::runtime_error(fmt::format(
+    throw UserError(fmt::format(
         "--set {}: {} has no such parameter; {}", name, scenario.name,
         nearest.empty() ? fmt::format("placedpar record {} --list shows those there are", scenario.name) : nearest));
 }
@@ -83,7 +83,7 @@ const RecordScenario& scenario_called(std::string_view name) {
                              : &scenario == &all.back() ? " and "
                                                         : ", ",
                              scenario.name);
-    throw std::runtime_error(fmt::format("there is no scenario \"{}\"; there are {}", name, names));
+    throw UserError(fmt::format("there is no scenario \"{}\"; there are {}", name, names));
 }
 
 Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,
@@ -92,7 +92,7 @@ Parameters scenario_parameters(const RecordScenario& scenario, const Parameters&
     if (!noise.empty()) {
         std::vector<Parameter> rows = noise_rows(machine, noise);
         if (rows.empty())
-            throw std::runtime_error(fmt::format("--noise {}: it takes none, low, mid or high", noise));
+            throw UserError(fmt::format("--noise {}: it takes none, low, mid or high", noise));
         for (Parameter& row : rows)
             parameters.put(std::move(row));
     }

@@ -9,11 +9,11 @@
 
 namespace placedpar {
 
-/// The scenario of that name. Throws std::runtime_error that lists those there are.
+/// The scenario of that name. Throws UserError that lists those there are.
 const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 /// The scenario's parameters on a machine, with those that --noise and --set gave in place of its own. A value is a
-/// number in the room's unit, or one with a unit: "4.1e-11 m^3/Pa". Throws std::runtime_error for a level of noise or
+/// number in the room's unit, or one with a unit: "4.1e-11 m^3/Pa". Throws UserError for a level of noise or
 /// a name that the scenario does not know, for what is no number or no unit of the quantity, and for a value out of the
 /// parameter's range.
 hydraulics::Parameters scenario_parameters(const hydraulics::RecordScenario& scenario,

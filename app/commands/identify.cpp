@@ -21,7 +21,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -46,7 +45,7 @@ IdentificationWay way_of(const IdentifyOptions& options) {
     way.usable.rising = options.rising;
     way.search.validate();
     if (std::size_t needed = samples_for_first_generation(way); options.samples < needed)
-        throw std::runtime_error(
+        throw UserError(
             fmt::format("--samples {}: expected at least {}, for the first generation", options.samples, needed));
     return way;
 }
@@ -61,8 +60,8 @@ double inches_of(const std::string& text) {
     double inches = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), inches);
     if (error != std::errc() || end != text.data() + text.size() || !(std::abs(inches) <= greatest_spool_offset_in))
-        throw std::runtime_error(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}",
-                                             text, greatest_spool_offset_in, greatest_spool_offset_in));
+        throw UserError(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}", text,
+                                    greatest_spool_offset_in, greatest_spool_offset_in));
     return inches;
 }
 
@@ -113,9 +112,9 @@ Case read_case(const IdentifyOptions& options) {
     asked.loaded = load_record(options.record, print_warnings);
     if (!uses_spool(asked.loaded.record, asked.question)) {
         if (asked.question.spool_offset_in)
-            throw std::runtime_error(fmt::format("--offset {}: the areas of these links do not come from the boom's "
-                                                 "spool, so that it has no effect",
-                                                 options.offset));
+            throw UserError(fmt::format("--offset {}: the areas of these links do not come from the boom's "
+                                        "spool, so that it has no effect",
+                                        options.offset));
     } else if (automatic) {
         calibrate(asked);
     }

@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 #include "text/standard_output.hpp"
+#include "text/user_error.hpp"
 #include "workbench/kinds_report.hpp"
 #include "workbench/problems.hpp"
 
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -20,8 +20,7 @@ std::string list_kinds(const Catalogue& catalogue) {
 std::string describe_kind(const Catalogue& catalogue, const std::string& name) {
     const ProcessKind* kind = catalogue.find(name);
     if (!kind)
-        throw std::runtime_error(
-            fmt::format("there is no process kind \"{}\"; say placedpar kinds for those there are", name));
+        throw UserError(fmt::format("there is no process kind \"{}\"; say placedpar kinds for those there are", name));
     return print_kind(*kind);
 }
 

@@ -6,6 +6,7 @@
 #include "hydraulics/data/record_table.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_output.hpp"
+#include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/scenario_record.hpp"
 #include "workbench/scenario_settings.hpp"
@@ -15,7 +16,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,9 +35,9 @@ struct RecordOptions {
 
 LinksInMotion moving_of(const RecordOptions& options, const RecordScenario& scenario) {
     if (!scenario.any_links && !(options.links.empty() && options.configuration.empty()))
-        throw std::runtime_error(fmt::format("--{}: {} has links and a configuration of its own; the scenario links "
-                                             "takes any",
-                                             options.links.empty() ? "configuration" : "link", scenario.name));
+        throw UserError(fmt::format("--{}: {} has links and a configuration of its own; the scenario links "
+                                    "takes any",
+                                    options.links.empty() ? "configuration" : "link", scenario.name));
     return {options.configuration.empty() ? Configuration::a : *configuration_named(options.configuration),
             links_of(options.links.empty() ? "bucket,boom" : options.links)};
 }

@@ -7,6 +7,7 @@
 #include "experiments/kit/replay_report.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_output.hpp"
+#include "text/user_error.hpp"
 #include "workbench/gnuplot.hpp"
 #include "workbench/manifest.hpp"
 
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -38,8 +38,7 @@ std::string list_experiments() {
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw std::runtime_error(
-            fmt::format("there is no experiment \"{}\"; there are:\n{}", name, list_experiments()));
+        throw UserError(fmt::format("there is no experiment \"{}\"; there are:\n{}", name, list_experiments()));
     return *found;
 }
 

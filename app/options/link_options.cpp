@@ -1,9 +1,10 @@
 #include "app/options/link_options.hpp"
 
+#include "text/user_error.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <string>
 
 namespace placedpar {
@@ -27,10 +28,10 @@ LinkSet links_of(const std::string& text) {
         std::string name = text.substr(start, end - start);
         auto link = link_named(name);
         if (!link)
-            throw std::runtime_error(
+            throw UserError(
                 fmt::format("--link {}: there is no link \"{}\"; there are bucket, boom, stick and swing", text, name));
         if (links.contains(*link))
-            throw std::runtime_error(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
+            throw UserError(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
         links.insert(*link);
     }
     return links;

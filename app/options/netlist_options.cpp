@@ -1,13 +1,12 @@
 #include "app/options/netlist_options.hpp"
 
 #include "app/standard_error.hpp"
+#include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -22,9 +21,9 @@ Overrides overrides_of(std::span<const std::string> settings) {
     for (const std::string& each : settings) {
         std::size_t equals = each.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw std::runtime_error(fmt::format("--set {}: it takes NAME=VALUE, such as --set slaves=3", each));
+            throw UserError(fmt::format("--set {}: it takes NAME=VALUE, such as --set slaves=3", each));
         if (!overrides.emplace(each.substr(0, equals), each.substr(equals + 1)).second)
-            throw std::runtime_error(fmt::format("--set {}: {} is set twice", each, each.substr(0, equals)));
+            throw UserError(fmt::format("--set {}: {} is set twice", each, each.substr(0, equals)));
     }
     return overrides;
 }

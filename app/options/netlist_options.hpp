@@ -16,7 +16,7 @@ namespace placedpar {
 /// --set NAME=VALUE, as often as wanted.
 CLI::Option* add_set(CLI::App&, std::vector<std::string>& settings, const std::string& about);
 
-/// What --set asked for. Throws std::runtime_error when one is not of that form or a name is set twice.
+/// What --set asked for. Throws UserError when one is not of that form or a name is set twice.
 Overrides overrides_of(std::span<const std::string> settings);
 
 /// What every command with a netlist takes.

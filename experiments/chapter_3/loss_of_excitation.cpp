@@ -95,12 +95,12 @@ double lost_from(const SearchRun& run, double percent) {
 }
 
 /// When the searches lose their way by more than the percents.
-void add_lost(Comparison& comparison, const Runs& plain, double percent, std::optional<double> known) {
+void add_lost(Comparison& comparison, const Runs& plain, double percent, std::optional<double> thesis) {
     std::string row = fmt::format("off by more than {} %", percent);
     std::vector<double> lost;
     for (const SearchRun& run : plain)
         lost.push_back(lost_from(run, percent));
-    comparison.add(cell_of(row, "median", "generation", known, quantile(lost, 0.5), 200, 0));
+    comparison.add(cell_of(row, "median", "generation", thesis, quantile(lost, 0.5), 200, 0));
     comparison.add(plain_cell(row, "first of 10", "generation", quantile(lost, 0.1), 0));
     comparison.add(plain_cell(row, "last of 10", "generation", quantile(lost, 0.9), 0));
 }

@@ -1,11 +1,12 @@
 #include "experiments/kit/examples_folder.hpp"
 
+#include "text/user_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 #include <vector>
 
 namespace placedpar {
@@ -43,7 +44,7 @@ fs::path examples_folder(const fs::path& program, const char* named) {
             return place;
         looked += "\n  " + place.string();
     }
-    throw std::runtime_error(
+    throw UserError(
         fmt::format("the examples are not to be found; looked in{}\nset PLACEDPAR_EXAMPLES to their folder", looked));
 }
 
