@@ -15,10 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Empty where there is no such file.
+std::string first_line(const fs::path& file) {
+    std::string line;
+    std::getline(std::ifstream(file), line);
+    return line;
+}
+
 std::vector<fs::path> places_beside(const fs::path& program) {
     std::vector<fs::path> places{program.parent_path().parent_path() / "share" / "placedpar" / "examples"};
-    std::string written_by_build;
-    if (std::getline(std::ifstream(program.parent_path() / "examples-folder.txt"), written_by_build))
+    if (std::string written_by_build = first_line(program.parent_path() / "examples-folder.txt");
+        written_by_build != "")
         places.emplace_back(written_by_build);
     return places;
 }

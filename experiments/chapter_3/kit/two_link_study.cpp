@@ -60,11 +60,15 @@ std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const Measuremen
     return runs;
 }
 
+/// After so many generations, or at the end of a shorter run.
+static TwoErrors errors_after(const SearchRun& run, std::size_t generation, std::size_t trials) {
+    std::size_t estimate = std::min(generation / trials, run.estimates.size());
+    return errors_of(run.estimates[estimate - 1].compliance_in3_per_psi);
+}
+
 double both_within_ten_percent(std::span<const SearchRun> runs, std::size_t generation, std::size_t trials) {
-    auto within = std::ranges::count_if(runs, [&](const SearchRun& run) {
-        std::size_t estimate = std::min(generation / trials, run.estimates.size());
-        return errors_of(run.estimates[estimate - 1].compliance_in3_per_psi).both_within(10);
-    });
+    auto within = std::ranges::count_if(
+        runs, [&](const SearchRun& run) { return errors_after(run, generation, trials).both_within(10); });
     return 100 * static_cast<double>(within) / static_cast<double>(runs.size());
 }
 
