@@ -150,7 +150,7 @@ void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
             refuse(outputs[i], "the output file is also the input; choose another name");
         for (std::size_t j = 0; j < i; ++j)
             if (!outputs[j].empty() && are_one_file(outputs[i], outputs[j]))
-                refuse(outputs[i], "two outputs have this name; choose two");
+                refuse(outputs[i], "it would be written twice; choose two names");
     }
 }
 
