@@ -73,14 +73,14 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
 }
 
 TEST_CASE("a path is open where the pump can reach the cylinder") {
-    SetProblem problem(Configuration::a, {hydraulics::Link::boom}, {100, 175, 25}, bits);
+    SetProblem problem(Configuration::a, {hydraulics::Link::boom}, {100, 175, 25, 4500}, bits);
     // All 175 in^3/s through .068 in^2: 25 + (175 / 6.8)^2 = 687.3 psi.
     CHECK(problem.open({{687, 0, 0, 0.1, 0.068}}));
     CHECK_FALSE(problem.open({{688, 0, 0, 0.1, 0.068}}));
     CHECK_FALSE(problem.open({{600, 0, 0, 0, 0.068}})); // its inlet is shut
     CHECK(problem.open({{4000, 0, 0, 0.1, 0}}));        // its bypass is shut
     // In series: 2000 and 1700 psi with these areas take 56.7 and 52.2 in^3/s, at 2032 and 1730 psi.
-    SetProblem series(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom}, {100, 175, 25}, bits);
+    SetProblem series(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom}, {100, 175, 25, 4500}, bits);
     CHECK(series.open({{2000, 0, 0, 0.1, 0.068}, {1700, 0, 0, 0.096, 0.016}}));
     CHECK_FALSE(series.open({{2000, 0, 0, 0.1, 0.068}, {2500, 0, 0, 0.096, 0.016}}));
     // What the boom does not take keeps the bucket's junction at 993.6 psi at most: .068 + .1 in^2 in series.
