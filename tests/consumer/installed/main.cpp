@@ -17,8 +17,8 @@ namespace {
 bool every_room_is_there() {
     placedpar::ProblemRegistry problems = placedpar::known_problems(1);
     return placedpar::Genome::from_string("101").field(0, 3) == 5 &&
-           placedpar::known_kinds(problems).find("ga.master") && placedpar::service_way().searches > 1 &&
-           !placedpar::experiments().empty();
+           placedpar::known_kinds(problems).find("ga.master") &&
+           placedpar::identification::service_way().searches > 1 && !placedpar::experiments().empty();
 }
 
 } // namespace
