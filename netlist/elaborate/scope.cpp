@@ -1,8 +1,6 @@
 #include "netlist/elaborate/scope.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <ranges>
 
 namespace placedpar {
 
@@ -64,7 +62,8 @@ std::vector<std::string> Scopes::predefined_node_types() const {
 std::vector<std::string> Scopes::names() const {
     std::vector<std::string> names;
     for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-        std::ranges::copy(std::views::keys(*scope), std::back_inserter(names));
+        for (const auto& [name, entry] : *scope)
+            names.push_back(name);
     return names;
 }
 

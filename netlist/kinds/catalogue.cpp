@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <ranges>
 #include <stdexcept>
 
 namespace placedpar {
@@ -37,7 +35,8 @@ const ProcessKind* Catalogue::find(std::string_view name) const {
 
 std::vector<std::string> Catalogue::kind_names() const {
     std::vector<std::string> names;
-    std::ranges::copy(std::views::keys(kinds_), std::back_inserter(names));
+    for (const auto& [name, entry] : kinds_)
+        names.push_back(name);
     return names;
 }
 
