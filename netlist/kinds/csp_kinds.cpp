@@ -6,6 +6,8 @@
 #include "runtime/executive.hpp"
 #include "runtime/timer.hpp"
 
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -123,12 +125,17 @@ ProcessKind producer_kind() {
             .body = produce};
 }
 
-ProcessKind identity_kind() {
-    return {.name = "csp.identity",
-            .about = "Outputs what it inputs: a buffer for one packet.",
+/// A kind that inputs packets and outputs them again, each in its manner.
+ProcessKind relay_kind(std::string name, std::string about, std::function<void(ProcessEnvironment&)> body) {
+    return {.name = std::move(name),
+            .about = std::move(about),
             .ports = {in(), out()},
             .parameters = {count(), cycles()},
-            .body = identity};
+            .body = std::move(body)};
+}
+
+ProcessKind identity_kind() {
+    return relay_kind("csp.identity", "Outputs what it inputs: a buffer for one packet.", identity);
 }
 
 ProcessKind prefix_kind() {
@@ -140,19 +147,11 @@ ProcessKind prefix_kind() {
 }
 
 ProcessKind delta_kind() {
-    return {.name = "csp.delta",
-            .about = "Outputs what it inputs to each of its outputs, an array, in order.",
-            .ports = {in(), out()},
-            .parameters = {count(), cycles()},
-            .body = delta};
+    return relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta);
 }
 
 ProcessKind successor_kind() {
-    return {.name = "csp.successor",
-            .about = "Outputs what it inputs with the number one higher.",
-            .ports = {in(), out()},
-            .parameters = {count(), cycles()},
-            .body = successor};
+    return relay_kind("csp.successor", "Outputs what it inputs with the number one higher.", successor);
 }
 
 ProcessKind consumer_kind() {
