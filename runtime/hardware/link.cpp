@@ -85,6 +85,8 @@ bool LinkDirection::receive(const SourceLocation& where) {
         back_.ask_for_acknowledge(*this);
     }
     if (first_byte_here && bytes_left_ == 0) {
+        for (auto& event : last_byte_arrived_)
+            cancel(event); // of this moment, if the arrival of the first byte woke an alternation
         take_part();
         receiver_ = nullptr;
     } else {

@@ -128,6 +128,8 @@ void BitModel::processes(std::size_t d) {
         ++receiver.arrived;
         if (receiver.receiving && receiver.arrived == receiver.asked)
             next_input(d);
+        else if (receiver.alternating)
+            ask_part(d);
     }
     if (sender_[d].ends_at == now_)
         next_output(d);
@@ -137,7 +139,7 @@ void BitModel::timers(std::size_t d) {
     if (!sender_[d].sending && sender_[d].message < traffic_[d].messages.size() && sender_[d].wakes_at == now_)
         begin_part(d);
     if (!receiver_[d].receiving && receiver_[d].message < traffic_[d].messages.size() && receiver_[d].wakes_at == now_)
-        ask_part(d);
+        begin_input(d);
 }
 
 void BitModel::begin_part(std::size_t d) {
@@ -163,8 +165,16 @@ void BitModel::next_output(std::size_t d) {
         begin_part(d);
 }
 
+void BitModel::begin_input(std::size_t d) {
+    Receiver& receiver = receiver_[d];
+    receiver.alternating = traffic_[d].messages[receiver.message].alternates && receiver.arrived == receiver.asked;
+    if (!receiver.alternating)
+        ask_part(d);
+}
+
 void BitModel::ask_part(std::size_t d) {
     Receiver& receiver = receiver_[d];
+    receiver.alternating = false;
     receiver.receiving = true;
     receiver.asked += traffic_[d].messages[receiver.message].parts[receiver.part];
     if (receiver.owed) {
@@ -188,7 +198,7 @@ void BitModel::next_input(std::size_t d) {
         return;
     receiver.wakes_at = now_ + messages[receiver.message].receiver_pause;
     if (receiver.wakes_at == now_)
-        ask_part(d);
+        begin_input(d);
 }
 
 } // namespace placedpar::test

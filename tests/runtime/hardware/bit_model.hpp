@@ -14,6 +14,7 @@ struct Traffic {
     struct Message {
         std::int64_t sender_pause, receiver_pause; ///< nanoseconds
         std::vector<std::uint32_t> parts;          ///< bytes
+        bool alternates = false;                   ///< the receiver asks only once the first byte has arrived
     };
     std::vector<Message> messages;
 };
@@ -54,7 +55,7 @@ private:
         std::size_t message = 0, part = 0;
         std::uint64_t asked = 0, seen = 0, arrived = 0; ///< bytes
         std::int64_t notice_at = -1, wakes_at = 0, arrives_at = -1;
-        bool owed = false, receiving = false;
+        bool owed = false, receiving = false, alternating = false;
     };
 
     void decode(std::size_t end);
@@ -65,6 +66,7 @@ private:
     void processes(std::size_t direction);
     void timers(std::size_t direction);
     void begin_part(std::size_t direction);
+    void begin_input(std::size_t direction);
     void ask_part(std::size_t direction);
     void next_output(std::size_t direction);
     void next_input(std::size_t direction);

@@ -2,6 +2,7 @@
 
 #include "bit_model.hpp"
 
+#include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
@@ -60,7 +61,10 @@ Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& t
         simulation.process(fmt::format("receiver {}", d), [&, d] {
             for (const auto& message : traffic[d].messages) {
                 wait_for(std::chrono::nanoseconds{message.receiver_pause});
-                CHECK(channels[d].in().input().bytes == message.parts);
+                if (message.alternates)
+                    alt(on(channels[d].in(), [&](const Parts& parts) { CHECK(parts.bytes == message.parts); }));
+                else
+                    CHECK(channels[d].in().input().bytes == message.parts);
                 course[d].input_ended.push_back(now_in_nanoseconds());
             }
         });
@@ -85,6 +89,7 @@ Traffic random_traffic(RandomStream& random, std::int64_t residue, std::uint32_t
         std::uint32_t parts = 1 + random.below(random.chance(0.5) ? 1 : 4);
         for (std::uint32_t part = 0; part < parts; ++part)
             message.parts.push_back(1 + random.below(random.chance(0.5) ? 3 : longest));
+        message.alternates = random.chance(0.4);
         traffic.messages.push_back(message);
     }
     return traffic;

@@ -1,0 +1,141 @@
+// Random programs that alternate over links: nothing is lost, doubled or out of order, and nothing gets stuck.
+
+#include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/random.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <numeric>
+
+using namespace placedpar;
+
+namespace {
+
+/// A numbered message of one byte up.
+struct Numbered {
+    int number = 0;
+    std::uint32_t bytes = 1;
+    WireForm wire_form() const { return bytes > 2 ? WireForm(bytes - 2, 2) : WireForm(bytes); }
+};
+
+/// Senders, each on a link of its own, and one receiver, which takes their messages as it pleases.
+class Program {
+public:
+    explicit Program(std::uint64_t seed, bool every_byte) : random_(seed, "alternation over links") {
+        std::size_t senders = 1 + random_.below(3);
+        bool placed = random_.chance(0.5);
+        for (std::size_t i = 0; i < senders; ++i)
+            add_sender(i, placed, every_byte);
+        left_ = sent_;
+        Processor* t800 = placed ? &simulation_.add<Processor>("receiver") : nullptr;
+        simulation_.process(
+            "receiver", [this] { receive_all(); }, t800);
+    }
+    RunResult run() { return simulation_.run(); }
+    const std::vector<Time>& times() const { return times_; }
+
+private:
+    void add_sender(std::size_t i, bool placed, bool every_byte) {
+        Link& link = simulation_.add<Link>(LinkTiming{.wire_delay = std::chrono::nanoseconds{random_.below(200)}});
+        auto& direction = random_.chance(0.5) ? link.from_a_to_b() : link.from_b_to_a();
+        if (every_byte)
+            direction.simulate_every_byte();
+        channels_.emplace_back(fmt::format("link {}", i)).put_on(direction);
+        inputs_.push_back(channels_.back().in());
+        sent_.push_back(1 + static_cast<int>(random_.below(6)));
+        received_.push_back(0);
+        Processor* t800 = placed ? &simulation_.add<Processor>(fmt::format("sender {}", i)) : nullptr;
+        simulation_.process(
+            fmt::format("sender {}", i), [this, i] { send_all(i); }, t800);
+    }
+
+    void send_all(std::size_t sender) {
+        RandomStream random(random_.below(1'000'000), "sender");
+        for (int number = 0; number < sent_[sender]; ++number) {
+            pause(random);
+            channels_[sender].out().output({number, random.chance(0.6) ? 1 : 1 + random.below(40)});
+        }
+    }
+
+    void receive_all() {
+        while (std::accumulate(left_.begin(), left_.end(), 0) > 0) {
+            pause(random_);
+            if (random_.chance(0.3))
+                take_from(some_sender());
+            else
+                alternate();
+            times_.push_back(now());
+        }
+    }
+    /// A sender that has something left.
+    std::size_t some_sender() {
+        std::size_t sender = random_.below(static_cast<std::uint32_t>(left_.size()));
+        while (left_[sender] == 0)
+            sender = (sender + 1) % left_.size();
+        return sender;
+    }
+    void alternate() {
+        std::vector<Guard> guards;
+        for (auto& channel : channels_)
+            guards.push_back({Guard::input, &channel});
+        if (random_.chance(0.3))
+            guards.push_back({Guard::timeout, nullptr, now() + std::chrono::nanoseconds{random_.below(3000)}});
+        else if (random_.chance(0.3))
+            guards.push_back({Guard::skip});
+        if (std::size_t chosen = select(guards); chosen < channels_.size())
+            take_from(chosen);
+    }
+    void take_from(std::size_t sender) {
+        CHECK(inputs_[sender].input().number == received_[sender]++);
+        --left_[sender];
+    }
+    void pause(RandomStream& random) {
+        if (random.chance(0.6))
+            wait_for(std::chrono::nanoseconds{random.below(4000)});
+    }
+
+    Simulation simulation_;
+    RandomStream random_;
+    std::deque<Channel<Numbered>> channels_;
+    std::vector<Input<Numbered>> inputs_;
+    std::vector<int> sent_, left_, received_;
+    std::vector<Time> times_;
+};
+
+} // namespace
+
+TEST_CASE("random programs that alternate over links complete, every message in order") {
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        CAPTURE(seed);
+        Program bytes(seed, true), closed(seed, false);
+        auto result = bytes.run();
+        REQUIRE(result.ending == Ending::completed);
+        REQUIRE(closed.run().fingerprint == result.fingerprint);
+        REQUIRE(closed.times() == bytes.times());
+    }
+}
+
+TEST_CASE("a message of one byte that an alternation has taken does not end the next input") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    Channel<Numbered> channel("channel");
+    channel.put_on(link.from_a_to_b());
+    std::vector<int> received;
+    simulation.process("sender", [&] {
+        for (int number : {1, 2})
+            channel.out().output({number});
+    });
+    simulation.process("receiver", [&] {
+        alt(on(channel.in(), [&](Numbered message) { received.push_back(message.number); }));
+        received.push_back(channel.in().input().number);
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(received == std::vector{1, 2});
+}
