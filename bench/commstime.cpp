@@ -64,7 +64,7 @@ Timing commstime(long loops, Time pause) {
         kernel, "commstime", [&] { par(prefix, delta, successor, consumer); }, nullptr, Priority::low);
     kernel.make_ready(main);
     auto start = std::chrono::steady_clock::now();
-    kernel.run(Time::max(), [](Ending) {});
+    kernel.run(Time::max(), {});
     std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
     return {took.count() / static_cast<double>(loops), kernel.fingerprint().value()};
 }

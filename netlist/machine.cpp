@@ -159,6 +159,4 @@ Process& Machine::make_process(const ProcessInstance& process, const ProcessKind
         executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);
 }
 
-RunReport Machine::run(Time limit) { return report(simulation_.run(limit)); }
-
 } // namespace placedpar

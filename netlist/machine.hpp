@@ -40,11 +40,9 @@ private:
     void expect_partners();
     Process& make_process(const ProcessInstance&, const ProcessKind&);
 
-    // machine_report.cpp
-    RunReport report(RunResult) const;
-    std::vector<ProcessorUse> processor_uses(Time whole) const;
-    std::vector<LinkUse> link_uses(Time whole) const;
-    std::vector<ProcessUse> process_uses(Time whole) const;
+    std::vector<ProcessorUse> processor_uses() const;
+    std::vector<LinkUse> link_uses() const;
+    std::vector<ProcessUse> process_uses() const;
 
     Network network_;
     std::uint64_t seed_;

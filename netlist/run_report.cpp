@@ -42,6 +42,14 @@ std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measureme
     return fingerprint.value();
 }
 
+std::optional<double> RunReport::share(Time part) const {
+    if (result.ending == Ending::stuck)
+        return std::nullopt;
+    if (result.time == Time{0})
+        return 0;
+    return static_cast<double>(part.count()) / static_cast<double>(result.time.count());
+}
+
 double RunReport::measured(std::string_view process, std::string_view name) const {
     return std::get<double>(find_measurement(*this, process, name).value);
 }

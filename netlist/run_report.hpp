@@ -4,6 +4,7 @@
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,28 +14,32 @@ namespace placedpar {
 struct ProcessorUse {
     std::string name;
     std::string type;
-    double busy; ///< fraction of the run
+    Time busy; ///< how long it executed processes
 };
 
 struct LinkUse {
     std::string from, to; ///< "t[0].link[3]"
     std::uint64_t bytes;
-    double occupied; ///< fraction of the run in which its wire carried their bits
+    Time occupied; ///< how long its wire carried their bits
 };
 
 struct ProcessUse {
     std::string name;
     std::string processor;
-    double waiting; ///< fraction of the run
+    Time waiting;                    ///< how long it waited, with all its components
+    std::optional<Time> waits_since; ///< if it waits at the end: since when
 };
 
-/// What a run reports: how it ended, what the processes measured, and how the machine was used.
+/// What a run reports: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport {
     RunResult result; ///< its fingerprint covers the measurements too
     std::vector<Measurement> measurements;
     std::vector<ProcessorUse> processors;
     std::vector<LinkUse> links;
     std::vector<ProcessUse> processes;
+
+    /// The part of the run that took so long. None in a deadlock, which lasts for ever.
+    std::optional<double> share(Time) const;
 
     /// The measurement of that name by that process; throws std::out_of_range if there is none.
     double measured(std::string_view process, std::string_view name) const;

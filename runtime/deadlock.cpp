@@ -136,6 +136,7 @@ const char* name_of(Activity activity) {
     case Activity::inputting: return "inputs";
     case Activity::alternating: return "alternates";
     case Activity::joining: return "waits for its components";
+    case Activity::after_work: return "waits for the end of the work";
     case Activity::ended: return "has ended";
     }
     return "";

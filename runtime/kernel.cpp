@@ -77,9 +77,10 @@ Process* Kernel::choose_next() {
     while (!over()) {
         if (Process* p = choose_ready())
             return p;
-        if (future_.empty())
+        if (!future_.empty())
+            pass_to(future_.next_time());
+        else if (!go_on_after_work())
             return nullptr;
-        pass_to(future_.next_time());
     }
     return nullptr;
 }
@@ -94,6 +95,33 @@ void Kernel::pass_to(Time next) {
     } else {
         now_ = next;
         future_.happen_next();
+    }
+}
+
+/// Ends the work and wakes those that wait for this; returns whether there are any.
+bool Kernel::go_on_after_work() {
+    if (after_work_.empty())
+        return false;
+    end_work();
+    limit_ = Time::max();
+    trace_ = nullptr;
+    while (Process* p = after_work_.pop_front())
+        make_ready(*p);
+    return true;
+}
+
+void Kernel::end_work() {
+    if (!std::exchange(work_over_, true))
+        tell(observer_.work_over);
+}
+
+/// After a failure nothing is told.
+void Kernel::tell(const std::function<void()>& observer) {
+    try {
+        if (!failure_)
+            observer();
+    } catch (...) {
+        failure_ = std::current_exception();
     }
 }
 
@@ -179,24 +207,21 @@ void Kernel::finish(Process& p) noexcept {
         make_ready(*parent);
 }
 
-Ending Kernel::run(Time limit, const std::function<void(Ending)>& at_end) {
+Ending Kernel::run(Time limit, Observer observer) {
     if (current_)
         throw std::logic_error("a simulation is already running on this thread");
     if (unwinding_)
         throw std::logic_error("a simulation runs only once");
     limit_ = limit;
+    observer_ = std::move(observer);
     boost::fibers::use_scheduling_algorithm<FiberScheduler>(boost::fibers::context::active(), scheduler_);
     current_ = this;
     stack_in_use_ = &host_stack_;
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();
-    try {
-        if (!failure_)
-            at_end(how);
-    } catch (...) {
-        failure_ = std::current_exception();
-    }
+    end_work();
+    tell([&] { observer_.run_over(how); });
     unwind_all();
     current_ = nullptr;
     boost::fibers::use_scheduling_algorithm<boost::fibers::algo::round_robin>();

@@ -35,8 +35,8 @@ class Unwinding {};
 /// by priority (EventQueue::Priority), and within a priority by rank or, if they have none, by insertion. Nothing else
 /// decides, and no wall clock is read, so a simulation is deterministic.
 ///
-/// A run is over when no process is ready and no event is due, and also when every process of the program has ended,
-/// even if the machine could go on.
+/// The work is over when no process is ready and no event is due, and also when every process of the program has ended,
+/// even if the machine could go on. So is the run then, unless processes have asked to go on after the work.
 ///
 /// 1. A kernel is used by one thread; only interrupt() may be called from elsewhere.
 /// 2. It runs once, and no other kernel runs on its thread meanwhile.
@@ -81,18 +81,26 @@ public:
         if (unwinding_)
             throw Unwinding{};
     }
+    /// Makes the process ready when the work is over. It waits until then.
+    void after_work(Process& p) { after_work_.push_back(p); }
     /// Moves virtual time on to `until` if nothing else could happen before or at that moment; returns whether it did.
     /// Same effect as waiting, without two context switches.
     bool pass_time(Time until);
 
-    /// Runs until the end, calls `at_end` while the processes that are left still stand where they wait, and then
-    /// unwinds them. Rethrows what a process or `at_end` threw; after a process threw, `at_end` is not called.
+    /// What it calls at the end of the work, and at the end of the run.
+    struct Observer {
+        std::function<void()> work_over = [] {};
+        std::function<void(Ending)> run_over = [](Ending) {};
+    };
+    /// Runs until the end. The observer is called while the processes that are left still stand where they wait; then
+    /// they are unwound. The limit is one for the work, and only the work is traced. Rethrows what a process or the
+    /// observer threw; after a process threw, the observer is not called.
     /// Throws std::logic_error when a simulation is already running on this thread, and when called twice;
     /// std::overflow_error when nothing is left to happen before the end of virtual time, but something beyond it.
     ///
     /// It may be called from a Boost fiber. The thread's other fibers rest meanwhile; afterwards they are scheduled
     /// round robin, even if another algorithm was in use before.
-    Ending run(Time limit, const std::function<void(Ending)>& at_end);
+    Ending run(Time limit, Observer);
     /// Runs ready processes in an order drawn from the seed instead of the order in which they became ready: another of
     /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
     void shuffle(std::uint64_t seed) { shuffle_.emplace(seed, "ready queue"); }
@@ -113,6 +121,9 @@ private:
     Process* choose_ready();
     Process* choose_next();
     void pass_to(Time next);
+    bool go_on_after_work();
+    void end_work();
+    void tell(const std::function<void()>&);
     Process* next_with_worker();
     void switch_to(Process*);
     bool employ(Process&);
@@ -124,6 +135,7 @@ private:
 
     Time now_{}, limit_{Time::max()};
     ProcessQueue ready_;
+    ProcessQueue after_work_;
     EventQueue future_;
     Fingerprint fingerprint_;
     TraceSink* trace_ = nullptr;
@@ -136,6 +148,8 @@ private:
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> idle_; ///< workers without a process
     FiberScheduler* scheduler_ = nullptr;
+    Observer observer_;
+    bool work_over_ = false;
     bool unwinding_ = false;
     bool limit_reached_ = false;
     std::atomic<bool> interrupted_{false};

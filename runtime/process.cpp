@@ -41,6 +41,15 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     wait(activity);
 }
 
+std::optional<Time> Process::waits_since() const {
+    return ended() || going_on_ > 0 ? std::nullopt : std::optional(still_since_);
+}
+
+Time Process::time_waited() const {
+    Time now = kernel_.now();
+    return waited_ + (now - waits_since().value_or(now));
+}
+
 void Process::goes_on() {
     if (outermost_->going_on_++ == 0)
         outermost_->waited_ += kernel_.now() - outermost_->still_since_;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ class Worker;
 enum class Priority { high, low };
 
 /// What a process is doing, or what it waits for.
-enum class Activity { ready, delayed, outputting, inputting, alternating, joining, ended };
+enum class Activity { ready, delayed, outputting, inputting, alternating, joining, after_work, ended };
 
 /// A PAR: how many of its components still run, and the process that waits for them.
 struct Join {
@@ -69,8 +70,10 @@ public:
     /// Where it last waited.
     const SourceLocation& place_in_program() const { return where_; }
     /// For a process at the outermost level: how long it and all components of its PARs waited for partners or delays
-    /// at once. A wait lasts until the process runs again, or the run ends.
-    Time time_waited() const { return waited_; }
+    /// at once. A wait lasts until the process runs again; one that still lasts counts up to now.
+    Time time_waited() const;
+    /// For a process at the outermost level: since when it and all its components have waited; none if they do not.
+    std::optional<Time> waits_since() const;
 
     /// Waits until made ready, and notes for reports why and where. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
@@ -105,7 +108,7 @@ private:
 
     // Of a process at the outermost level, for itself and its components.
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended
-    Time still_since_{};       ///< when the last of them began to wait
+    Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};
 
     Worker* worker_ = nullptr; ///< the fiber that runs its body; null before its first turn

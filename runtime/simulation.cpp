@@ -14,13 +14,20 @@ Process& Simulation::process(std::string name, Process::Body body, Executive* on
     return process;
 }
 
-RunResult Simulation::run(Time limit) {
-    std::optional<Deadlock> deadlock;
-    Ending ending = kernel_.run(limit, [&](Ending e) {
-        if (e == Ending::stuck)
-            deadlock = find_deadlock(kernel_);
-    });
-    return {ending, kernel_.now(), kernel_.fingerprint().value(), std::move(deadlock)};
+RunResult Simulation::run(Time limit, const std::function<void()>& work_over) {
+    RunResult result;
+    Kernel::Observer observer;
+    observer.work_over = [&] {
+        result.time = kernel_.now();
+        work_over();
+    };
+    observer.run_over = [&](Ending ending) {
+        if (ending == Ending::stuck)
+            result.deadlock = find_deadlock(kernel_);
+    };
+    result.ending = kernel_.run(limit, std::move(observer));
+    result.fingerprint = kernel_.fingerprint().value();
+    return result;
 }
 
 } // namespace placedpar

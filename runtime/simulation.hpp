@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -17,11 +18,11 @@
 
 namespace placedpar {
 
-/// How a run ended, and when.
+/// How a run ended, and when its work did (see wait_until_work_is_over).
 struct RunResult {
-    Ending ending;
-    Time time; ///< virtual time at the end
-    std::uint64_t fingerprint;
+    Ending ending = Ending::completed;
+    Time time{};                      ///< virtual time at the end of the work
+    std::uint64_t fingerprint = 0;    ///< of the whole run
     std::optional<Deadlock> deadlock; ///< only if the run ended stuck
 };
 
@@ -64,10 +65,12 @@ public:
     /// The sink must outlive run().
     void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }
 
-    /// Runs until every process has ended, none can go on, or the limit is reached. Rethrows what a process threw;
+    /// Runs until every process has ended, none can go on, or the limit is reached; calls `work_over` when the work is,
+    /// for figures that are to be those of the work. Rethrows what a process threw;
     /// throws std::overflow_error when the next thing to happen lies beyond the end of virtual time, and
     /// std::logic_error when another simulation is running on this thread or this one has run before.
-    RunResult run(Time limit = Time::max());
+    RunResult run(
+        Time limit = Time::max(), const std::function<void()>& work_over = [] {});
     /// Ends a run that is under way. May be called from a signal handler or another thread.
     void interrupt() { kernel_.interrupt(); }
 

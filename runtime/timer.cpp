@@ -36,6 +36,12 @@ void wait_until(Time due, const SourceLocation& where) {
 
 void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now(), how_long), where); }
 
+void wait_until_work_is_over(const SourceLocation& where) {
+    Kernel& kernel = *Kernel::current();
+    kernel.after_work(kernel.running());
+    kernel.running().wait_for(Activity::after_work, nullptr, where);
+}
+
 Time Timer::tick() const {
     const Process& self = Kernel::current()->running();
     return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};

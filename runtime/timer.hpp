@@ -17,6 +17,11 @@ void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// The same, for so long from now. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
 
+/// The running process waits until the work of the simulation is over: nothing else can happen unless a process that
+/// waits here goes on. What happens from then on is a measurement of its own, such as of the machine that the work has
+/// left behind: the run's time, its trace and its limit are those of the work.
+void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
+
 /// occam's TIMER: the clock that the running process's executive shows to processes of its priority. Unlike the
 /// hardware's 32-bit clock it does not wrap round.
 class Timer {

@@ -44,30 +44,47 @@ std::string print_measurements(const std::vector<Measurement>& rows) {
     return out;
 }
 
-std::string print_processors(const std::vector<ProcessorUse>& rows) {
+/// A part of the run's time: in percent, or where there is no whole, as in a deadlock, in milliseconds.
+std::string print_part(const RunReport& report, Time part) {
+    if (auto share = report.share(part))
+        return fmt::format("{:.1f}%", 100 * *share);
+    return fmt::format("{:.3f} ms", in_milliseconds(part));
+}
+
+std::string print_processors(const RunReport& report) {
+    const auto& rows = report.processors;
     std::size_t name = width_of(rows, &ProcessorUse::name, 9);
     std::string out = fmt::format("\n{:<{}}  {:<6}  {:>6}\n", "processor", name, "type", "busy");
     for (const ProcessorUse& p : rows)
-        out += fmt::format("{:<{}}  {:<6}  {:>5.1f}%\n", p.name, name, p.type, 100 * p.busy);
+        out += fmt::format("{:<{}}  {:<6}  {:>6}\n", p.name, name, p.type, print_part(report, p.busy));
     return out;
 }
 
 std::string ends_of(const LinkUse& link) { return link.from + " -> " + link.to; }
 
-std::string print_links(const std::vector<LinkUse>& rows) {
+std::string print_links(const RunReport& report) {
+    const auto& rows = report.links;
     std::size_t width = width_of(rows, ends_of, 13);
     std::string out = fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied");
     for (const LinkUse& l : rows)
         if (l.bytes > 0)
-            out += fmt::format("{:<{}}  {:>10}  {:>8.1f}%\n", ends_of(l), width, l.bytes, 100 * l.occupied);
+            out += fmt::format("{:<{}}  {:>10}  {:>9}\n", ends_of(l), width, l.bytes, print_part(report, l.occupied));
     return out;
 }
 
-std::string print_processes(const std::vector<ProcessUse>& rows) {
+/// In a deadlock a process that waits does so for ever.
+std::string print_wait(const RunReport& report, const ProcessUse& process) {
+    if (report.result.ending == Ending::stuck && process.waits_since)
+        return fmt::format("for ever, from {:.3f} ms on", in_milliseconds(*process.waits_since));
+    return print_part(report, process.waiting);
+}
+
+std::string print_processes(const RunReport& report) {
+    const auto& rows = report.processes;
     std::size_t name = width_of(rows, &ProcessUse::name, 7), node = width_of(rows, &ProcessUse::processor, 2);
     std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting");
     for (const ProcessUse& p : rows)
-        out += fmt::format("{:<{}}  {:<{}}  {:>6.1f}%\n", p.name, name, p.processor, node, 100 * p.waiting);
+        out += fmt::format("{:<{}}  {:<{}}  {:>7}\n", p.name, name, p.processor, node, print_wait(report, p));
     return out;
 }
 
@@ -77,25 +94,43 @@ boost::json::value value_json(const Measurement& m) {
     return std::get<double>(m.value);
 }
 
-boost::json::object json_of(const Measurement& m) {
+boost::json::object json_of(const RunReport&, const Measurement& m) {
     return {{"process", m.process}, {"name", m.name}, {"value", value_json(m)}, {"unit", m.unit}};
 }
 
-boost::json::object json_of(const ProcessorUse& p) { return {{"name", p.name}, {"type", p.type}, {"busy", p.busy}}; }
-
-boost::json::object json_of(const LinkUse& l) {
-    return {{"from", l.from}, {"to", l.to}, {"bytes", l.bytes}, {"occupied", l.occupied}};
+/// A fraction of the run; null where there is no whole.
+boost::json::value part_json(const RunReport& report, Time part) {
+    auto share = report.share(part);
+    return share ? boost::json::value(*share) : boost::json::value();
 }
 
-boost::json::object json_of(const ProcessUse& p) {
-    return {{"name", p.name}, {"on", p.processor}, {"waiting", p.waiting}};
+boost::json::object json_of(const RunReport& report, const ProcessorUse& p) {
+    return {{"name", p.name}, {"type", p.type}, {"busy", part_json(report, p.busy)}, {"busy_ps", p.busy.count()}};
+}
+
+boost::json::object json_of(const RunReport& report, const LinkUse& l) {
+    return {{"from", l.from},
+            {"to", l.to},
+            {"bytes", l.bytes},
+            {"occupied", part_json(report, l.occupied)},
+            {"occupied_ps", l.occupied.count()}};
+}
+
+boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
+    boost::json::object json{{"name", p.name},
+                             {"on", p.processor},
+                             {"waiting", part_json(report, p.waiting)},
+                             {"waiting_ps", p.waiting.count()}};
+    if (p.waits_since)
+        json["waits_since_ps"] = p.waits_since->count();
+    return json;
 }
 
 template <class Rows>
-boost::json::array array_of(const Rows& rows) {
+boost::json::array array_of(const RunReport& report, const Rows& rows) {
     boost::json::array array;
     for (const auto& row : rows)
-        array.push_back(json_of(row));
+        array.push_back(json_of(report, row));
     return array;
 }
 
@@ -124,10 +159,10 @@ std::string print_report(const RunReport& report, const Network& network) {
     if (!report.measurements.empty())
         out += print_measurements(report.measurements);
     if (!report.processors.empty())
-        out += print_processors(report.processors);
+        out += print_processors(report);
     if (!report.links.empty())
-        out += print_links(report.links);
-    return out + print_processes(report.processes);
+        out += print_links(report);
+    return out + print_processes(report);
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest) {
@@ -135,10 +170,10 @@ boost::json::object report_json(const RunReport& report, const Network& network,
                              {"outcome", describe(report.result.ending)},
                              {"time_ps", report.result.time.count()},
                              {"fingerprint", hex(report.result.fingerprint)},
-                             {"measurements", array_of(report.measurements)},
-                             {"processors", array_of(report.processors)},
-                             {"links", array_of(report.links)},
-                             {"processes", array_of(report.processes)}};
+                             {"measurements", array_of(report, report.measurements)},
+                             {"processors", array_of(report, report.processors)},
+                             {"links", array_of(report, report.links)},
+                             {"processes", array_of(report, report.processes)}};
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     return json;

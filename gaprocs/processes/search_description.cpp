@@ -120,8 +120,9 @@ Parameters farm_parameters() {
         text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
              "how results come back: in the order of the chain, the farthest first, or as they are ready; on demand "
              "always as they are ready"),
-        integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 1, .most = 1e6},
-                "rounds of communication with nothing to evaluate, to measure C_time2"),
+        integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
+                "rounds of communication with nothing to evaluate, to measure C_time2: after the work, in none of its "
+                "totals; 0 for no measurement"),
     };
 }
 

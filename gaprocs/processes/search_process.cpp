@@ -61,6 +61,8 @@ public:
                 run_generation();
         }
         rate_.stop();
+        if (timing_ && rehearsals_ > 0)
+            rehearse();
         farm_.end();
         report();
     }
@@ -75,10 +77,6 @@ private:
     void begin_timing() {
         farm_.forget_times();
         execution_ = operators_ = Stopwatch{};
-        rehearsal_.start();
-        for (std::int64_t i = 0; i < rehearsals_; ++i)
-            farm_.rehearse(search_.population());
-        rehearsal_.stop();
         generations_before_timing_ = search_.generation();
         rate_.start();
     }
@@ -96,6 +94,15 @@ private:
         search_.next_generation(fitness);
         operators_.stop();
         execution_.stop();
+    }
+
+    /// Measures C_time2 when all of the machine has done its work, so that it disturbs none of the work's figures.
+    void rehearse() {
+        wait_until_work_is_over();
+        rehearsal_.start();
+        for (std::int64_t i = 0; i < rehearsals_; ++i)
+            farm_.rehearse(search_.population());
+        rehearsal_.stop();
     }
 
     /// The best goes to the next island; the best of the island before replaces the worst.
@@ -124,8 +131,10 @@ private:
         environment_.measure("T_exe", execution_.mean_milliseconds(), "ms");
         environment_.measure("T_sr", farm_.send_to_receive.mean_milliseconds(), "ms");
         environment_.measure("P_time2", farm_.own_evaluation.mean_milliseconds(), "ms");
-        environment_.measure(
-            "C_time2", rehearsals_ > 0 ? rehearsal_.mean_milliseconds() / static_cast<double>(rehearsals_) : 0, "ms");
+        if (rehearsals_ > 0)
+            environment_.measure("C_time2", rehearsal_.mean_milliseconds() / static_cast<double>(rehearsals_), "ms");
+        else if (!has_slaves_)
+            environment_.measure("C_time2", 0, "ms");
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 

@@ -122,7 +122,8 @@ TEST_CASE("unwound when the report at the end throws") {
         },
         nullptr, Priority::low);
     kernel.make_ready(waiter);
-    CHECK_THROWS_AS(kernel.run(Time::max(), [](Ending) { throw std::runtime_error("report"); }), std::runtime_error);
+    CHECK_THROWS_AS(kernel.run(Time::max(), {.run_over = [](Ending) { throw std::runtime_error("report"); }}),
+                    std::runtime_error);
     CHECK(alive == 0);
     CHECK(Kernel::current() == nullptr);
 }

@@ -37,7 +37,7 @@ public:
                 kernel_, "p", [this, p] { act(p); }, nullptr, Priority::low);
             kernel_.make_ready(processes_.back());
         }
-        Ending ending = kernel_.run(Time::max(), [](Ending) {});
+        Ending ending = kernel_.run(Time::max(), {});
         return {trace_, ending == Ending::completed};
     }
 

@@ -1,0 +1,114 @@
+// What processes do after the work is over disturbs none of the work's figures.
+
+#include "runtime/hardware/processor.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "runtime/trace.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+using std::chrono::milliseconds;
+
+namespace {
+
+/// A process that works for 3 ms, beside one that works for 5 ms, and then perhaps goes on for another 7 ms.
+RunResult run(bool goes_on, Time limit = Time::max()) {
+    Simulation simulation;
+    Time gone_on{};
+    simulation.process("works", [&] {
+        wait_until(milliseconds{3});
+        if (goes_on) {
+            wait_until_work_is_over();
+            gone_on = now();
+            wait_for(milliseconds{7});
+        }
+    });
+    simulation.process("works longer", [] { wait_until(milliseconds{5}); });
+    RunResult result = simulation.run(limit);
+    CHECK(gone_on == (goes_on && limit > milliseconds{5} ? milliseconds{5} : Time{0}));
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("the run's time is that of the work") {
+    for (bool goes_on : {false, true}) {
+        RunResult result = run(goes_on);
+        CHECK(result.ending == Ending::completed);
+        CHECK(result.time == milliseconds{5});
+    }
+}
+
+TEST_CASE("the limit is one for the work: what comes after may go beyond it") {
+    CHECK(run(true, milliseconds{6}).ending == Ending::completed);
+    RunResult result = run(true, milliseconds{4});
+    CHECK(result.ending == Ending::time_limit);
+    CHECK(result.time == milliseconds{4});
+}
+
+TEST_CASE("how long processes worked and waited can be asked for when the work is over") {
+    Simulation simulation;
+    Processor& t800 = simulation.add<Processor>("t800");
+    constexpr Cycles one_millisecond{20'000};
+    Channel<int> never("never");
+    Process& computes = simulation.process(
+        "computes",
+        [&] {
+            compute(one_millisecond);
+            wait_until_work_is_over();
+            compute(one_millisecond);
+        },
+        &t800);
+    Process& waits = simulation.process("waits", [&] { never.in().input(); });
+    Time busy{}, waited{};
+    std::optional<Time> computed_until;
+    auto result = simulation.run(Time::max(), [&] {
+        busy = t800.time_busy();
+        waited = waits.time_waited();
+        computed_until = computes.waits_since();
+    });
+    CHECK(result.ending == Ending::stuck);
+    CHECK(result.time == milliseconds{1});
+    CHECK(busy == milliseconds{1});
+    CHECK(waited == milliseconds{1});
+    CHECK(computed_until == milliseconds{1});
+}
+
+TEST_CASE("several go on at once, and may wait for the end again") {
+    Simulation simulation;
+    Channel<int> c("c");
+    int received = 0;
+    simulation.process("outputs", [&] {
+        wait_until_work_is_over();
+        c.out().output(1);
+        wait_until_work_is_over();
+        c.out().output(2);
+    });
+    simulation.process("inputs", [&] {
+        wait_until_work_is_over();
+        for (int i = 0; i < 2; ++i)
+            received += c.in().input();
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(received == 3);
+}
+
+TEST_CASE("only the work is traced") {
+    struct Sink final : TraceSink {
+        int waits = 0;
+        void computed(const Process&, Time, Time) override {}
+        void waited(const Process&, Time, Time) override { ++waits; }
+        void communicated(const AnyChannel&, Time) override {}
+    } sink;
+    Simulation simulation;
+    simulation.process("process", [] {
+        wait_for(milliseconds{1});
+        wait_until_work_is_over();
+        wait_for(milliseconds{1});
+    });
+    simulation.process("another", [] { wait_for(milliseconds{2}); });
+    simulation.trace_to(sink);
+    simulation.run();
+    CHECK(sink.waits == 2);
+}
