@@ -64,7 +64,7 @@ std::string sample_line(const Part& part, std::size_t index) {
     transient.swing_rad_per_s = 5;
     ExcavatorSample sample = transient.sample(0, index);
     std::string links;
-    for (hydraulics::Link link : links_of(active)) {
+    for (Link link : links_of(active)) {
         const Reading& reading = *sample.links[index_of(link)];
         const auto& areas = std::get<ValveAreas>(reading.valve);
         links += fmt::format(R"({}"{}":{{"inlet_psi":{:.6f},"angle_deg":{:.8f},"inlet_in2":{},"bypass_in2":{:.8f}}})",

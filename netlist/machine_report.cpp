@@ -33,7 +33,7 @@ std::vector<LinkUse> Machine::link_uses(Time whole) const {
     for (std::size_t i = 0; i < links_.size(); ++i) {
         const LinkConnection& connection = network_.connections[i];
         auto a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
-        Time byte_time = LinkTiming{.bits_per_second = connection.bits_per_second}.data();
+        Time byte_time = hardware::LinkTiming{.bits_per_second = connection.bits_per_second}.data();
         uses.push_back(link_use(a, b, links_[i]->from_a_to_b().bytes_carried(), byte_time, whole));
         uses.push_back(link_use(b, a, links_[i]->from_b_to_a().bytes_carried(), byte_time, whole));
     }

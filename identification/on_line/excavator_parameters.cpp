@@ -12,7 +12,7 @@ using namespace hydraulics;
 PerLink<LinkParameters> default_link_parameters() {
     LinkCalibrations calibrations = link_calibrations(Parameters::excavator());
     PerLink<LinkParameters> parameters;
-    for (hydraulics::Link link : all_links) {
+    for (Link link : all_links) {
         const LinkCalibration& calibration = calibrations[index_of(link)];
         parameters[index_of(link)] = {calibration.piston_in3_per_rad, calibration.spool_lag_per_s};
     }

@@ -36,7 +36,7 @@ std::optional<double> optional_from(const json::value& value) {
 
 json::string links_json(LinkSet links) {
     std::string text;
-    for (hydraulics::Link link : links_of(links))
+    for (Link link : links_of(links))
         text += fmt::format("{}{}", text.empty() ? "" : " ", symbol_of(link));
     return json::string(text);
 }
@@ -44,7 +44,7 @@ json::string links_json(LinkSet links) {
 LinkSet links_from(const json::value& value) {
     LinkSet links;
     std::string symbols = text(value);
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (symbols.find(symbol_of(link)) != std::string::npos)
             links.insert(link);
     return links;

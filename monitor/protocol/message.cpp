@@ -21,7 +21,7 @@ constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spoo
     areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.001, 1, "s"},
     pistons{0.1, 1e6, "in^3/rad"}, lags{0.1, 1000, "1/s"}, up_to_a_day{0, 86400, "s"};
 
-hydraulics::Link link_of(const std::string& name, const std::string& path) {
+Link link_of(const std::string& name, const std::string& path) {
     if (auto link = link_named(name))
         return *link;
     throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
@@ -33,7 +33,7 @@ void for_each_link(FieldReader& message, Read read) {
     FieldReader links = message.object("links");
     LinkSet seen;
     for (const std::string& name : links.names()) {
-        hydraulics::Link link = link_of(name, links.path_of(name));
+        Link link = link_of(name, links.path_of(name));
         if (seen.contains(link))
             throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
                              "each link once, by name or symbol");
@@ -75,7 +75,7 @@ ExcavatorParameters machine_parameters(FieldReader& fields) {
         flow.finish();
     }
     if (fields.has("links"))
-        for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
+        for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
             FieldReader of_link = links.object(name);
             LinkParameters& p = parameters.links[index_of(link)];
             p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
@@ -135,7 +135,7 @@ Reading reading(FieldReader& fields) {
 
 Message sample(FieldReader& fields) {
     ExcavatorSample sample{fields.number("time_s", times), {}};
-    for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
+    for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
         FieldReader of_link = links.object(name);
         sample.links[index_of(link)] = reading(of_link);
         of_link.finish();
@@ -145,7 +145,7 @@ Message sample(FieldReader& fields) {
 
 Message baseline(FieldReader& fields) {
     Baseline baseline;
-    for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
+    for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
         baseline.compliance_in3_per_psi[index_of(link)] = links.number(name, compliances);
     });
     return baseline;

@@ -46,7 +46,7 @@ Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed) {
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
     IdentificationWay way = service_way();
-    ComplianceSearch prepared = rising(record, {Configuration::a, {hydraulics::Link::boom}, {}, from}, way);
+    ComplianceSearch prepared = rising(record, {Configuration::a, {Link::boom}, {}, from}, way);
     return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
 }
 

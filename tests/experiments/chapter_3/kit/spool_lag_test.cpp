@@ -30,7 +30,7 @@ TEST_CASE("the lag and the offset that find a compliance do find it") {
     double low = offset_that_finds(0.005, data);
     CHECK(low < 0);
     // A sensor that reads so much too low.
-    for (double& spool_in : data.record.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool_in : data.record.of(Link::boom, Sensor::spool))
         spool_in += low;
     CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == doctest::Approx(0.005).epsilon(0.01));
 }
