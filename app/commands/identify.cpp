@@ -6,7 +6,6 @@
 #include "app/standard_error.hpp"
 #include "identification/flags.hpp"
 #include "text/output_file.hpp"
-#include "text/standard_output.hpp"
 #include "text/user_error.hpp"
 #include "workbench/identification_report.hpp"
 #include "workbench/load.hpp"

@@ -93,7 +93,7 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
     Maybe compliance = known.search_in3_per_psi;
     auto add = [&](const char* row, const Found& found) {
         comparison.add(
-            cell_of(row, column, "in^3/psi", compliance, quantile(found.searched_in3_per_psi, 0.5), 0.0005, 5));
+            cell_of(row, column, "in^3/psi", compliance, lower_median(found.searched_in3_per_psi), 0.0005, 5));
     };
     add("C by the search, spool", spool);
     add("C by the search, voltage", volts);
@@ -104,8 +104,7 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
 void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
     auto motions = motions_with(known.offset_in, low_noise, seeds);
     Found spool = identify_all(motions, AreasFrom::spool, seeds);
-    add_fit(comparison, known, quantile(spool.fit_in3_per_psi, 0.5),
-            motions.front().machine.inlet_compliance_in3_per_psi);
+    add_fit(comparison, known, lower_median(spool.fit_in3_per_psi), motions.front().boom.inlet_compliance_in3_per_psi);
     add_searches(comparison, known, spool, identify_all(motions, AreasFrom::servo, seeds));
 }
 
@@ -188,11 +187,11 @@ Comparison calibration_comparison(const Seeds& seeds) {
 /// What is identified when the offset is taken off.
 void add_cured(Comparison& comparison, const std::string& column, const std::vector<BoomData>& motions,
                double calibrated_in, const Seeds& seeds, bool simple) {
-    double truth = motions.front().machine.inlet_compliance_in3_per_psi;
+    double truth = motions.front().boom.inlet_compliance_in3_per_psi;
     Found spool = identify_all(motions, AreasFrom::spool, seeds, calibrated_in);
     Found volts = identify_all(motions, AreasFrom::servo, seeds, calibrated_in);
     auto add = [&](const char* row, const Found& found, double tolerance) {
-        comparison.add(judged_cell(row, column, "in^3/psi", truth, quantile(found.searched_in3_per_psi, 0.5),
+        comparison.add(judged_cell(row, column, "in^3/psi", truth, lower_median(found.searched_in3_per_psi),
                                    tolerance * truth, 5));
     };
     add("C with it taken off, spool", spool, 0.05);
@@ -208,7 +207,7 @@ void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const S
     std::string column = inches(offset_in);
     comparison.add(judged_cell("offset found", column, "in", offset_in, calibrated_in, 0.0004, 5));
     Found uncured = identify_all(motions, AreasFrom::spool, seeds);
-    comparison.add(plain_cell("C before, spool", column, "in^3/psi", quantile(uncured.searched_in3_per_psi, 0.5), 5));
+    comparison.add(plain_cell("C before, spool", column, "in^3/psi", lower_median(uncured.searched_in3_per_psi), 5));
     comparison.add(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
     add_cured(comparison, column, motions, calibrated_in, seeds, simple);
 }
@@ -230,7 +229,7 @@ void add_slow(Comparison& comparison, double offset_in) {
     motion.slow = true;
     BoomData data = measure(motion, 1);
     auto fit = least_squares_compliance(data, model_of(data, AreasFrom::spool), rising_way().usable).value_or(0);
-    double percent = 100 * (fit / data.machine.inlet_compliance_in3_per_psi - 1);
+    double percent = 100 * (fit / data.boom.inlet_compliance_in3_per_psi - 1);
     std::string column = inches(offset_in);
     bool about_to = offset_in == -0.01;
     comparison.add(plain_cell("C", column, "in^3/psi", fit, 5));

@@ -54,7 +54,7 @@ LinkSet links_from(const json::value& value) {
 json::string parameters_json(const ExcavatorParameters& p) {
     std::vector<double> numbers{p.period_s, p.flow.orifice_in3_per_s_in2_sqrt_psi, p.flow.pump_in3_per_s,
                                 p.flow.tank_psi, p.flow.relief_psi};
-    for (const LinkParameters& link : p.links)
+    for (const LinkConstants& link : p.links)
         numbers.insert(numbers.end(), {link.piston_in3_per_rad, link.spool_lag_per_s});
     return json::string(exact_text(numbers));
 }

@@ -1,7 +1,6 @@
 #include "monitor/protocol/message.hpp"
 
 #include "monitor/protocol/field_reader.hpp"
-#include "monitor/protocol/repeated_field.hpp"
 
 #include <fmt/format.h>
 
@@ -64,7 +63,7 @@ std::string machine_name(FieldReader& fields) {
 }
 
 ExcavatorParameters machine_parameters(FieldReader& fields) {
-    ExcavatorParameters parameters;
+    ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
     parameters.period_s = fields.number_or("period_s", periods, parameters.period_s);
     if (fields.has("flow")) {
         FieldReader flow = fields.object("flow");
@@ -77,7 +76,7 @@ ExcavatorParameters machine_parameters(FieldReader& fields) {
     if (fields.has("links"))
         for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
             FieldReader of_link = links.object(name);
-            LinkParameters& p = parameters.links[index_of(link)];
+            LinkConstants& p = parameters.links[index_of(link)];
             p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
             p.spool_lag_per_s = of_link.number_or("spool_lag_per_s", lags, p.spool_lag_per_s);
             of_link.finish();
@@ -161,14 +160,16 @@ struct Type {
     Message (*read)(FieldReader&);
 };
 
-constexpr std::array<Type, 8> types{{{"hello", hello},
-                                     {"configuration", configuration},
-                                     {"sample", sample},
-                                     {"baseline", baseline},
-                                     {"status", nothing_more<StatusRequest>},
-                                     {"load", nothing_more<LoadRequest>},
-                                     {"ping", nothing_more<Ping>},
-                                     {"bye", nothing_more<Bye>}}};
+constexpr Type types[]{
+    {.name = "hello", .read = hello},
+    {.name = "configuration", .read = configuration},
+    {.name = "sample", .read = sample},
+    {.name = "baseline", .read = baseline},
+    {.name = "status", .read = nothing_more<StatusRequest>},
+    {.name = "load", .read = nothing_more<LoadRequest>},
+    {.name = "ping", .read = nothing_more<Ping>},
+    {.name = "bye", .read = nothing_more<Bye>},
+};
 
 /// Every message is two or three objects deep.
 constexpr std::size_t deepest = 8;
@@ -200,7 +201,7 @@ Message parse_message(std::string_view line) {
     FieldReader fields(value.get_object(), "");
     std::string name = fields.text("type");
     auto type = std::ranges::find(types, name, &Type::name);
-    if (type == types.end())
+    if (type == std::end(types))
         throw BadMessage("type", fmt::format("there is no message \"{}\"", name.substr(0, 40)),
                          "one of hello, configuration, sample, baseline, status, load, ping, bye");
     Message message = type->read(fields);

@@ -4,7 +4,7 @@
 #include "hydraulics/plant/boom_sensors.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
-#include "hydraulics/plant/measured_excavator.hpp"
+#include "hydraulics/plant/measured_motion.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "runtime/random.hpp"
 
@@ -104,13 +104,13 @@ std::vector<BoomData> measure(const BoomMotion& motion, std::span<const std::uin
 
 BoomData measure(const BoomMotion& motion, std::uint64_t seed) { return measure(motion, std::array{seed}).front(); }
 
-BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.machine.spool_lag_per_s, 0}; }
+BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.boom.spool_lag_per_s, 0}; }
 
 LinkCalibrations calibrations_of(const BoomData& data, const BoomModel& model) {
-    LinkCalibrations calibrations = boom_calibrations(data.machine);
+    LinkCalibrations calibrations = boom_calibrations(data.boom);
     LinkCalibration& boom = calibrations[index_of(Link::boom)];
     boom.from = model.from;
-    boom.spool_lag_per_s = model.spool_lag_per_s;
+    boom.constants.spool_lag_per_s = model.spool_lag_per_s;
     boom.spool_offset_in = model.spool_offset_in;
     return calibrations;
 }

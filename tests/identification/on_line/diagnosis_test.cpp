@@ -24,7 +24,7 @@ constexpr PerLink<double> healthy{0.0150, 0.0086, 0.0200, 0.0300};
 constexpr LinkSet bucket{Link::bucket}, boom{Link::boom}, bucket_boom{Link::bucket, Link::boom};
 
 Diagnosis diagnosis_in(Configuration configuration, LinkSet active, std::uint64_t seed = 1) {
-    Diagnosis diagnosis("digger", {}, {}, seed);
+    Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, seed);
     diagnosis.change({configuration, active});
     return diagnosis;
 }
@@ -178,7 +178,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
 }
 
 TEST_CASE("a refused sample changes nothing") {
-    Diagnosis fresh("digger", {}, {}, 1);
+    Diagnosis fresh("digger", excavator_parameters(Parameters::excavator()), {}, 1);
     Transient transient(Configuration::a, boom, healthy);
     CHECK(std::holds_alternative<NoConfiguration>(refusal(fresh, transient.sample(0, 0)).reason()));
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);

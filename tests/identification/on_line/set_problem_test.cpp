@@ -90,7 +90,7 @@ TEST_CASE("a path is open where the pump can reach the cylinder") {
 TEST_CASE("the readings of the tests' transients fit the equations exactly") {
     PerLink<double> c{0.015, 0.0086, 0.02, 0.03};
     for (Configuration configuration : all_configurations) {
-        Diagnosis diagnosis("m", {}, {}, 1);
+        Diagnosis diagnosis("m", excavator_parameters(Parameters::excavator()), {}, 1);
         diagnosis.change({configuration, LinkSet::all()});
         feed(diagnosis, {configuration, LinkSet::all(), c}, 0, 12);
         for (LinkSet set : diagnosis.sets_in_use()) {

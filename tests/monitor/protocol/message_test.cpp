@@ -33,7 +33,7 @@ TEST_CASE("hello") {
     auto plain = parsed<Hello>(R"({"type":"hello","version":1,"machine":"digger-7"})");
     CHECK(plain.machine == "digger-7");
     CHECK(plain.role == Role::control);
-    CHECK(plain.parameters == ExcavatorParameters{});
+    CHECK(plain.parameters == excavator_parameters(Parameters::excavator()));
     CHECK(plain.parameters.links[index_of(Link::boom)].piston_in3_per_rad == doctest::Approx(32 * 22.4));
 
     auto full = parsed<Hello>(R"({"type":"hello","version":1,"machine":"m","role":"watch","answers":"moved",)"
