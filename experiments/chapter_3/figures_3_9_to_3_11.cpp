@@ -38,14 +38,14 @@ Comparison steady_comparison(const TwoLinkMotion& motion) {
 }
 
 /// One way of searching at one noise level, and what is known of it.
-struct Study {
+struct TwoLinkCase {
     const char* name;
     IdentificationWay way;
     MeasurementNoise noise;
     double known_percent; ///< of records with both within 10 %: the prototype's
 };
 
-void add_study(Comparison& comparison, const Study& study, const TwoLinkMotion& motion, const Seeds& seeds) {
+void add_study(Comparison& comparison, const TwoLinkCase& study, const TwoLinkMotion& motion, const Seeds& seeds) {
     auto runs = search_many(motion, study.noise, study.way, seeds);
     std::vector<double> bucket, boom;
     for (const SearchRun& run : runs) {
