@@ -1,6 +1,6 @@
-#include "app/command_line.hpp"
+#include "app/command.hpp"
 
-#include "text/standard_output.hpp"
+#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-#include "app/command_line.hpp"
+#include "app/command.hpp"
 #include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>

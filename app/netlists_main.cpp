@@ -1,6 +1,6 @@
 // placedpar with nothing but what is done with a netlist. Other compilers build it, to be compared.
 
-#include "app/command_line.hpp"
+#include "app/command.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 
 namespace {
 

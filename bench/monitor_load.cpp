@@ -64,7 +64,7 @@ std::string sample_line(const Part& part, std::size_t index) {
     transient.swing_rad_per_s = 5;
     ExcavatorSample sample = transient.sample(0, index);
     std::string links;
-    for (hydraulics::Link link : links_of(active)) {
+    for (Link link : links_of(active)) {
         const Reading& reading = *sample.links[index_of(link)];
         const auto& areas = std::get<ValveAreas>(reading.valve);
         links += fmt::format(R"({}"{}":{{"inlet_psi":{:.6f},"angle_deg":{:.8f},"inlet_in2":{},"bypass_in2":{:.8f}}})",
@@ -206,7 +206,7 @@ void run(const Part& part, std::size_t samples) {
     double count = static_cast<double>(latencies_ms.size());
     fmt::print("{:<22} {:>7} {:>10.0f} {:>9.1f} {:>9.1f} {:>11.1f} {:>9.2f} {:>9.2f} {:>9.2f}   {:016x}\n", part.name,
                part.clients, count / took_s, 100 * work_s / took_s, 100 * cpu_s / took_s, 1e6 * cpu_s / count,
-               placedpar::identification::quantile(latencies_ms, 0.5),
+               placedpar::identification::lower_median(latencies_ms),
                placedpar::identification::quantile(latencies_ms, 0.99), latencies_ms.back(), fingerprint.value());
     std::fflush(stdout);
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::string list(LinkSet links) {
     std::string names;
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (links.contains(link))
             names += (names.empty() ? "" : ",") + std::string(name_of(link));
     return names;
@@ -41,7 +41,7 @@ ComplianceSearch prepare(const Record& record, const Parameters& machine, const 
     Circuit circuit = circuit_of(question.configuration, question.links);
     FlowConstants flow = flow_constants(machine);
     LinkCalibrations calibrations = link_calibrations(machine);
-    calibrations[index_of(hydraulics::Link::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
+    calibrations[index_of(Link::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
     for (LinkCalibration& calibration : calibrations)
         calibration.from = question.areas_from;
     auto samples = usable_samples(circuit_samples(record, circuit, calibrations), circuit, flow, way.usable);

@@ -110,7 +110,7 @@ void flag_calibration(Identified& identified, const SpoolOffset& found, double r
     constexpr double errors = 3;
     if (found.offset_in <= resolution_in + errors * found.deviation_in)
         return;
-    auto boom = std::ranges::find(identified.links, hydraulics::Link::boom, &LinkIdentified::link);
+    auto boom = std::ranges::find(identified.links, Link::boom, &LinkIdentified::link);
     if (boom != identified.links.end())
         boom->flags.push_back(fmt::format("an offset of {:+.4f} in was found: a leak looks the same; calibrate on a "
                                           "machine known to be sound, and give --offset",

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "identification/identified.hpp"
+#include "identification/identification.hpp"
 #include "identification/offset_calibration.hpp"
 
 namespace placedpar::identification {

@@ -71,7 +71,7 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
     std::vector<SteadySample> motion;
     for (const CircuitSample& sample : best)
         motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s,
-                          record.of(hydraulics::Link::boom, Sensor::spool)[sample.index]});
+                          record.of(Link::boom, Sensor::spool)[sample.index]});
     return motion;
 }
 
@@ -96,7 +96,7 @@ double standard_error(std::span<const SteadySample> samples, double offset_in, c
 std::optional<SpoolOffset> calibrate_spool_offset(const Record& record, const LinkCalibrations& calibrations,
                                                   const FlowConstants& flow, const SteadyMotion& steady) {
     LinkCalibrations as_read = calibrations;
-    as_read[index_of(hydraulics::Link::boom)].spool_offset_in = 0;
+    as_read[index_of(Link::boom)].spool_offset_in = 0;
     auto samples = steadiest_motion(record, as_read, steady);
     if (samples.empty())
         return std::nullopt;

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace placedpar::identification {
 
 double median(std::vector<double> values) { return boost::math::statistics::median(values); }
+
+double lower_median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 double quantile(std::vector<double> values, double share) {
     auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));

@@ -8,9 +8,12 @@ namespace placedpar::identification {
 /// REQUIRES: not empty.
 double median(std::vector<double> values);
 
+/// The middle one, and of two middle ones the lower: quantile(values, 0.5). Where a table gives the median of what many
+/// searches found, it is one that was found, and not the mean of two. REQUIRES: not empty.
+double lower_median(std::vector<double> values);
+
 /// The smallest of the values such that at least the given share of them lie at or below it: number ceil(share * size)
-/// in ascending order (nearest rank). Always one of the values: at one half it is the lower of two middle ones, where
-/// median() is their mean. REQUIRES: not empty, 0 <= share <= 1.
+/// in ascending order (nearest rank). Always one of the values. REQUIRES: not empty, 0 <= share <= 1.
 double quantile(std::vector<double> values, double share);
 
 } // namespace placedpar::identification

@@ -59,8 +59,9 @@ Time wire_delay(const LinkConnection& connection, const std::vector<Node>& nodes
 }
 
 /// A link overlaps its acknowledges where both of its ends can.
-LinkTiming timing_of(const LinkConnection& connection, const std::vector<Node>& nodes) {
-    LinkTiming timing{.bits_per_second = connection.bits_per_second, .wire_delay = wire_delay(connection, nodes)};
+hardware::LinkTiming timing_of(const LinkConnection& connection, const std::vector<Node>& nodes) {
+    hardware::LinkTiming timing{.bits_per_second = connection.bits_per_second,
+                                .wire_delay = wire_delay(connection, nodes)};
     for (const LinkEnd& end : {connection.a, connection.b})
         timing.overlapped_acknowledge = timing.overlapped_acknowledge && nodes[end.node].overlapped_acknowledge;
     return timing;
@@ -96,7 +97,7 @@ void Machine::make_executives() {
 
 void Machine::make_links() {
     for (const LinkConnection& connection : network_.connections)
-        links_.push_back(&simulation_.add<Link>(timing_of(connection, network_.nodes)));
+        links_.push_back(&simulation_.add<hardware::Link>(timing_of(connection, network_.nodes)));
 }
 
 void Machine::make_multiplexers() {
@@ -106,10 +107,10 @@ void Machine::make_multiplexers() {
             multiplexers_[channel.placement.connection] = &make_multiplexer(channel.placement.connection);
 }
 
-Multiplexer& Machine::make_multiplexer(std::size_t index) {
+hardware::Multiplexer& Machine::make_multiplexer(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
     const auto& [a, b] = std::pair(connection.a, connection.b);
-    return simulation_.add<Multiplexer>(
+    return simulation_.add<hardware::Multiplexer>(
         fmt::format("{} - {}", link_name(network_.nodes, a), link_name(network_.nodes, b)), *links_[index],
         executives_[a.node].executive, executives_[b.node].executive);
 }

@@ -33,7 +33,7 @@ private:
     void make_executives();
     void make_links();
     void make_multiplexers();
-    Multiplexer& make_multiplexer(std::size_t connection);
+    hardware::Multiplexer& make_multiplexer(std::size_t connection);
     void make_channels(const Catalogue&);
     void carry(AnyChannel&, const NetworkChannel&);
     void make_processes(const Catalogue&);
@@ -47,9 +47,9 @@ private:
     Network network_;
     std::uint64_t seed_;
     Simulation simulation_;
-    std::vector<NodeExecutive> executives_;  ///< by node
-    std::vector<Link*> links_;               ///< by connection
-    std::vector<Multiplexer*> multiplexers_; ///< by connection; null where no channels share it
+    std::vector<NodeExecutive> executives_;            ///< by node
+    std::vector<hardware::Link*> links_;               ///< by connection
+    std::vector<hardware::Multiplexer*> multiplexers_; ///< by connection; null where no channels share it
     std::vector<std::unique_ptr<AnyChannel>> channels_;
     std::list<ProcessEnvironment> environments_;
     std::vector<Process*> processes_;

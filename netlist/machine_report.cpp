@@ -27,7 +27,7 @@ std::vector<LinkUse> Machine::link_uses() const {
     for (std::size_t i = 0; i < links_.size(); ++i) {
         const LinkConnection& connection = network_.connections[i];
         auto a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
-        Time byte_time = LinkTiming{.bits_per_second = connection.bits_per_second}.data();
+        Time byte_time = hardware::LinkTiming{.bits_per_second = connection.bits_per_second}.data();
         auto add = [&](const std::string& from, const std::string& to, std::uint64_t bytes) {
             uses.push_back({from, to, bytes, times(static_cast<std::int64_t>(bytes), byte_time)});
         };

@@ -29,7 +29,7 @@ struct RunResult {
 /// Processes and the devices that they run on, to be run once. Where a program that uses PlacedPar as a library begins.
 ///
 ///     Simulation simulation;
-///     auto& t800 = simulation.add<Processor>("t800");
+///     auto& t800 = simulation.add<hardware::Processor>("t800");
 ///     Channel<int> c("c");
 ///     simulation.process("sender", [&] { c.out().output(42); }, &t800);
 ///     simulation.process("receiver", [&] { c.in().input(); });

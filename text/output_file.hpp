@@ -45,4 +45,8 @@ void require_writable(const std::filesystem::path&);
 /// Throws UserError if one of the outputs is also the input or another output. An empty path is no file.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
+/// Writes to standard output, at once. Throws UserError when it could not be written whole: everything that a command
+/// prints goes through here, so that a report that a full disk has lost is not taken for a success.
+void print_out(std::string_view text);
+
 } // namespace placedpar

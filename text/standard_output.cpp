@@ -1,4 +1,4 @@
-#include "text/standard_output.hpp"
+#include "text/output_file.hpp"
 
 #include "text/user_error.hpp"
 

@@ -8,7 +8,6 @@
 
 namespace placedpar {
 
-using namespace hydraulics;
 using namespace identification;
 
 namespace {
@@ -41,14 +40,13 @@ std::string print_flags(const LinkIdentified& link) {
     return text;
 }
 
-std::string print_search(const Identified& identified, const identification::ComplianceSearch& prepared,
-                         const IdentificationWay& way) {
+std::string print_search(const Identified& identified, const ComplianceSearch& prepared, const IdentificationWay& way) {
     return fmt::format("{} usable samples from {:.3f} to {:.3f} s; {} search{} of {} individuals, {} generations\n",
                        prepared.samples.size(), prepared.samples.front().time_s, prepared.samples.back().time_s,
                        way.searches, way.searches == 1 ? "" : "es", way.search.population, identified.generations);
 }
 
-double spool_offset_in(const identification::ComplianceSearch& prepared) {
+double spool_offset_in(const ComplianceSearch& prepared) {
     return prepared.calibrations[index_of(hydraulics::Link::boom)].spool_offset_in;
 }
 

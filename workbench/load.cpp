@@ -12,8 +12,6 @@
 
 namespace placedpar {
 
-using namespace hydraulics;
-
 namespace {
 
 constexpr std::size_t most_shown = 20;
@@ -60,13 +58,13 @@ Network load_network(const std::filesystem::path& path, const Overrides& overrid
 
 LoadedRecord load_record(const std::filesystem::path& path, const WarningSink& warn) {
     File file = load_text(path);
-    ReadRecord read = read_record(file->text());
+    hydraulics::ReadRecord read = hydraulics::read_record(file->text());
     report(read.faults, file, warn);
     return {std::move(*read.record), std::move(read.faults)};
 }
 
-Parameters load_machine(const std::filesystem::path& path, const WarningSink& warn) {
-    Parameters machine = Parameters::excavator();
+hydraulics::Parameters load_machine(const std::filesystem::path& path, const WarningSink& warn) {
+    auto machine = hydraulics::Parameters::excavator();
     if (path.empty())
         return machine;
     File file = load_text(path);

@@ -16,7 +16,6 @@
 
 namespace placedpar {
 
-using namespace hydraulics;
 using namespace identification;
 
 namespace {
@@ -127,7 +126,7 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared, const Ide
                                     frozen->time_s));
     std::size_t last = std::prev(frozen)->index;
     std::vector<Sample> record;
-    for (const CircuitSample& sample : prepared.samples) {
+    for (const hydraulics::CircuitSample& sample : prepared.samples) {
         if (sample.index > last)
             break;
         if (sample.stretch != prepared.samples.front().stretch)
@@ -158,7 +157,7 @@ std::vector<double> ProcessSearch::compliances(const RunReport& report) const {
     return found;
 }
 
-ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
+ProcessSearch search_by_processes(const NetlistAsked& netlist, const ComplianceSearch& prepared,
                                   const IdentificationWay& way, const Identified& native, const WarningSink& warn) {
     ProcessSearch search;
     search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared, native));

@@ -32,7 +32,7 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
 /// The options of `placedpar record` that say so.
 std::string options_of(const LinksInMotion& moving) {
     std::vector<std::string_view> names;
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (moving.links.contains(link))
             names.push_back(name_of(link));
     return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));

@@ -1,4 +1,4 @@
-#include "workbench/scenario_settings.hpp"
+#include "workbench/scenario_record.hpp"
 
 #include "hydraulics/data/parameter_range.hpp"
 #include "hydraulics/data/units.hpp"

@@ -6,7 +6,6 @@
 #include "app/standard_error.hpp"
 #include "identification/flags.hpp"
 #include "text/output_file.hpp"
-#include "text/standard_output.hpp"
 #include "text/user_error.hpp"
 #include "workbench/identification_report.hpp"
 #include "workbench/load.hpp"
@@ -69,8 +68,7 @@ double inches_of(const std::string& text) {
 bool uses_spool(const Record& record, const Question& question) {
     LinkCalibration boom;
     boom.from = question.areas_from;
-    return question.links.contains(hydraulics::Link::boom) &&
-           areas_from(record, hydraulics::Link::boom, boom) != AreasFrom::areas;
+    return question.links.contains(Link::boom) && areas_from(record, Link::boom, boom) != AreasFrom::areas;
 }
 
 /// A record, and what was asked of it.
@@ -92,7 +90,7 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
 
 /// By its own steady motion.
 void calibrate(Case& asked) {
-    asked.calibrates = asked.loaded.record.has(hydraulics::Link::boom, Sensor::spool);
+    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool);
     if (asked.calibrates)
         asked.calibration = calibrate_spool_offset(asked.loaded.record, link_calibrations(asked.machine),
                                                    flow_constants(asked.machine));

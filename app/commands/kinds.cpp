@@ -1,5 +1,5 @@
 #include "app/command.hpp"
-#include "text/standard_output.hpp"
+#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 #include "workbench/kinds_report.hpp"
 #include "workbench/problems.hpp"

@@ -3,7 +3,7 @@
 #include "gaprocs/fitness.hpp"
 #include "identification/on_line/link_estimate.hpp"
 #include "monitor/service/service.hpp"
-#include "text/standard_output.hpp"
+#include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -84,7 +84,7 @@ void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
         "alarm at this spread between population sets");
     add("--off-by", diagnosis.off_by, "FRACTION", {0.01, 0.99}, "a link further from its baseline is off");
-    add("--transients", diagnosis.transients, "N", {1, LinkEstimate::kept_transients},
+    add("--transients", diagnosis.transients, "N", {1, kept_transients},
         "settled transients before a link may be called off");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9}, "older estimates take no part in cross-checks");
 }

@@ -1,6 +1,6 @@
 #include "hydraulics/data/parameters.hpp"
 #include "app/command.hpp"
-#include "text/standard_output.hpp"
+#include "text/output_file.hpp"
 
 namespace placedpar {
 

@@ -5,11 +5,9 @@
 #include "app/standard_error.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "text/output_file.hpp"
-#include "text/standard_output.hpp"
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/scenario_record.hpp"
-#include "workbench/scenario_settings.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

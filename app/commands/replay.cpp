@@ -6,7 +6,6 @@
 #include "experiments/kit/experiment_runs.hpp"
 #include "experiments/kit/replay_report.hpp"
 #include "text/output_file.hpp"
-#include "text/standard_output.hpp"
 #include "text/user_error.hpp"
 #include "workbench/gnuplot.hpp"
 #include "workbench/manifest.hpp"

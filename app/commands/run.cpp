@@ -3,7 +3,6 @@
 #include "app/options/netlist_options.hpp"
 #include "app/signals.hpp"
 #include "text/output_file.hpp"
-#include "text/standard_output.hpp"
 #include "workbench/manifest.hpp"
 #include "workbench/perfetto_trace.hpp"
 #include "workbench/problems.hpp"

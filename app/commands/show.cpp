@@ -1,7 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/netlist_options.hpp"
 #include "netlist/print/print.hpp"
-#include "text/standard_output.hpp"
+#include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
 

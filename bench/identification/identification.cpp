@@ -96,8 +96,8 @@ void print(const Result& result, std::span<const Transient> transients, std::spa
     auto count = static_cast<double>(transients.size()), evaluations = static_cast<double>(result.error_evaluations);
     fmt::print("{:<28}{:>14.0f}{:>14.3f}{:>14.0f}{:>10.1f}{:>11.2f}{:>9.2f}{:>10.2f}{:>8.2f}\n", result.contestant.name,
                static_cast<double>(generations) / result.seconds, 1e3 * result.seconds / count, evaluations / count,
-               1e9 * result.seconds / evaluations, quantile(errors, 0.5), quantile(errors, 0.9),
-               quantile(distances, 0.5), quantile(distances, 0.9));
+               1e9 * result.seconds / evaluations, lower_median(errors), quantile(errors, 0.9), lower_median(distances),
+               quantile(distances, 0.9));
 }
 
 /// Nanoseconds of one error evaluation by `evaluate`, which fills in the fitness of a population: the fastest of

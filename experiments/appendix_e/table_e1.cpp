@@ -14,30 +14,32 @@ namespace {
 
 constexpr int slave_counts = 4; // 0 to 3
 
-struct Row {
+struct MeasuredTime {
     const char* name;
-    std::array<double, slave_counts> thesis; ///< with 0, 1, 2 and 3 slaves
+    std::array<double, slave_counts> thesis_ms; ///< with 0, 1, 2 and 3 slaves
 };
 
 /// Table E.1 of the thesis, in milliseconds.
-constexpr std::array<Row, 5> table{{{"T_exe", {97.0, 54.0, 39.7, 32.8}},
-                                    {"T_sr", {86.4, 43.3, 29.5, 22.5}},
-                                    {"P_time2", {86.4, 43.3, 29.0, 21.8}},
-                                    {"C_time2", {0.0, 0.6, 1.28, 1.89}},
-                                    {"S_time2", {10.5, 10.5, 10.5, 10.5}}}};
+constexpr MeasuredTime table_e1[]{
+    {.name = "T_exe", .thesis_ms = {97.0, 54.0, 39.7, 32.8}},
+    {.name = "T_sr", .thesis_ms = {86.4, 43.3, 29.5, 22.5}},
+    {.name = "P_time2", .thesis_ms = {86.4, 43.3, 29.0, 21.8}},
+    {.name = "C_time2", .thesis_ms = {0.0, 0.6, 1.28, 1.89}},
+    {.name = "S_time2", .thesis_ms = {10.5, 10.5, 10.5, 10.5}},
+};
 
 /// An interpretation of how the thesis measured the table.
-struct Way {
+struct Interpretation {
     std::string name;
     Overrides overrides = {};
     bool message_an_individual = false; ///< C_time2 is of other messages than those that a constant was fitted to
 };
 
 /// What constants were read off, or fitted to; the rest is outcome.
-Origin origin_of(std::string_view row, int slaves, const Way& way) {
+Origin origin_of(std::string_view row, int slaves, const Interpretation& interpretation) {
     if (slaves == 0 && (row == "P_time2" || row == "S_time2"))
         return Origin::workload;
-    if (slaves == 1 && row == "C_time2" && !way.message_an_individual)
+    if (slaves == 1 && row == "C_time2" && !interpretation.message_an_individual)
         return Origin::calibrated;
     return Origin::outcome;
 }
@@ -47,8 +49,8 @@ std::filesystem::path netlist_in(const ReplayContext& context) {
 }
 
 /// The default is the one that fits best.
-const std::vector<Way>& ways() {
-    static const std::vector<Way> all{
+const std::vector<Interpretation>& interpretations() {
+    static const std::vector<Interpretation> all{
         {.name = "120 individuals, measurements sent with each new sample"},
         {.name = "120 individuals, measurements sent in every generation",
          .overrides = {{"measurements", "\"generation\""}}},
@@ -90,36 +92,36 @@ std::string column_name(int slaves) { return fmt::format("{} slave{}", slaves, s
 
 using Reports = std::array<RunReport, slave_counts>; // with 0, 1, 2 and 3 slaves
 
-Reports run_with_slaves(const Way& way, const ReplayContext& context) {
+Reports run_with_slaves(const Interpretation& interpretation, const ReplayContext& context) {
     Reports reports;
     for (int slaves = 0; slaves < slave_counts; ++slaves) {
-        context.progress(fmt::format("{}: {} slaves", way.name, slaves));
-        Overrides overrides = way.overrides;
+        context.progress(fmt::format("{}: {} slaves", interpretation.name, slaves));
+        Overrides overrides = interpretation.overrides;
         overrides["slaves"] = std::to_string(slaves);
         reports[static_cast<std::size_t>(slaves)] = run_to_the_end(netlist_in(context), overrides, context);
     }
     return reports;
 }
 
-Cell time_cell(const Row& row, int slaves, const Way& way, const RunReport& report) {
-    Origin origin = origin_of(row.name, slaves, way);
+Cell time_cell(const MeasuredTime& row, int slaves, const Interpretation& interpretation, const RunReport& report) {
+    Origin origin = origin_of(row.name, slaves, interpretation);
     return {.row = row.name,
             .column = column_name(slaves),
             .unit = "ms",
-            .reference = row.thesis[static_cast<std::size_t>(slaves)],
+            .reference = row.thesis_ms[static_cast<std::size_t>(slaves)],
             .simulated = report.measured("master", row.name),
             .tolerance_percent = origin == Origin::outcome ? 3.0 : 1.0,
             .origin = origin};
 }
 
-Comparison run_way(const Way& way, const ReplayContext& context, Fingerprint& fingerprint) {
-    Comparison comparison{.name = way.name};
-    Reports reports = run_with_slaves(way, context);
+Comparison run_way(const Interpretation& interpretation, const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison comparison{.name = interpretation.name};
+    Reports reports = run_with_slaves(interpretation, context);
     for (const RunReport& report : reports)
         fingerprint.mix(report.result.fingerprint);
-    for (const Row& row : table)
+    for (const MeasuredTime& row : table_e1)
         for (int slaves = 0; slaves < slave_counts; ++slaves)
-            comparison.add(time_cell(row, slaves, way, reports[static_cast<std::size_t>(slaves)]));
+            comparison.add(time_cell(row, slaves, interpretation, reports[static_cast<std::size_t>(slaves)]));
     for (int slaves = 0; slaves < slave_counts; ++slaves)
         comparison.add(compliance_cell(column_name(slaves), reports[static_cast<std::size_t>(slaves)], "master"));
     comparison.notes = print_fit(comparison.cells);
@@ -155,8 +157,8 @@ std::string print_constants(const ReplayContext& context) {
 Replay replay_table_e1(const ReplayContext& context) {
     Replay replay;
     Fingerprint fingerprint;
-    for (const Way& way : ways())
-        replay.comparisons.push_back(run_way(way, context, fingerprint));
+    for (const Interpretation& interpretation : interpretations())
+        replay.comparisons.push_back(run_way(interpretation, context, fingerprint));
     replay.comparisons.front().notes += print_compliance_note();
     replay.constants = print_constants(context);
     replay.fingerprint = fingerprint.value();

@@ -21,11 +21,13 @@ struct ModulusRow {
     std::array<double, 4> modulus_kpsi;
 };
 
-constexpr std::array<ModulusRow, 5> known_moduli{{{.001, 1, {166.2, 217.2, 219.3, 219.8}},
-                                                  {.01, 1, {51.6, 194.6, 213.1, 218.2}},
-                                                  {.05, 1, {12.3, 131.1, 188.1, 211.1}},
-                                                  {.05, 1.4, {10.1, 94.7, 156.9, 196.1}},
-                                                  {.10, 1.4, {5.0, 58.2, 119.1, 175.0}}}};
+constexpr ModulusRow known_moduli[]{
+    {.air_fraction = .001, .exponent = 1, .modulus_kpsi = {166.2, 217.2, 219.3, 219.8}},
+    {.air_fraction = .01, .exponent = 1, .modulus_kpsi = {51.6, 194.6, 213.1, 218.2}},
+    {.air_fraction = .05, .exponent = 1, .modulus_kpsi = {12.3, 131.1, 188.1, 211.1}},
+    {.air_fraction = .05, .exponent = 1.4, .modulus_kpsi = {10.1, 94.7, 156.9, 196.1}},
+    {.air_fraction = .10, .exponent = 1.4, .modulus_kpsi = {5.0, 58.2, 119.1, 175.0}},
+};
 
 /// The same: below which absolute pressure the mixture is that much softer than oil.
 struct SofterRow {
@@ -35,8 +37,10 @@ struct SofterRow {
 };
 
 constexpr std::array air_fractions{.01, .02, .05, .10};
-constexpr std::array<SofterRow, 2> known_softer{{{"compliance 10 times that of oil below", 0.1, {60, 85, 137, 199}},
-                                                 {"twice that of oil below", 0.5, {181, 257, 412, 598}}}};
+constexpr SofterRow known_softer[]{
+    {.name = "compliance 10 times that of oil below", .share = 0.1, .psia = {60, 85, 137, 199}},
+    {.name = "twice that of oil below", .share = 0.5, .psia = {181, 257, 412, 598}},
+};
 
 std::string percent(double fraction) { return fmt::format("{:g} % air", 100 * fraction); }
 

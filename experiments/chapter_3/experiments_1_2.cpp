@@ -30,7 +30,10 @@ struct Way {
     const char* name;
     AreasFrom from;
 };
-constexpr std::array<Way, 2> ways{{{"1: spool", AreasFrom::spool}, {"2: voltage", AreasFrom::servo}}};
+constexpr Way ways[]{
+    {.name = "1: spool", .from = AreasFrom::spool},
+    {.name = "2: voltage", .from = AreasFrom::servo},
+};
 
 /// A plant, and the noise of its sensors.
 struct Source {
@@ -118,7 +121,7 @@ struct Allowed {
 void add_found(Comparison& comparison, const Way& way, const std::vector<BoomData>& motions, const Seeds& seeds,
                const Allowed& allowed) {
     BoomModel model = model_of(motions.front(), way.from);
-    double truth = motions.front().machine.inlet_compliance_in3_per_psi;
+    double truth = motions.front().boom.inlet_compliance_in3_per_psi;
     auto one = identify_boom(motions.front(), model, rising_way(), seeds.front());
     auto found = found_in(motions, model, seeds);
     auto add = [&](const char* row, double value, double tolerance) {
@@ -126,7 +129,7 @@ void add_found(Comparison& comparison, const Way& way, const std::vector<BoomDat
     };
     add("C_BOi of this record", one.compliance_in3_per_psi, allowed.record);
     comparison.add(compared_cell("  least squares", way.name, "in^3/psi", truth, one.least_squares.value_or(0), 5));
-    add("  median of 50 records", quantile(found, 0.5), allowed.median);
+    add("  median of 50 records", lower_median(found), allowed.median);
     comparison.add(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
 }
 
@@ -159,10 +162,14 @@ Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds
 struct WrongLag {
     double lag_per_s, known_percent;
 };
-constexpr std::array<WrongLag, 5> wrong_lags{{{6, -59}, {7.5, -12}, {8, 0}, {8.5, 12}, {10, 39}}};
+constexpr WrongLag wrong_lags[]{
+    {.lag_per_s = 6, .known_percent = -59}, {.lag_per_s = 7.5, .known_percent = -12},
+    {.lag_per_s = 8, .known_percent = 0},   {.lag_per_s = 8.5, .known_percent = 12},
+    {.lag_per_s = 10, .known_percent = 39},
+};
 
 Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    double truth = motions.front().machine.inlet_compliance_in3_per_psi;
+    double truth = motions.front().boom.inlet_compliance_in3_per_psi;
     Comparison comparison{
         .name =
             "simple plant, experiment 2 with another a_0 than the machine's 8: error of C_BOi, median of 50 records",
@@ -172,7 +179,7 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
         BoomModel model{AreasFrom::servo, lag.lag_per_s, 0};
         auto percent = [&](double found) { return 100 * (found / truth - 1); };
         std::string column = fmt::format("a_0 = {}", lag.lag_per_s);
-        double searched = quantile(found_in(motions, model, seeds), 0.5);
+        double searched = lower_median(found_in(motions, model, seeds));
         comparison.add(judged_cell("search", column, "%", lag.known_percent, percent(searched), 8, 1));
         auto fit = least_squares_compliance(motions.front(), model, rising_way().usable);
         comparison.add(plain_cell("least squares, one record", column, "%", percent(fit.value_or(0)), 1));
@@ -193,11 +200,11 @@ double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seeds.front());
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
-    auto found = [&](const BoomModel& model) { return quantile(found_in(motions, model, seeds), 0.5); };
+    auto found = [&](const BoomModel& model) { return lower_median(found_in(motions, model, seeds)); };
     std::string row = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
     add_explained(comparison, row, ways[0], found(model_of(clean, AreasFrom::spool)), Origin::outcome);
     add_explained(comparison, row, ways[1], found({AreasFrom::servo, lag, 0}), Origin::calibrated);
-    return lag / clean.machine.spool_lag_per_s;
+    return lag / clean.boom.spool_lag_per_s;
 }
 
 /// The second: a spool that reads too low. Returns by how much, in inches.
@@ -205,7 +212,7 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     double low = offset_that_finds(by_spool_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
-    auto found = [&](const BoomModel& model) { return quantile(found_in(motions, model, seeds), 0.5); };
+    auto found = [&](const BoomModel& model) { return lower_median(found_in(motions, model, seeds)); };
     std::string row = fmt::format("true C .0086, spool reads {:.4f} in low", -low);
     // Taking too much off the readings is the same as a sensor that reads too low.
     BoomModel low_model = model_of(clean, AreasFrom::spool);

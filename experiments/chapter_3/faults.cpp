@@ -1,4 +1,3 @@
-#include "experiments/chapter_3/kit/fault_plots.hpp"
 #include "experiments/chapter_3/kit/fault_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
@@ -23,7 +22,7 @@ constexpr std::size_t records_a_fault = 20;
 // What `placedpar monitor` calls off unless told otherwise.
 constexpr double off_by = 0.12;
 
-const Plant simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true};
+const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true};
 
 /// A fault, and what the compliance found should be, of the sound machine's.
 struct Case {
@@ -44,10 +43,10 @@ std::vector<Case> cases() {
 }
 
 /// The compliances of all records, by the spool or by the voltage.
-std::vector<double> found_in(const Fault& fault, const Plant& plant, AreasFrom from, const Seeds& seeds) {
+std::vector<double> found_in(const Fault& fault, const RecordSource& source, AreasFrom from, const Seeds& seeds) {
     std::vector<double> found;
     for (std::uint64_t seed : seeds)
-        found.push_back(identified(record_of(fault, plant, seed), from, seed));
+        found.push_back(identified(record_of(fault, source, seed), from, seed));
     return found;
 }
 
@@ -56,11 +55,11 @@ double percent_off(const std::vector<double>& found, double sound_one) {
     return 100 * static_cast<double>(off) / static_cast<double>(found.size());
 }
 
-void add_case(Comparison& comparison, const Case& each, const Plant& plant, const Seeds& seeds, AreasFrom from,
+void add_case(Comparison& comparison, const Case& each, const RecordSource& source, const Seeds& seeds, AreasFrom from,
               double sound_one) {
     bool by_spool = from == AreasFrom::spool;
-    auto found = found_in(each.fault, plant, from, seeds);
-    double middle = quantile(found, 0.5), ratio = middle / sound_one;
+    auto found = found_in(each.fault, source, from, seeds);
+    double middle = lower_median(found), ratio = middle / sound_one;
     std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
     comparison.add(plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
     // What a drift does to C by the voltage nobody has told.
@@ -70,19 +69,19 @@ void add_case(Comparison& comparison, const Case& each, const Plant& plant, cons
                               percent_off(found, sound_one), 0));
 }
 
-void add_cases(Comparison& comparison, const Plant& plant, const Seeds& seeds, AreasFrom from) {
-    double sound_one = quantile(found_in(no_fault(), plant, from, seeds), 0.5);
+void add_cases(Comparison& comparison, const RecordSource& source, const Seeds& seeds, AreasFrom from) {
+    double sound_one = lower_median(found_in(no_fault(), source, from, seeds));
     for (const Case& each : cases())
-        if (!each.in_servo || plant.has_servo)
-            add_case(comparison, each, plant, seeds, from, sound_one);
+        if (!each.in_servo || source.has_servo)
+            add_case(comparison, each, source, seeds, from, sound_one);
 }
 
-Comparison fault_comparison(const char* where, const Plant& plant, const Seeds& seeds) {
+Comparison fault_comparison(const char* where, const RecordSource& source, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{}, median of {} records", where, records_a_fault), .against = "known", .judged = true};
-    add_cases(comparison, plant, seeds, AreasFrom::spool);
-    if (plant.has_servo)
-        add_cases(comparison, plant, seeds, AreasFrom::servo);
+    add_cases(comparison, source, seeds, AreasFrom::spool);
+    if (source.has_servo)
+        add_cases(comparison, source, seeds, AreasFrom::servo);
     return comparison;
 }
 

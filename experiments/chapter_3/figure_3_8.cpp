@@ -40,11 +40,16 @@ MeasurementNoise noise_of(BoomPlant plant) { return plant == BoomPlant::simple ?
 struct KnownCheck {
     double factor; ///< of the true compliance
     double rms_psi, tolerance_psi;
-    std::optional<double> peak_psi;
+    std::optional<double> peak_psi = {};
 };
-constexpr KnownCheck known_checks[]{{1, 1, 3, {}},      {0.5, 134, 8, 2267},
-                                    {2, 127, 8, 1883},  {0.9, 19.5, 4, {}},
-                                    {1.1, 19.5, 4, {}}, {found_by_spool_in3_per_psi / thesis_in3_per_psi, 105, 6, {}}};
+constexpr KnownCheck known_checks[]{
+    {.factor = 1, .rms_psi = 1, .tolerance_psi = 3},
+    {.factor = 0.5, .rms_psi = 134, .tolerance_psi = 8, .peak_psi = 2267},
+    {.factor = 2, .rms_psi = 127, .tolerance_psi = 8, .peak_psi = 1883},
+    {.factor = 0.9, .rms_psi = 19.5, .tolerance_psi = 4},
+    {.factor = 1.1, .rms_psi = 19.5, .tolerance_psi = 4},
+    {.factor = found_by_spool_in3_per_psi / thesis_in3_per_psi, .rms_psi = 105, .tolerance_psi = 6},
+};
 
 Comparison known_comparison() {
     Comparison comparison{

@@ -38,14 +38,14 @@ Comparison steady_comparison(const TwoLinkMotion& motion) {
 }
 
 /// One way of searching at one noise level, and what is known of it.
-struct Study {
+struct TwoLinkCase {
     const char* name;
     IdentificationWay way;
     MeasurementNoise noise;
     double known_percent; ///< of records with both within 10 %: the prototype's
 };
 
-void add_study(Comparison& comparison, const Study& study, const TwoLinkMotion& motion, const Seeds& seeds) {
+void add_study(Comparison& comparison, const TwoLinkCase& study, const TwoLinkMotion& motion, const Seeds& seeds) {
     auto runs = search_many(motion, study.noise, study.way, seeds);
     std::vector<double> bucket, boom;
     for (const SearchRun& run : runs) {
@@ -59,9 +59,9 @@ void add_study(Comparison& comparison, const Study& study, const TwoLinkMotion& 
     Cell shared = compared_cell("both within 10 %", study.name, "% of records", study.known_percent, within, 0);
     comparison.add(at_least(least, shared));
     auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, study.name, "%", value, 1)); };
-    add("error of C_BUi, median", quantile(bucket, 0.5));
+    add("error of C_BUi, median", lower_median(bucket));
     add("  of C_BUi, 9 of 10 below", quantile(bucket, 0.9));
-    add("error of C_BOi, median", quantile(boom, 0.5));
+    add("error of C_BOi, median", lower_median(boom));
     add("  of C_BOi, 9 of 10 below", quantile(boom, 0.9));
 }
 

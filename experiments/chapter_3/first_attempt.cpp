@@ -22,24 +22,22 @@ using namespace identification;
 
 namespace {
 
-using Maybe = std::optional<double>;
-
 // Long enough for a second of steady motion after the transient.
-constexpr double duration_s = 4;
+constexpr double attempt_s = 4;
 
 /// Simulated once, measured 50 times.
 std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noise, const Seeds& seeds,
                                    BoomPlant plant = BoomPlant::simple) {
     BoomMotion motion{plant, noise, offset_in};
-    motion.duration_s = duration_s;
+    motion.duration_s = attempt_s;
     return measure(motion, seeds);
 }
 
 /// An offset, and what an independent prototype found with it: of the rising part of scenario A at low noise.
 struct KnownOffset {
     double offset_in;
-    Maybe fit_percent, fit_tolerance; ///< without a tolerance the size is not judged, the sign is
-    Maybe search_in3_per_psi;
+    std::optional<double> fit_percent, fit_tolerance; ///< without a tolerance the size is not judged, the sign is
+    std::optional<double> search_in3_per_psi;
 };
 constexpr KnownOffset known_offsets[]{
     {-0.02, -142, {}, 0}, {-0.015, {}, {}, {}}, {-0.01, -51, 6, 0.0043}, {0, 0, 6, 0.0086}, {0.01, 53, 6, 0.0132}};
@@ -90,22 +88,22 @@ void add_fit(Comparison& comparison, const KnownOffset& known, double fit, doubl
 
 void add_searches(Comparison& comparison, const KnownOffset& known, const Found& spool, const Found& volts) {
     std::string column = inches(known.offset_in);
-    Maybe compliance = known.search_in3_per_psi;
+    std::optional<double> compliance = known.search_in3_per_psi;
     auto add = [&](const char* row, const Found& found) {
         comparison.add(
-            cell_of(row, column, "in^3/psi", compliance, quantile(found.searched_in3_per_psi, 0.5), 0.0005, 5));
+            cell_of(row, column, "in^3/psi", compliance, lower_median(found.searched_in3_per_psi), 0.0005, 5));
     };
     add("C by the search, spool", spool);
     add("C by the search, voltage", volts);
-    Maybe flagged_percent = compliance ? Maybe(*compliance == 0 ? 100 : 0) : std::nullopt;
+    std::optional<double> flagged_percent =
+        compliance ? std::optional<double>(*compliance == 0 ? 100 : 0) : std::nullopt;
     comparison.add(cell_of("flagged: at the lower bound", column, "%", flagged_percent, spool.flagged_percent, 10, 0));
 }
 
 void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
     auto motions = motions_with(known.offset_in, low_noise, seeds);
     Found spool = identify_all(motions, AreasFrom::spool, seeds);
-    add_fit(comparison, known, quantile(spool.fit_in3_per_psi, 0.5),
-            motions.front().machine.inlet_compliance_in3_per_psi);
+    add_fit(comparison, known, lower_median(spool.fit_in3_per_psi), motions.front().boom.inlet_compliance_in3_per_psi);
     add_searches(comparison, known, spool, identify_all(motions, AreasFrom::servo, seeds));
 }
 
@@ -188,11 +186,11 @@ Comparison calibration_comparison(const Seeds& seeds) {
 /// What is identified when the offset is taken off.
 void add_cured(Comparison& comparison, const std::string& column, const std::vector<BoomData>& motions,
                double calibrated_in, const Seeds& seeds, bool simple) {
-    double truth = motions.front().machine.inlet_compliance_in3_per_psi;
+    double truth = motions.front().boom.inlet_compliance_in3_per_psi;
     Found spool = identify_all(motions, AreasFrom::spool, seeds, calibrated_in);
     Found volts = identify_all(motions, AreasFrom::servo, seeds, calibrated_in);
     auto add = [&](const char* row, const Found& found, double tolerance) {
-        comparison.add(judged_cell(row, column, "in^3/psi", truth, quantile(found.searched_in3_per_psi, 0.5),
+        comparison.add(judged_cell(row, column, "in^3/psi", truth, lower_median(found.searched_in3_per_psi),
                                    tolerance * truth, 5));
     };
     add("C with it taken off, spool", spool, 0.05);
@@ -208,7 +206,7 @@ void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const S
     std::string column = inches(offset_in);
     comparison.add(judged_cell("offset found", column, "in", offset_in, calibrated_in, 0.0004, 5));
     Found uncured = identify_all(motions, AreasFrom::spool, seeds);
-    comparison.add(plain_cell("C before, spool", column, "in^3/psi", quantile(uncured.searched_in3_per_psi, 0.5), 5));
+    comparison.add(plain_cell("C before, spool", column, "in^3/psi", lower_median(uncured.searched_in3_per_psi), 5));
     comparison.add(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
     add_cured(comparison, column, motions, calibrated_in, seeds, simple);
 }
@@ -230,12 +228,13 @@ void add_slow(Comparison& comparison, double offset_in) {
     motion.slow = true;
     BoomData data = measure(motion, 1);
     auto fit = least_squares_compliance(data, model_of(data, AreasFrom::spool), rising_way().usable).value_or(0);
-    double percent = 100 * (fit / data.machine.inlet_compliance_in3_per_psi - 1);
+    double percent = 100 * (fit / data.boom.inlet_compliance_in3_per_psi - 1);
     std::string column = inches(offset_in);
     bool about_to = offset_in == -0.01;
     comparison.add(plain_cell("C", column, "in^3/psi", fit, 5));
-    comparison.add(cell_of("  its error", column, "%", about_to ? Maybe(-88) : std::nullopt, percent, 20, 1));
-    Maybe negative = about_to ? std::nullopt : Maybe(offset_in == -0.015 ? 1 : 0);
+    comparison.add(
+        cell_of("  its error", column, "%", about_to ? std::optional<double>(-88) : std::nullopt, percent, 20, 1));
+    std::optional<double> negative = about_to ? std::nullopt : std::optional<double>(offset_in == -0.015 ? 1 : 0);
     comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 

@@ -36,10 +36,32 @@ struct NoiseLevel {
 // High noise must be too much for the thesis's "within 10 %".
 constexpr double too_much_percent = 10;
 
-constexpr std::array<NoiseLevel, 4> levels{{{"no noise", no_noise, {0.07, 1.5}, {2.2, 4}, 100, {1.06, 2.3}},
-                                            {"low", low_noise, {1.7, 3.5}, {4.5, 8}, 100, {1.1, 2.3}},
-                                            {"mid", mid_noise, {3.5, 6}, {7.9, 13}, 96, {1.7, 3.5}},
-                                            {"high", high_noise, {6.9, 11}, {18, {}}, 66, {3.3, 6}}}};
+constexpr NoiseLevel noise_levels[]{
+    {.name = "no noise",
+     .noise = no_noise,
+     .median_percent = {.known = 0.07, .most = 1.5},
+     .ninetieth_percent = {.known = 2.2, .most = 4},
+     .within_ten_percent = 100,
+     .rising_median_percent = {.known = 1.06, .most = 2.3}},
+    {.name = "low",
+     .noise = low_noise,
+     .median_percent = {.known = 1.7, .most = 3.5},
+     .ninetieth_percent = {.known = 4.5, .most = 8},
+     .within_ten_percent = 100,
+     .rising_median_percent = {.known = 1.1, .most = 2.3}},
+    {.name = "mid",
+     .noise = mid_noise,
+     .median_percent = {.known = 3.5, .most = 6},
+     .ninetieth_percent = {.known = 7.9, .most = 13},
+     .within_ten_percent = 96,
+     .rising_median_percent = {.known = 1.7, .most = 3.5}},
+    {.name = "high",
+     .noise = high_noise,
+     .median_percent = {.known = 6.9, .most = 11},
+     .ninetieth_percent = {.known = 18, .most = {}},
+     .within_ten_percent = 66,
+     .rising_median_percent = {.known = 3.3, .most = 6}},
+};
 
 using Progress = std::function<void(const std::string&)>;
 
@@ -148,7 +170,7 @@ Plot plot_of_study(const Seeds& seeds) {
     panel.title = "50 searches at each level of noise: how many end within an error";
     panel.x = {"error of the compliance [%]", 0, 30};
     panel.y = {"searches [%]", 0, 100};
-    for (const NoiseLevel& level : levels)
+    for (const NoiseLevel& level : noise_levels)
         panel.series.push_back(distribution(level, seeds));
     panel.series.push_back({"10 %", {{10, 0}, {10, 100}}, Stroke::dashes, 6});
     return {"Identification of the boom's compliance from scenario A", {panel}};
@@ -157,7 +179,7 @@ Plot plot_of_study(const Seeds& seeds) {
 Comparison levels_comparison(const Seeds& seeds, const ReplayContext& context) {
     Comparison comparison{.name = "50 records of scenario A and as many searches, the thesis's way",
                           .against = "known"};
-    for (const NoiseLevel& level : levels) {
+    for (const NoiseLevel& level : noise_levels) {
         context.progress(fmt::format("noise: {}", level.name));
         add_level(comparison, level, seeds);
     }

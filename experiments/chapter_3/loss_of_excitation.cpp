@@ -100,7 +100,7 @@ void add_lost(Comparison& comparison, const Runs& plain, double percent, std::op
     std::vector<double> lost;
     for (const SearchRun& run : plain)
         lost.push_back(lost_from(run, percent));
-    comparison.add(cell_of(row, "median", "generation", thesis, quantile(lost, 0.5), 200, 0));
+    comparison.add(cell_of(row, "median", "generation", thesis, lower_median(lost), 200, 0));
     comparison.add(plain_cell(row, "first of 10", "generation", quantile(lost, 0.1), 0));
     comparison.add(plain_cell(row, "last of 10", "generation", quantile(lost, 0.9), 0));
 }

@@ -51,8 +51,9 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCa
         return areas_as_read(record, link);
     if (from == AreasFrom::spool)
         require(record, link, Sensor::spool);
-    std::vector<double> spool = from == AreasFrom::spool ? record.of(link, Sensor::spool)
-                                                         : spool_by_voltage(record, link, calibration.spool_lag_per_s);
+    std::vector<double> spool = from == AreasFrom::spool
+                                    ? record.of(link, Sensor::spool)
+                                    : spool_by_voltage(record, link, calibration.constants.spool_lag_per_s);
     std::vector<OrificeAreas> areas;
     for (double spool_in : spool) // sensor noise may take it a little below 0
         areas.push_back(boom_orifices(std::max(spool_in - calibration.spool_offset_in, 0.0)));
@@ -70,7 +71,7 @@ LinkChannels channels_of(const Record& record, Link link, const LinkCalibration&
     require(record, link, Sensor::inlet_pressure);
     require(record, link, Sensor::angle);
     return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
-            areas_of(record, link, calibration), calibration.piston_in3_per_deg()};
+            areas_of(record, link, calibration), calibration.constants.piston_in3_per_deg()};
 }
 
 LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::size_t i) {

@@ -16,6 +16,7 @@ struct FlowConstants {
 
     /// k a of an orifice, in^3/s per root psi.
     double conductance(double area_in2) const { return orifice_in3_per_s_in2_sqrt_psi * area_in2; }
+    friend bool operator==(const FlowConstants&, const FlowConstants&) = default;
 };
 
 /// By the rows flow.orifice, flow.pump, flow.tank and flow.relief.

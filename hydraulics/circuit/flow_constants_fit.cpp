@@ -58,15 +58,17 @@ FlowConstants deviation_of(const Eigen::VectorXd& x, const Eigen::NumericalDiff<
 } // namespace
 
 std::span<const SteadyFlowPoint> table_2_6() {
-    static constexpr std::array<SteadyFlowPoint, 9> table{{{60, 2030, 0.2741},
-                                                           {60, 1830, 0.2688},
-                                                           {60, 1630, 0.2627},
-                                                           {50, 2030, 0.2650},
-                                                           {50, 1830, 0.2592},
-                                                           {50, 1630, 0.2527},
-                                                           {40, 2030, 0.2561},
-                                                           {40, 1830, 0.2499},
-                                                           {40, 1630, 0.2427}}};
+    static constexpr SteadyFlowPoint table[]{
+        {.inlet_in3_per_s = 60, .inlet_psi = 2030, .spool_in = 0.2741},
+        {.inlet_in3_per_s = 60, .inlet_psi = 1830, .spool_in = 0.2688},
+        {.inlet_in3_per_s = 60, .inlet_psi = 1630, .spool_in = 0.2627},
+        {.inlet_in3_per_s = 50, .inlet_psi = 2030, .spool_in = 0.2650},
+        {.inlet_in3_per_s = 50, .inlet_psi = 1830, .spool_in = 0.2592},
+        {.inlet_in3_per_s = 50, .inlet_psi = 1630, .spool_in = 0.2527},
+        {.inlet_in3_per_s = 40, .inlet_psi = 2030, .spool_in = 0.2561},
+        {.inlet_in3_per_s = 40, .inlet_psi = 1830, .spool_in = 0.2499},
+        {.inlet_in3_per_s = 40, .inlet_psi = 1630, .spool_in = 0.2427},
+    };
     return table;
 }
 

@@ -6,14 +6,20 @@
 
 namespace placedpar::hydraulics {
 
-LinkCalibrations link_calibrations(const Parameters& parameters) {
-    LinkCalibrations calibrations;
+PerLink<LinkConstants> link_constants(const Parameters& parameters) {
+    PerLink<LinkConstants> constants;
     for (Link link : all_links) {
         auto value = [&](std::string_view what) { return parameters[fmt::format("{}.{}", name_of(link), what)]; };
-        LinkCalibration& calibration = calibrations[index_of(link)];
-        calibration.piston_in3_per_rad = piston_in3_per_rad(value("inlet_area"), value("moment_arm"));
-        calibration.spool_lag_per_s = value("spool_lag");
+        constants[index_of(link)] = {piston_in3_per_rad(value("inlet_area"), value("moment_arm")), value("spool_lag")};
     }
+    return constants;
+}
+
+LinkCalibrations link_calibrations(const Parameters& parameters) {
+    PerLink<LinkConstants> constants = link_constants(parameters);
+    LinkCalibrations calibrations;
+    for (Link link : all_links)
+        calibrations[index_of(link)].constants = constants[index_of(link)];
     return calibrations;
 }
 

@@ -4,7 +4,6 @@
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record.hpp"
 
-#include <array>
 #include <numbers>
 #include <optional>
 
@@ -22,18 +21,27 @@ constexpr double piston_in3_per_rad(double inlet_area_in2, double moment_arm_in)
 /// spool, or from the servo-valve's voltage by A.1 and A.2.
 enum class AreasFrom : unsigned char { areas, spool, servo };
 
-/// What turns the readings of one link into flows and areas.
-struct LinkCalibration {
-    double piston_in3_per_rad = 0;      ///< taken up by the pump side per radian of the joint
-    double spool_offset_in = 0;         ///< by which the spool's readings, or A.1, are too high
-    double spool_lag_per_s = 0;         ///< a_0 of A.2
-    std::optional<AreasFrom> from = {}; ///< none: the first of the three that the record has
+/// What the readings of one link become flows by.
+struct LinkConstants {
+    double piston_in3_per_rad = 0; ///< taken up by the pump side per radian of the joint
+    double spool_lag_per_s = 0;    ///< a_0 of A.2
 
     double piston_in3_per_deg() const { return piston_in3_per_rad * std::numbers::pi / 180; }
+    friend bool operator==(const LinkConstants&, const LinkConstants&) = default;
 };
-using LinkCalibrations = std::array<LinkCalibration, all_links.size()>; // by index_of(link)
 
 /// By the rows inlet_area, moment_arm and spool_lag of each link.
+PerLink<LinkConstants> link_constants(const Parameters& parameters);
+
+/// What turns the readings of one link into flows and areas.
+struct LinkCalibration {
+    LinkConstants constants;
+    double spool_offset_in = 0;         ///< by which the spool's readings, or A.1, are too high
+    std::optional<AreasFrom> from = {}; ///< none: the first of the three that the record has
+};
+using LinkCalibrations = PerLink<LinkCalibration>;
+
+/// By link_constants(), without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
 
 /// The source that the calibration asks for, or the first of the three that the record has of the link.

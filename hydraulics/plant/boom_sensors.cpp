@@ -26,7 +26,7 @@ Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredEx
         const MeasuredState& state = motion[i];
         double inlet = state.inlet_psi + sensors.noise.pressure_psi * standard_normal(uniform);
         double outlet = state.outlet_psi + sensors.noise.pressure_psi * standard_normal(uniform);
-        double angle = sensors.joint_at_rest_deg + state.piston_in / excavator.boom.moment_arm_in * deg_per_rad +
+        double angle = sensors.joint_at_rest_deg + excavator.boom.joint_deg(state.piston_in) +
                        sensors.noise.angle_deg * standard_normal(uniform);
         double spool = state.spool_in + sensors.spool_offset_in + sensors.noise.spool_in * standard_normal(uniform);
         record.time_s.push_back(static_cast<double>(record.time_s.size()) * sensors.period_s);

@@ -2,7 +2,7 @@
 
 #include "hydraulics/data/record.hpp"
 #include "hydraulics/plant/converter.hpp"
-#include "hydraulics/plant/measured_excavator.hpp"
+#include "hydraulics/plant/measured_motion.hpp"
 #include "hydraulics/plant/measurement.hpp"
 
 #include <span>

@@ -42,8 +42,7 @@ ExcavatorDynamics::State ExcavatorDynamics::at_rest() const {
         const LinkMechanics& mechanics = active.mechanics;
         const auto* spool = std::get_if<SpoolOrifices>(&active.valve);
         double outlet = scenario_.flow.tank_psi;
-        double inlet = (mechanics.load_lbf + mechanics.outlet_area_in2 * outlet) / mechanics.inlet_area_in2;
-        state.insert(state.end(), {inlet, outlet, 0, 0, spool ? spool->rest_in : 0});
+        state.insert(state.end(), {mechanics.steady_inlet_psi(outlet), outlet, 0, 0, spool ? spool->rest_in : 0});
     }
     return state;
 }

@@ -16,9 +16,8 @@ void read_link(const LinkState& state, const ActiveLink& active, const Measureme
     auto read_area = [&](Sensor sensor, double area_in2) {
         read(sensor, area_in2, noise.area_share * area_in2, area_resolution_in2);
     };
-    double angle_deg = state.piston_in / active.mechanics.moment_arm_in * deg_per_rad;
     read(Sensor::inlet_pressure, state.inlet_psi, noise.pressure_psi, pressure_resolution_psi);
-    read(Sensor::angle, angle_deg, noise.angle_deg, angle_resolution_deg);
+    read(Sensor::angle, active.mechanics.joint_deg(state.piston_in), noise.angle_deg, angle_resolution_deg);
     if (std::holds_alternative<SpoolOrifices>(active.valve)) {
         read(Sensor::spool, state.spool_in, noise.spool_in, spool_resolution_in);
     } else {
@@ -44,9 +43,8 @@ Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario&
 
 LinkCalibrations boom_calibrations(const LinkMechanics& boom) {
     LinkCalibrations calibrations;
-    LinkCalibration& calibration = calibrations[index_of(Link::boom)];
-    calibration.piston_in3_per_rad = piston_in3_per_rad(boom.inlet_area_in2, boom.moment_arm_in);
-    calibration.spool_lag_per_s = boom.spool_lag_per_s;
+    calibrations[index_of(Link::boom)].constants = {piston_in3_per_rad(boom.inlet_area_in2, boom.moment_arm_in),
+                                                    boom.spool_lag_per_s};
     return calibrations;
 }
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace placedpar::hydraulics {
@@ -14,42 +14,40 @@ namespace {
 
 constexpr Requirement scenario_needs{"excavator scenario"};
 
+/// "the boom's mass"
+std::string its(std::string_view link, std::string_view what) { return fmt::format("the {}'s {}", link, what); }
+
 void require_valid(const LinkMechanics& mechanics, std::string_view link) {
-    auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    scenario_needs.positive(its("inlet area"), mechanics.inlet_area_in2);
-    scenario_needs.not_negative(its("outlet area"), mechanics.outlet_area_in2);
-    scenario_needs.positive(its("moment arm"), mechanics.moment_arm_in);
-    scenario_needs.positive(its("mass"), mechanics.mass_lbf_s2_per_in);
-    scenario_needs.not_negative(its("damping"), mechanics.damping_lbf_s_per_in);
-    scenario_needs.not_negative(its("friction"), mechanics.friction_lbf);
-    scenario_needs.positive(its("friction velocity"), mechanics.friction_velocity_in_per_s);
-    scenario_needs.positive(its("inlet compliance"), mechanics.inlet_compliance_in3_per_psi);
+    scenario_needs.positive(its(link, "inlet area"), mechanics.inlet_area_in2);
+    scenario_needs.not_negative(its(link, "outlet area"), mechanics.outlet_area_in2);
+    scenario_needs.positive(its(link, "moment arm"), mechanics.moment_arm_in);
+    scenario_needs.positive(its(link, "mass"), mechanics.mass_lbf_s2_per_in);
+    scenario_needs.not_negative(its(link, "damping"), mechanics.damping_lbf_s_per_in);
+    scenario_needs.not_negative(its(link, "friction"), mechanics.friction_lbf);
+    scenario_needs.positive(its(link, "friction velocity"), mechanics.friction_velocity_in_per_s);
+    scenario_needs.positive(its(link, "inlet compliance"), mechanics.inlet_compliance_in3_per_psi);
     if (mechanics.outlet_area_in2 > 0)
-        scenario_needs.positive(its("outlet compliance"), mechanics.outlet_compliance_in3_per_psi);
-    scenario_needs.positive(its("spool lag"), mechanics.spool_lag_per_s);
-    if (!std::isfinite(mechanics.load_lbf))
-        scenario_needs.refuse(its("load"), mechanics.load_lbf, "a finite force");
+        scenario_needs.positive(its(link, "outlet compliance"), mechanics.outlet_compliance_in3_per_psi);
+    scenario_needs.positive(its(link, "spool lag"), mechanics.spool_lag_per_s);
+    scenario_needs.finite(its(link, "load"), mechanics.load_lbf);
 }
 
 void require_valid(const TimedOrifices& valve, std::string_view link) {
-    auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    scenario_needs.not_negative(its("final inlet orifice"), valve.inlet_final_in2);
-    scenario_needs.not_negative(its("bypass orifice at rest"), valve.bypass_rest_in2);
-    scenario_needs.not_negative(its("final bypass orifice"), valve.bypass_final_in2);
-    scenario_needs.not_negative(its("final outlet orifice"), valve.outlet_final_in2);
-    scenario_needs.positive(its("valve rate"), valve.rate_per_s);
-    if (!std::isfinite(valve.step_time_s))
-        scenario_needs.refuse(its("step time"), valve.step_time_s, "a finite time");
+    scenario_needs.not_negative(its(link, "final inlet orifice"), valve.inlet_final_in2);
+    scenario_needs.not_negative(its(link, "bypass orifice at rest"), valve.bypass_rest_in2);
+    scenario_needs.not_negative(its(link, "final bypass orifice"), valve.bypass_final_in2);
+    scenario_needs.not_negative(its(link, "final outlet orifice"), valve.outlet_final_in2);
+    scenario_needs.positive(its(link, "valve rate"), valve.rate_per_s);
+    scenario_needs.finite(its(link, "step time"), valve.step_time_s);
 }
 
 void require_valid(const SpoolOrifices& valve, std::string_view link) {
-    auto its = [link](std::string_view what) { return fmt::format("the {}'s {}", link, what); };
-    scenario_needs.not_negative(its("spool at rest"), valve.rest_in);
+    scenario_needs.not_negative(its(link, "spool at rest"), valve.rest_in);
     for (std::size_t i = 0; i < valve.steps.size(); ++i) {
-        scenario_needs.not_negative(its("desired spool"), valve.steps[i].desired_in);
-        scenario_needs.not_negative(its("ramp"), valve.steps[i].ramp_s);
+        scenario_needs.not_negative(its(link, "desired spool"), valve.steps[i].desired_in);
+        scenario_needs.not_negative(its(link, "ramp"), valve.steps[i].ramp_s);
         if (i > 0 && !(valve.steps[i].time_s > valve.steps[i - 1].time_s + valve.steps[i - 1].ramp_s))
-            scenario_needs.refuse(its("step time"), valve.steps[i].time_s, "one after the step before");
+            scenario_needs.refuse(its(link, "step time"), valve.steps[i].time_s, "one after the step before");
     }
 }
 
@@ -76,7 +74,7 @@ void require_valid(const ExcavatorScenario& scenario) {
         seen.insert(active.link);
         require_valid(active.mechanics, name);
         std::visit([name](const auto& valve) { require_valid(valve, name); }, active.valve);
-        scenario_needs.not_negative(fmt::format("the {}'s leak", name), active.leak.in3_per_s_psi);
+        scenario_needs.not_negative(its(name, "leak"), active.leak.in3_per_s_psi);
     }
 }
 

@@ -28,8 +28,7 @@ FlowTarget target_of(const Junction& junction, const FlowConstants& flow, const 
     LinkMechanics link = coupled_mechanics(junction.link, parameters);
     double in = junction.through == Through::nowhere ? junction.pumps * flow.pump_in3_per_s
                                                      : parameters["controller.asked_flow"];
-    double velocity = in / link.inlet_area_in2;
-    return {(link.load_lbf + link.damping_lbf_s_per_in * velocity) / link.inlet_area_in2, in};
+    return {link.steady_inlet_psi(flow.tank_psi, in / link.inlet_area_in2), in};
 }
 
 } // namespace

@@ -1,10 +1,18 @@
 #include "hydraulics/plant/link_mechanics.hpp"
 
+#include "hydraulics/data/units.hpp"
+
 #include <fmt/format.h>
 
 #include <string_view>
 
 namespace placedpar::hydraulics {
+
+double LinkMechanics::joint_deg(double piston_in) const { return piston_in / moment_arm_in * deg_per_rad; }
+
+double LinkMechanics::steady_inlet_psi(double outlet_psi, double velocity_in_per_s) const {
+    return (load_lbf + damping_lbf_s_per_in * velocity_in_per_s + outlet_area_in2 * outlet_psi) / inlet_area_in2;
+}
 
 LinkMechanics single_boom_mechanics(const Parameters& parameters) {
     return {.inlet_area_in2 = parameters["boom.inlet_area"],

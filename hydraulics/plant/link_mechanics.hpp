@@ -19,6 +19,11 @@ struct LinkMechanics {
     double inlet_compliance_in3_per_psi;  ///< C_i
     double outlet_compliance_in3_per_psi; ///< C_o; of no effect without a drain side
     double spool_lag_per_s;               ///< a_0 of A.2
+
+    /// By how much the joint has turned when the piston has moved so far.
+    double joint_deg(double piston_in) const;
+    /// The inlet pressure at which the load is held, or moves at a steady velocity; friction is left out.
+    double steady_inlet_psi(double outlet_psi, double velocity_in_per_s = 0) const;
 };
 
 /// The boom of the single-link experiments, with its drain side, by the rows boom.*.

@@ -1,7 +1,6 @@
 #include "hydraulics/plant/measured_dynamics.hpp"
 
 #include "hydraulics/circuit/boom_orifices.hpp"
-#include "hydraulics/circuit/flow_split.hpp"
 #include "hydraulics/circuit/leakage.hpp"
 
 #include <algorithm>
@@ -32,11 +31,10 @@ double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, c
 }
 
 MeasuredDynamics::State MeasuredDynamics::at_rest() const {
-    const LinkMechanics& boom = excavator_.boom;
     double tank = excavator_.flow.tank_psi;
     State state(components);
     state[outlet_psi] = state[outlet_cylinder_psi] = tank;
-    state[inlet_psi] = state[inlet_cylinder_psi] = (boom.load_lbf + boom.outlet_area_in2 * tank) / boom.inlet_area_in2;
+    state[inlet_psi] = state[inlet_cylinder_psi] = excavator_.boom.steady_inlet_psi(tank);
     state[spool_in] = excavator_.voltage_spool.desired_spool_in(held_volts(excavator_, 0), 0);
     return state;
 }
@@ -71,6 +69,11 @@ double MeasuredDynamics::acceleration(const State& state) const {
     return force / boom.mass_lbf_s2_per_in;
 }
 
+FlowSplit MeasuredDynamics::flows(const State& state, double time_s) const {
+    OrificeAreas areas = boom_orifices(state[spool_in]);
+    return split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], flow_at(time_s));
+}
+
 MeasuredDynamics::Mode MeasuredDynamics::rate(const State& state, State& derivative, double time_s) const {
     const LinkMechanics& boom = excavator_.boom;
     OrificeAreas areas = boom_orifices(state[spool_in]);
@@ -99,24 +102,6 @@ MeasuredDynamics::Mode MeasuredDynamics::rate(const State& state, State& derivat
     derivative[spool_in] = boom.spool_lag_per_s * (desired_spool_in_ - state[spool_in]);
     return {flows.pump_psi > state[inlet_psi], flows.relief_in3_per_s > 0, time_s >= excavator_.leak.start_s,
             boom_orifice_branch(state[spool_in])};
-}
-
-MeasuredState MeasuredDynamics::describe(const State& state, double time_s) const {
-    OrificeAreas areas = boom_orifices(state[spool_in]);
-    FlowSplit flows = split_flow(areas.inlet_in2, areas.bypass_in2, state[inlet_psi], flow_at(time_s));
-    return {.time_s = time_s,
-            .inlet_psi = state[inlet_psi],
-            .inlet_cylinder_psi = state[inlet_cylinder_psi],
-            .outlet_psi = state[outlet_psi],
-            .outlet_cylinder_psi = state[outlet_cylinder_psi],
-            .piston_in = state[piston_in],
-            .velocity_in_per_s = state[velocity_in_per_s],
-            .spool_in = state[spool_in],
-            .pump_in3_per_s = pump_in3_per_s(time_s),
-            .inlet_in3_per_s = flows.inlet_in3_per_s,
-            .bypass_in3_per_s = flows.bypass_in3_per_s,
-            .inlet_hose_in3_per_s = state[inlet_hose_in3_per_s],
-            .leak_in3_per_s = leak_in3_per_s(state, time_s)};
 }
 
 } // namespace placedpar::hydraulics

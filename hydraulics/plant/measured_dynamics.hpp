@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hydraulics/circuit/flow_split.hpp"
 #include "hydraulics/plant/measured_excavator.hpp"
 
 #include <cstddef>
@@ -50,12 +51,13 @@ public:
     void hold(double time_s);
     /// The derivative, and the mode in which it holds.
     Mode rate(const State& state, State& derivative, double time_s) const;
-    MeasuredState describe(const State& state, double time_s) const;
+    /// With its ripple.
+    double pump_in3_per_s(double time_s) const;
+    FlowSplit flows(const State& state, double time_s) const;
+    double leak_in3_per_s(const State& state, double time_s) const;
 
 private:
-    double pump_in3_per_s(double time_s) const;
     FlowConstants flow_at(double time_s) const;
-    double leak_in3_per_s(const State& state, double time_s) const;
     double acceleration(const State& state) const;
 
     const MeasuredExcavator& excavator_;
@@ -65,8 +67,5 @@ private:
 /// Flow of the drain side through an orifice (3.4), either way; laminar near a drop of 0, so that it has a slope there:
 /// Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
-
-/// Throws UnfitScenario (requirement.hpp), which says which value cannot be simulated, and what is expected.
-void require_valid(const MeasuredExcavator& excavator);
 
 } // namespace placedpar::hydraulics

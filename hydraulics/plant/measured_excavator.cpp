@@ -1,10 +1,6 @@
 #include "hydraulics/plant/measured_excavator.hpp"
 
-#include "hydraulics/plant/event_step.hpp"
-#include "hydraulics/plant/measured_dynamics.hpp"
-
 #include <cmath>
-#include <cstddef>
 #include <string>
 
 namespace placedpar::hydraulics {
@@ -57,26 +53,6 @@ double held_volts(const MeasuredExcavator& excavator, double time_s) {
     double sample = std::floor(time_s / excavator.sampling_period_s + 1e-6);
     const Converter& converter = excavator.servo_converter;
     return converter.limited(volts_at(excavator.command, sample * excavator.sampling_period_s), -converter.range / 2);
-}
-
-std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator) {
-    require_valid(excavator);
-    MeasuredDynamics dynamics(excavator);
-    double step_s = excavator.integration_step_s;
-    auto steps = static_cast<std::size_t>(std::lround(excavator.duration_s / step_s));
-    std::vector<MeasuredState> motion;
-    motion.reserve(steps + 1);
-    EventStepper stepper(dynamics, dynamics.at_rest(), 0);
-    for (std::size_t i = 0;; ++i) {
-        double time_s = static_cast<double>(i) * step_s;
-        motion.push_back(dynamics.describe(stepper.state(), time_s));
-        if (i == steps)
-            return motion;
-        // Constant within a step: a command that begins does so between two.
-        dynamics.hold(time_s + step_s / 2);
-        stepper.system_changed();
-        stepper.advance_to(static_cast<double>(i + 1) * step_s, [](auto&&...) {});
-    }
 }
 
 } // namespace placedpar::hydraulics

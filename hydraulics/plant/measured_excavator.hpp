@@ -11,8 +11,6 @@
 #include "hydraulics/plant/servo_command.hpp"
 #include "hydraulics/plant/stick_friction.hpp"
 
-#include <vector>
-
 namespace placedpar::hydraulics {
 
 /// The flow of an axial piston pump is not quite constant.
@@ -46,32 +44,10 @@ struct MeasuredExcavator {
 /// By the rows of the record scenario `excavator` (record_scenario.hpp).
 MeasuredExcavator measured_excavator(const Parameters& parameters = Parameters::excavator());
 
-/// The true state of the measured excavator at one instant.
-struct MeasuredState {
-    double time_s;
-    double inlet_psi;           ///< at the valve's end of the hose, where the sensor is
-    double inlet_cylinder_psi;  ///< at the other end
-    double outlet_psi;          ///< at the valve's end of the drain side's hose
-    double outlet_cylinder_psi; ///< at the other end
-    double piston_in;           ///< 0 at the start
-    double velocity_in_per_s;
-    double spool_in;
-    double pump_in3_per_s;       ///< with its ripple
-    double inlet_in3_per_s;      ///< Q_i, out of the valve
-    double bypass_in3_per_s;     ///< Q_e
-    double inlet_hose_in3_per_s; ///< into the cylinder
-    double leak_in3_per_s;       ///< Q_l
-};
-
 /// The voltage at the servo-valve: the command as it was at the last sampling instant, through the converter.
 double held_volts(const MeasuredExcavator& excavator, double time_s);
 
-/// Simulates the excavator from rest, the load held by the inlet side, the drain side at tank pressure, friction
-/// relaxed. Classical Runge-Kutta method of order 4 (Boost.Odeint); one state a step, the first at time 0. Steps end
-/// where the load check or the relief valve opens or shuts, where the orifices have their knees and where a leak begins
-/// (event_step.hpp); friction is not smooth where the piston turns. Throws UnfitScenario (requirement.hpp) when a value
-/// is out of range, or when the step is too long for the fastest of hoses, bristles and drain: it names that one and
-/// the longest step that it allows.
-std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator);
+/// Throws UnfitScenario (requirement.hpp), which says which value cannot be simulated, and what is expected.
+void require_valid(const MeasuredExcavator& excavator);
 
 } // namespace placedpar::hydraulics

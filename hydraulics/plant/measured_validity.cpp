@@ -1,5 +1,5 @@
 #include "hydraulics/circuit/boom_orifices.hpp"
-#include "hydraulics/plant/measured_dynamics.hpp"
+#include "hydraulics/plant/measured_excavator.hpp"
 #include "hydraulics/plant/requirement.hpp"
 
 #include <fmt/format.h>

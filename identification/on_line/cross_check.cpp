@@ -17,8 +17,7 @@ using namespace hydraulics;
 namespace {
 
 // Pump 1 feeds bucket and boom, pump 2 swing and stick; through the cross-over each may feed others too.
-constexpr std::array<LinkSet, 2> branches{LinkSet{hydraulics::Link::bucket, hydraulics::Link::boom},
-                                          LinkSet{hydraulics::Link::stick, hydraulics::Link::swing}};
+constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, LinkSet{Link::stick, Link::swing}};
 
 /// A leak of 5 to 10 % of the flow raises the apparent compliance by 13 to 27 %, one of 14 % by up to 37 % (found by
 /// simulation; equation 2.8 is its lower bound).
@@ -48,7 +47,7 @@ Verdict judge(const LinkCheck& check, const DiagnosisSettings& settings) {
 
 std::string percent(double ratio) { return fmt::format("{:+.0f} %", 100 * (ratio - 1)); }
 
-Alarm alone_off(hydraulics::Link link, double ratio, bool others_known) {
+Alarm alone_off(Link link, double ratio, bool others_known) {
     std::string where =
         others_known ? "the rest of its branch is not"
                      : "of the rest of its branch nothing is known, so that it may be that branch's pump or spool";
@@ -60,8 +59,7 @@ Alarm alone_off(hydraulics::Link link, double ratio, bool others_known) {
                         where)};
 }
 
-void check_one(hydraulics::Link link, const LinkCheck& check, const DiagnosisSettings& settings,
-               std::vector<Alarm>& alarms) {
+void check_one(Link link, const LinkCheck& check, const DiagnosisSettings& settings, std::vector<Alarm>& alarms) {
     if (check.baseline_in3_per_psi && !check.estimates.empty())
         if (double ratio = check.newest().compliance_in3_per_psi / *check.baseline_in3_per_psi;
             ratio >= settings.doubled_at)
@@ -85,10 +83,9 @@ void check_one(hydraulics::Link link, const LinkCheck& check, const DiagnosisSet
 }
 
 void check_branch(LinkSet branch, const PerLink<Verdict>& verdicts, std::vector<Alarm>& alarms) {
-    std::vector<hydraulics::Link> links = links_of(branch);
+    std::vector<Link> links = links_of(branch);
     auto count = [&](State state) {
-        return std::ranges::count_if(links,
-                                     [&](hydraulics::Link link) { return verdicts[index_of(link)].state == state; });
+        return std::ranges::count_if(links, [&](Link link) { return verdicts[index_of(link)].state == state; });
     };
     if (count(State::off) == std::ssize(links)) {
         alarms.push_back({AlarmKind::branch_fault, branch,
@@ -98,7 +95,7 @@ void check_branch(LinkSet branch, const PerLink<Verdict>& verdicts, std::vector<
                                       percent(verdicts[index_of(links[1])].ratio))});
         return;
     }
-    for (hydraulics::Link link : links)
+    for (Link link : links)
         if (const Verdict& verdict = verdicts[index_of(link)]; verdict.state == State::off)
             alarms.push_back(alone_off(link, verdict.ratio, count(State::good) > 0));
 }
@@ -130,7 +127,7 @@ const SetEstimate& LinkCheck::newest() const {
 std::vector<Alarm> find_alarms(const PerLink<LinkCheck>& checks, const DiagnosisSettings& settings) {
     std::vector<Alarm> alarms;
     PerLink<Verdict> verdicts;
-    for (hydraulics::Link link : all_links) {
+    for (Link link : all_links) {
         check_one(link, checks[index_of(link)], settings, alarms);
         verdicts[index_of(link)] = judge(checks[index_of(link)], settings);
     }

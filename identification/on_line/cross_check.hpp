@@ -16,7 +16,7 @@ struct SetEstimate {
     hydraulics::LinkSet set;
     double compliance_in3_per_psi; ///< the newest settled value
     double lasting_in3_per_psi;    ///< median over the last transients
-    std::size_t transients;        ///< that settled; at most LinkEstimate::kept_transients
+    std::size_t transients;        ///< that settled; at most kept_transients
     double time_s;                 ///< of the newest
 };
 

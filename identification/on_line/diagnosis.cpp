@@ -78,7 +78,7 @@ void Diagnosis::change(const ConfigurationChange& change) {
     restart_windows(); // of the sets in use until now
     state_.configuration = change.configuration;
     state_.active = change.active;
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (!state_.active.contains(link))
             state_.tracks[index_of(link)] = {}; // its voltage is not read any more
 }
@@ -94,7 +94,7 @@ void Diagnosis::restart_windows() {
 void Diagnosis::require_acceptable(const ExcavatorSample& sample) const {
     if (!state_.configuration)
         throw RefusedSample(NoConfiguration{});
-    for (hydraulics::Link link : links_of(state_.active))
+    for (Link link : links_of(state_.active))
         if (!sample.links[index_of(link)])
             throw RefusedSample(LinkNotRead{link});
     if (state_.time_s && sample.time_s <= *state_.time_s && !state_.time_may_restart)
@@ -109,7 +109,7 @@ void Diagnosis::push(const ExcavatorSample& sample, std::optional<double> elapse
     state_.time_s = sample.time_s;
     state_.time_may_restart = false;
     ++state_.samples;
-    for (hydraulics::Link link : links_of(state_.active))
+    for (Link link : links_of(state_.active))
         state_.tracks[index_of(link)].push(*sample.links[index_of(link)], state_.parameters.links[index_of(link)],
                                            elapsed_s);
 }
@@ -134,7 +134,7 @@ SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
 
 std::size_t Diagnosis::search(LinkSet set, double centre_s) {
     SetSample samples;
-    for (hydraulics::Link link : links_of(set)) {
+    for (Link link : links_of(set)) {
         auto sample = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
         if (!sample)
             return 0;
@@ -143,7 +143,7 @@ std::size_t Diagnosis::search(LinkSet set, double centre_s) {
     return population(set).take(problem(set), samples, centre_s);
 }
 
-LinkCheck Diagnosis::check(hydraulics::Link link) const {
+LinkCheck Diagnosis::check(Link link) const {
     LinkCheck check{state_.baseline_in3_per_psi[index_of(link)], {}};
     for (LinkSet set : all_population_sets()) {
         auto found = sets_.find(set);
@@ -163,7 +163,7 @@ LinkCheck Diagnosis::check(hydraulics::Link link) const {
 
 void Diagnosis::settle_baselines() {
     for (const auto& [set, population] : sets_) {
-        std::vector<hydraulics::Link> links = links_of(set);
+        std::vector<Link> links = links_of(set);
         for (std::size_t i = 0; i < links.size(); ++i) {
             // The first settled value whose transient is over, so that it moves no more.
             const LinkEstimate& estimate = population.state().estimates[i];
@@ -176,7 +176,7 @@ void Diagnosis::settle_baselines() {
 }
 
 SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (const auto& compliance = baseline.compliance_in3_per_psi[index_of(link)])
             state_.baseline_in3_per_psi[index_of(link)] = *compliance;
     SampleOutcome outcome;
@@ -186,7 +186,7 @@ SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
 
 void Diagnosis::update_alarms(SampleOutcome& outcome) {
     PerLink<LinkCheck> checks;
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         checks[index_of(link)] = check(link);
     std::vector<Alarm> now = find_alarms(checks, settings_);
     outcome.raised = without(now, state_.alarms);

@@ -30,8 +30,6 @@ public:
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Transients whose settled values are kept.
-    static constexpr std::size_t kept_transients = 5;
     /// Settled values closer together than this belong to one transient; ours: an operator's movements are seconds
     /// apart.
     static constexpr double transients_apart_s = 1;

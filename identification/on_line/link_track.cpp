@@ -3,7 +3,6 @@
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
 
-#include <numbers>
 #include <utility>
 
 namespace placedpar::identification {
@@ -31,10 +30,10 @@ void LinkTrack::restart() {
     state_.desired_in = former.desired_in;
 }
 
-double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& parameters, std::optional<double> elapsed_s) {
+double LinkTrack::follow_spool_in(double servo_V, const LinkConstants& constants, std::optional<double> elapsed_s) {
     double desired = desired_spool_in(servo_V);
     if (state_.spool_in && elapsed_s) {
-        SpoolLag spool(parameters.spool_lag_per_s, *elapsed_s, *state_.spool_in);
+        SpoolLag spool(constants.spool_lag_per_s, *elapsed_s, *state_.spool_in);
         spool.hold(*state_.desired_in);
         state_.spool_in = spool.spool_in();
     } else
@@ -43,32 +42,31 @@ double LinkTrack::follow_spool_in(double servo_V, const LinkParameters& paramete
     return *state_.spool_in;
 }
 
-ValveAreas LinkTrack::areas_of(const Reading& reading, const LinkParameters& parameters,
+ValveAreas LinkTrack::areas_of(const Reading& reading, const LinkConstants& constants,
                                std::optional<double> elapsed_s) {
     if (const auto* servo = std::get_if<ServoVoltage>(&reading.valve))
-        return areas_at(follow_spool_in(servo->servo_V, parameters, elapsed_s));
+        return areas_at(follow_spool_in(servo->servo_V, constants, elapsed_s));
     state_.spool_in = state_.desired_in = std::nullopt; // not followed any more
     if (const auto* spool = std::get_if<SpoolPosition>(&reading.valve))
         return areas_at(spool->spool_in);
     return std::get<ValveAreas>(reading.valve);
 }
 
-void LinkTrack::push(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s) {
+void LinkTrack::push(const Reading& reading, const LinkConstants& constants, std::optional<double> elapsed_s) {
     push_bounded(state_.inlet_psi, reading.inlet_psi);
     push_bounded(state_.angle_deg, reading.angle_deg);
-    ValveAreas areas = areas_of(reading, parameters, elapsed_s);
+    ValveAreas areas = areas_of(reading, constants, elapsed_s);
     push_bounded(state_.inlet_in2, areas.inlet_in2);
     push_bounded(state_.bypass_in2, areas.bypass_in2);
 }
 
-std::optional<LinkSample> LinkTrack::centre(const CentredLineFit& fit, const LinkParameters& parameters) const {
+std::optional<LinkSample> LinkTrack::centre(const CentredLineFit& fit, const LinkConstants& constants) const {
     constexpr std::size_t middle = line_fit_points / 2;
     if (!CentredLineFit::has_slope(state_.inlet_psi.size(), middle))
         return std::nullopt;
-    double piston_in3_per_deg = parameters.piston_in3_per_rad * std::numbers::pi / 180;
     return LinkSample{state_.inlet_psi[middle], fit.slope_per_s(state_.inlet_psi, middle),
-                      piston_in3_per_deg * fit.slope_per_s(state_.angle_deg, middle), state_.inlet_in2[middle],
-                      state_.bypass_in2[middle]};
+                      constants.piston_in3_per_deg() * fit.slope_per_s(state_.angle_deg, middle),
+                      state_.inlet_in2[middle], state_.bypass_in2[middle]};
 }
 
 } // namespace placedpar::identification

@@ -30,17 +30,18 @@ public:
 
     /// `elapsed_s` is the time since the reading before, above 0. When it is not known, a spool that is followed from
     /// its voltage is taken to be at rest.
-    void push(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s);
+    void push(const Reading& reading, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);
     /// Forgets the readings, but not the spool, which moves on over a gap or a change of circuit.
     void restart();
 
     /// The middle one of the last 5 readings; none while there are fewer.
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
-                                                 const LinkParameters& parameters) const;
+                                                 const hydraulics::LinkConstants& constants) const;
 
 private:
-    ValveAreas areas_of(const Reading& reading, const LinkParameters& parameters, std::optional<double> elapsed_s);
-    double follow_spool_in(double servo_V, const LinkParameters& parameters, std::optional<double> elapsed_s);
+    ValveAreas areas_of(const Reading& reading, const hydraulics::LinkConstants& constants,
+                        std::optional<double> elapsed_s);
+    double follow_spool_in(double servo_V, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);
 
     State state_;
 };

@@ -15,8 +15,7 @@ struct NamedSet {
     LinkSet links;
 };
 
-constexpr hydraulics::Link bu = hydraulics::Link::bucket, bo = hydraulics::Link::boom, st = hydraulics::Link::stick,
-                           sw = hydraulics::Link::swing;
+constexpr Link bu = Link::bucket, bo = Link::boom, st = Link::stick, sw = Link::swing;
 
 /// Figure 3.13.
 constexpr std::array<NamedSet, 15> figure_3_13{{
@@ -59,15 +58,14 @@ std::optional<LinkSet> set_named(std::string_view name) {
     return found == figure_3_13.end() ? std::nullopt : std::optional(found->links);
 }
 
-std::vector<hydraulics::Link> links_of(LinkSet set) {
-    std::vector<hydraulics::Link> links;
-    std::ranges::copy_if(all_links, std::back_inserter(links),
-                         [&](hydraulics::Link link) { return set.contains(link); });
+std::vector<Link> links_of(LinkSet set) {
+    std::vector<Link> links;
+    std::ranges::copy_if(all_links, std::back_inserter(links), [&](Link link) { return set.contains(link); });
     return links;
 }
 
-std::size_t position_in(LinkSet set, hydraulics::Link link) {
-    std::vector<hydraulics::Link> links = links_of(set);
+std::size_t position_in(LinkSet set, Link link) {
+    std::vector<Link> links = links_of(set);
     return static_cast<std::size_t>(std::ranges::find(links, link) - links.begin());
 }
 

@@ -1,7 +1,6 @@
 #include "identification/on_line/settings.hpp"
 
 #include "hydraulics/circuit/circuit_problem.hpp"
-#include "identification/on_line/link_estimate.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +37,7 @@ void DiagnosisSettings::validate() const {
     require(doubled_at > 1, "the ratio to the baseline of a doubled compliance", doubled_at, "more than 1");
     require(inconsistent_over > 0, "the spread of inconsistent estimates", inconsistent_over, "more than 0");
     require(off_by > 0 && off_by < 1, "the fraction by which a link is off", off_by, "between 0 and 1");
-    require(transients >= 1 && transients <= LinkEstimate::kept_transients, "the number of transients",
+    require(transients >= 1 && transients <= kept_transients, "the number of transients",
             static_cast<double>(transients), "1 to 5");
     require(stale_after_s > 0, "the age of a stale estimate", stale_after_s, "more than 0 s");
 }

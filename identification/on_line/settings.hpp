@@ -6,6 +6,9 @@
 
 namespace placedpar::identification {
 
+/// Transients of a link whose settled values are kept.
+inline constexpr std::size_t kept_transients = 5;
+
 /// The thesis's numbers, with one elite individual.
 SearchSettings service_search();
 

@@ -36,7 +36,7 @@ std::optional<double> optional_from(const json::value& value) {
 
 json::string links_json(LinkSet links) {
     std::string text;
-    for (hydraulics::Link link : links_of(links))
+    for (Link link : links_of(links))
         text += fmt::format("{}{}", text.empty() ? "" : " ", symbol_of(link));
     return json::string(text);
 }
@@ -44,7 +44,7 @@ json::string links_json(LinkSet links) {
 LinkSet links_from(const json::value& value) {
     LinkSet links;
     std::string symbols = text(value);
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (symbols.find(symbol_of(link)) != std::string::npos)
             links.insert(link);
     return links;
@@ -54,7 +54,7 @@ LinkSet links_from(const json::value& value) {
 json::string parameters_json(const ExcavatorParameters& p) {
     std::vector<double> numbers{p.period_s, p.flow.orifice_in3_per_s_in2_sqrt_psi, p.flow.pump_in3_per_s,
                                 p.flow.tank_psi, p.flow.relief_psi};
-    for (const LinkParameters& link : p.links)
+    for (const LinkConstants& link : p.links)
         numbers.insert(numbers.end(), {link.piston_in3_per_rad, link.spool_lag_per_s});
     return json::string(exact_text(numbers));
 }

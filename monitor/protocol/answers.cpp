@@ -66,7 +66,7 @@ json::value number(const std::optional<double>& value) {
 
 json::array symbols(LinkSet links) {
     json::array array;
-    for (hydraulics::Link link : links_of(links))
+    for (Link link : links_of(links))
         array.emplace_back(symbol_of(link));
     return array;
 }
@@ -102,7 +102,7 @@ json::array flags(const LinkEstimate& estimate, bool inconsistent, const Diagnos
     return flags;
 }
 
-json::object estimate_json(const Diagnosis& diagnosis, hydraulics::Link link, const LinkEstimate& estimate,
+json::object estimate_json(const Diagnosis& diagnosis, Link link, const LinkEstimate& estimate,
                            const DiagnosisSettings& settings) {
     bool inconsistent =
         std::ranges::find(diagnosis.alarms(), Alarm{AlarmKind::inconsistent, {link}, ""}) != diagnosis.alarms().end();
@@ -115,7 +115,7 @@ json::object estimate_json(const Diagnosis& diagnosis, hydraulics::Link link, co
 
 json::object set_json(const Diagnosis& diagnosis, const PopulationSet& set, const DiagnosisSettings& settings) {
     json::object links;
-    std::vector<hydraulics::Link> order = links_of(set.links());
+    std::vector<Link> order = links_of(set.links());
     for (std::size_t i = 0; i < order.size(); ++i)
         links[symbol_of(order[i])] = estimate_json(diagnosis, order[i], set.state().estimates[i], settings);
     return {{"window", set.state().window.size()}, {"generations", set.state().generations}, {"links", links}};
@@ -189,7 +189,7 @@ std::string status_line(const Diagnosis& diagnosis, const DiagnosisSettings& set
     for (LinkSet set : all_population_sets())
         if (auto found = diagnosis.sets().find(set); found != diagnosis.sets().end())
             sets[name_of_set(set)] = set_json(diagnosis, found->second, settings);
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         links[symbol_of(link)] = check_json(diagnosis.check(link));
     json::array alarms;
     for (const Alarm& alarm : diagnosis.alarms())

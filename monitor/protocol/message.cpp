@@ -1,7 +1,6 @@
 #include "monitor/protocol/message.hpp"
 
 #include "monitor/protocol/field_reader.hpp"
-#include "monitor/protocol/repeated_field.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +20,7 @@ constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spoo
     areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.001, 1, "s"},
     pistons{0.1, 1e6, "in^3/rad"}, lags{0.1, 1000, "1/s"}, up_to_a_day{0, 86400, "s"};
 
-hydraulics::Link link_of(const std::string& name, const std::string& path) {
+Link link_of(const std::string& name, const std::string& path) {
     if (auto link = link_named(name))
         return *link;
     throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
@@ -33,7 +32,7 @@ void for_each_link(FieldReader& message, Read read) {
     FieldReader links = message.object("links");
     LinkSet seen;
     for (const std::string& name : links.names()) {
-        hydraulics::Link link = link_of(name, links.path_of(name));
+        Link link = link_of(name, links.path_of(name));
         if (seen.contains(link))
             throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
                              "each link once, by name or symbol");
@@ -64,7 +63,7 @@ std::string machine_name(FieldReader& fields) {
 }
 
 ExcavatorParameters machine_parameters(FieldReader& fields) {
-    ExcavatorParameters parameters;
+    ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
     parameters.period_s = fields.number_or("period_s", periods, parameters.period_s);
     if (fields.has("flow")) {
         FieldReader flow = fields.object("flow");
@@ -75,9 +74,9 @@ ExcavatorParameters machine_parameters(FieldReader& fields) {
         flow.finish();
     }
     if (fields.has("links"))
-        for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
+        for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
             FieldReader of_link = links.object(name);
-            LinkParameters& p = parameters.links[index_of(link)];
+            LinkConstants& p = parameters.links[index_of(link)];
             p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
             p.spool_lag_per_s = of_link.number_or("spool_lag_per_s", lags, p.spool_lag_per_s);
             of_link.finish();
@@ -135,7 +134,7 @@ Reading reading(FieldReader& fields) {
 
 Message sample(FieldReader& fields) {
     ExcavatorSample sample{fields.number("time_s", times), {}};
-    for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
+    for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
         FieldReader of_link = links.object(name);
         sample.links[index_of(link)] = reading(of_link);
         of_link.finish();
@@ -145,7 +144,7 @@ Message sample(FieldReader& fields) {
 
 Message baseline(FieldReader& fields) {
     Baseline baseline;
-    for_each_link(fields, [&](hydraulics::Link link, FieldReader& links, const std::string& name) {
+    for_each_link(fields, [&](Link link, FieldReader& links, const std::string& name) {
         baseline.compliance_in3_per_psi[index_of(link)] = links.number(name, compliances);
     });
     return baseline;
@@ -161,14 +160,16 @@ struct Type {
     Message (*read)(FieldReader&);
 };
 
-constexpr std::array<Type, 8> types{{{"hello", hello},
-                                     {"configuration", configuration},
-                                     {"sample", sample},
-                                     {"baseline", baseline},
-                                     {"status", nothing_more<StatusRequest>},
-                                     {"load", nothing_more<LoadRequest>},
-                                     {"ping", nothing_more<Ping>},
-                                     {"bye", nothing_more<Bye>}}};
+constexpr Type types[]{
+    {.name = "hello", .read = hello},
+    {.name = "configuration", .read = configuration},
+    {.name = "sample", .read = sample},
+    {.name = "baseline", .read = baseline},
+    {.name = "status", .read = nothing_more<StatusRequest>},
+    {.name = "load", .read = nothing_more<LoadRequest>},
+    {.name = "ping", .read = nothing_more<Ping>},
+    {.name = "bye", .read = nothing_more<Bye>},
+};
 
 /// Every message is two or three objects deep.
 constexpr std::size_t deepest = 8;
@@ -200,7 +201,7 @@ Message parse_message(std::string_view line) {
     FieldReader fields(value.get_object(), "");
     std::string name = fields.text("type");
     auto type = std::ranges::find(types, name, &Type::name);
-    if (type == types.end())
+    if (type == std::end(types))
         throw BadMessage("type", fmt::format("there is no message \"{}\"", name.substr(0, 40)),
                          "one of hello, configuration, sample, baseline, status, load, ping, bye");
     Message message = type->read(fields);

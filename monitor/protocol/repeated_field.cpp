@@ -1,4 +1,4 @@
-#include "monitor/protocol/repeated_field.hpp"
+#include "monitor/protocol/field_reader.hpp"
 
 #include <boost/json/basic_parser_impl.hpp>
 

@@ -76,7 +76,8 @@ std::vector<AttributeDescription> transputer_attributes() {
 }
 
 NodeExecutive make_transputer(Simulation& simulation, const Node& node) {
-    auto& processor = simulation.add<Processor>(node.name, node.integer("clock"), Cycles{node.integer("channelcall")});
+    auto& processor =
+        simulation.add<hardware::Processor>(node.name, node.integer("clock"), Cycles{node.integer("channelcall")});
     return {&processor, [&processor] { return processor.time_busy(); }};
 }
 

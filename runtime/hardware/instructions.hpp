@@ -4,7 +4,7 @@
 
 /// What a T800's instructions cost, in cycles, code and data in internal memory. Published: instruction table of the
 /// T4 notebook (pahihu/t4), checked there against INMOS's "Transputer instruction set: a compiler writer's guide".
-namespace placedpar::instructions {
+namespace placedpar::hardware::instructions {
 
 /// The operations of a program, compiled in line as occam's are. A communication of w words is 2w + 19.
 constexpr OperationCosts t800{
@@ -36,4 +36,4 @@ constexpr Cycles preemption{19};
 /// are the instruction's. It includes the rescheduling of the receiver.
 constexpr Cycles toolset_channel_call{201};
 
-} // namespace placedpar::instructions
+} // namespace placedpar::hardware::instructions

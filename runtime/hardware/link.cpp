@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hardware {
 
 namespace {
 
@@ -160,4 +160,4 @@ void LinkDirection::acknowledge_started() {
 
 void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }
 
-} // namespace placedpar
+} // namespace placedpar::hardware

@@ -7,9 +7,11 @@
 #include "runtime/source_location.hpp"
 
 namespace placedpar {
-
 class Kernel;
 class Process;
+} // namespace placedpar
+
+namespace placedpar::hardware {
 
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
 /// `in` start at its ends. A sender goes on when the acknowledge of its last byte has arrived, a receiver when
@@ -115,4 +117,4 @@ private:
     LinkDirection a_to_b_, b_to_a_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::hardware

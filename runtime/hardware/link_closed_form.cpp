@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hardware {
 
 /// REQUIRES: the acknowledge of a byte has just started, and the other direction is quiet.
 void LinkDirection::skip_middle_bytes() {
@@ -48,4 +48,4 @@ void LinkDirection::simulate_bytes_again() {
     start_byte_.schedule(std::max(may_start_, now));
 }
 
-} // namespace placedpar
+} // namespace placedpar::hardware

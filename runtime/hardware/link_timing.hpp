@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace placedpar {
+namespace placedpar::hardware {
 
 /// How long the bits of a link take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
 /// acknowledge 2 (databook, 3rd ed. 1992, 1.4); with overlapped acknowledges one is sent 5 to 6 bit periods
@@ -41,4 +41,4 @@ struct LinkTiming {
     }
 };
 
-} // namespace placedpar
+} // namespace placedpar::hardware

@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hardware {
 
 Multiplexer::Multiplexer(Kernel& kernel, const std::string& name, Link& link, Executive* a, Executive* b)
     : a_to_b_(name + " packets from a to b"), b_to_a_(name + " packets from b to a"),
@@ -96,4 +96,4 @@ void Multiplexer::Lane::take_message() {
     far_.post({this, true, 0});
 }
 
-} // namespace placedpar
+} // namespace placedpar::hardware

@@ -12,9 +12,11 @@
 #include <string>
 
 namespace placedpar {
-
 class Executive;
 class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
 
 /// Several channels over one link, by virtual channels: at each end of the link two high-priority processes
 /// send and receive packets. A message is one packet; it waits at the receiving end until the inputting
@@ -83,4 +85,4 @@ private:
     std::list<Lane> lanes_;
 };
 
-} // namespace placedpar
+} // namespace placedpar::hardware

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hardware {
 
 namespace {
 
@@ -151,4 +151,4 @@ void Processor::preempt() {
     begin_turn();
 }
 
-} // namespace placedpar
+} // namespace placedpar::hardware

@@ -9,8 +9,10 @@
 #include <string>
 
 namespace placedpar {
-
 class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
 
 /// A transputer's processor: it shares itself out between its processes by the rules of the hardware
 /// scheduler (Transputer Databook, 3rd ed. 1992, architecture 1.3).
@@ -73,4 +75,4 @@ private:
     Turn turn_{*this};
 };
 
-} // namespace placedpar
+} // namespace placedpar::hardware

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace placedpar {
+namespace placedpar::hardware {
 
 Wire::Wire(Kernel& kernel, const LinkTiming& timing)
     : kernel_(kernel), timing_(timing), first_rank_(kernel.new_ranks(ranks_of_a_wire)) {}
@@ -24,4 +24,4 @@ void Wire::serve() {
         kernel_.future().schedule(freed_, free_at_, EventQueue::start, first_rank_);
 }
 
-} // namespace placedpar
+} // namespace placedpar::hardware

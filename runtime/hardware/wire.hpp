@@ -4,8 +4,10 @@
 #include "runtime/hardware/link_timing.hpp"
 
 namespace placedpar {
-
 class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
 
 /// How many ranks a wire needs for its events: one for its own event, three for the events of the bytes that it
 /// carries.
@@ -61,4 +63,4 @@ private:
     Freed freed_{*this};
 };
 
-} // namespace placedpar
+} // namespace placedpar::hardware

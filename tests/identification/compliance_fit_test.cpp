@@ -81,7 +81,7 @@ TEST_CASE("the exhaustive optimum is the best of all codes, each evaluated alone
 
 TEST_CASE("two codes: the optimum of an exact sample is where it was made") {
     // The worked junction of the design notes, with compliances that the slopes make count.
-    Circuit two = circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom});
+    Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     double unit = 0.1 / 16;
     CircuitSample sample{
         0, 0, {{2000, 1500, 56.7165 - 1500 * 3 * unit, .1, .068}, {1700, 900, 52.2247 - 900 * 5 * unit, .096, .016}}};

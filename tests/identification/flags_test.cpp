@@ -25,7 +25,7 @@ bool is_flagged(const Identified& identified, const std::string& word) {
 }
 
 Record with_spool_offset(Record record, double offset_in) {
-    for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool : record.of(Link::boom, Sensor::spool))
         spool += offset_in;
     return record;
 }
@@ -43,9 +43,9 @@ TEST_CASE("a good record raises no flag, whatever the seed") {
 
 TEST_CASE("angles that are radians leave the answer uncertain; a spool that stands is no valve that opens") {
     Record radians = boom_measured(1.5, low_noise, 1), stuck = radians;
-    for (double& angle : radians.of(hydraulics::Link::boom, Sensor::angle))
+    for (double& angle : radians.of(Link::boom, Sensor::angle))
         angle *= std::numbers::pi / 180;
-    for (double& spool : stuck.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool : stuck.of(Link::boom, Sensor::spool))
         spool = 0.25;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         CHECK(is_flagged(identify_boom(radians, thesis_way(), seed), "uncertain"));

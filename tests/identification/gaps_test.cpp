@@ -18,8 +18,8 @@ Record without(const Record& record, std::size_t first, std::size_t count) {
             continue;
         rest.time_s.push_back(record.time_s[i]);
         for (Sensor sensor : all_sensors)
-            if (record.has(hydraulics::Link::boom, sensor))
-                rest.of(hydraulics::Link::boom, sensor).push_back(record.of(hydraulics::Link::boom, sensor)[i]);
+            if (record.has(Link::boom, sensor))
+                rest.of(Link::boom, sensor).push_back(record.of(Link::boom, sensor)[i]);
     }
     return rest;
 }
@@ -31,7 +31,7 @@ Record two_hoses() {
     Record record = boom_measured(1.5, no_noise, 1), other = boom_measured(1.5, no_noise, 1, 0.02);
     for (std::size_t i = first_lost; i < record.size(); ++i)
         for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
-            record.of(hydraulics::Link::boom, sensor)[i] = other.of(hydraulics::Link::boom, sensor)[i];
+            record.of(Link::boom, sensor)[i] = other.of(Link::boom, sensor)[i];
     return without(record, first_lost, 2);
 }
 
@@ -68,9 +68,9 @@ TEST_CASE("by the servo-valve's voltage, samples lost before the transient chang
     // The voltage steps at 0.1 s, sample 5; the load check opens at sample 10.
     Record whole = boom_measured(1.5, no_noise, 1);
     for (double time_s : whole.time_s)
-        whole.of(hydraulics::Link::boom, Sensor::servo).push_back(servo_volts(time_s < 0.0999 ? 0.1297 : 0.2593));
+        whole.of(Link::boom, Sensor::servo).push_back(servo_volts(time_s < 0.0999 ? 0.1297 : 0.2593));
     auto estimates = [](const Record& record) {
-        Question question{Configuration::a, {hydraulics::Link::boom}, {}, AreasFrom::servo};
+        Question question{Configuration::a, {Link::boom}, {}, AreasFrom::servo};
         ComplianceSearch prepared = prepare(record, Parameters::excavator(), question, thesis_way());
         return identify(prepared.problem, prepared.flow, prepared.samples, thesis_way(), 1).links[0];
     };

@@ -71,7 +71,7 @@ TEST_CASE("compliances from .0043 to .07 are followed") {
 
 TEST_CASE("a record at rest is refused, with what is missing") {
     Record record = boom_measured(1.5, no_noise, 1);
-    for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool : record.of(Link::boom, Sensor::spool))
         spool = 0.1297;
     CHECK_THROWS_WITH_AS(identify_boom(record, thesis_way(), 1),
                          "0 usable samples, expected at least 5: the transient after the valve opens, with the "
@@ -81,7 +81,7 @@ TEST_CASE("a record at rest is refused, with what is missing") {
 
 TEST_CASE("links that are not coupled cannot be identified together") {
     Record record = boom_measured(1.5, no_noise, 1);
-    Question question{Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick}, {}};
+    Question question{Configuration::a, {Link::boom, Link::stick}, {}};
     CHECK_THROWS_WITH_AS(prepare(record, Parameters::excavator(), question, thesis_way()),
                          "boom,stick are not coupled with each other in configuration a: identify them one by one",
                          UserError);

@@ -20,7 +20,7 @@ Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint6
     RandomStream random(seed, "sensors");
     Record record = measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, noise,
                                       [&] { return random.uniform(); });
-    for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool : record.of(Link::boom, Sensor::spool))
         spool += offset_in;
     return record;
 }

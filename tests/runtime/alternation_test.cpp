@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::microseconds;
 
 namespace {

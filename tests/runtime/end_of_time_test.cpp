@@ -13,6 +13,7 @@
 #include <string>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include <thread>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::microseconds;
 
 namespace {

@@ -13,6 +13,7 @@
 #include <malloc.h>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using test::cycle;
 

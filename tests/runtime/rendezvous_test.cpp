@@ -16,6 +16,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using test::cycle;
 
 TEST_CASE("the second to arrive goes on, the first goes to the back of the ready queue") {

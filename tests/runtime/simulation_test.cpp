@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 
 TEST_CASE("a message passes from one process to the other") {
     Simulation simulation;

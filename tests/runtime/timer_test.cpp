@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
 

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::milliseconds;
 
 TEST_CASE("a process whose components compute does not wait; it does when all of them do") {

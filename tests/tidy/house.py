@@ -41,7 +41,7 @@ class House:
 
     def faults(self, names):
         """What is wrong, a sentence each. `names` are all files of the tree."""
-        circle = walls.circle(self.includes)
+        circle = walls.circle(self.includes) or walls.circle(walls.pieces(self.includes))
         if circle:
             yield "files include each other in a circle: " + " -> ".join(circle)
         for room in sorted(self.lines):

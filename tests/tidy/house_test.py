@@ -55,6 +55,11 @@ class Files(unittest.TestCase):
         wrong = faults({"app/b.hpp": '#include "app/c.hpp"', "app/c.hpp": '#include "app/b.hpp"'})
         self.assertIn("files include each other in a circle: app/b.hpp -> app/c.hpp -> app/b.hpp", wrong)
 
+    def test_a_circle_of_headers_with_their_sources(self):
+        wrong = faults({"app/b.hpp": "", "app/b.cpp": '#include "app/b.hpp"\n#include "app/c.hpp"',
+                        "app/c.hpp": '#include "app/b.hpp"'})
+        self.assertIn("files include each other in a circle: app/b -> app/c -> app/b", wrong)
+
 
 class Report(unittest.TestCase):
     def test_a_line_a_room(self):

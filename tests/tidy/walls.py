@@ -45,6 +45,16 @@ ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 OUTSIDE = ("bench", "tests")
 TEST_PROJECTS = "tests/consumer"
 
+# A header and its source are one piece, and no pieces include each other in a circle, but for these, which are one idea
+# in several files.
+KNOTS = (
+    # A process waits by its executive, which asks the kernel, which resumes the process on a worker. A trace is told
+    # which process did what.
+    {"runtime/executive", "runtime/kernel", "runtime/process", "runtime/trace", "runtime/worker"},
+    # overrides.cpp holds those of the elaborator's functions that read what was set on the command line.
+    {"netlist/elaborate/elaborator", "netlist/elaborate/overrides"},
+)
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)
 
 
@@ -85,6 +95,21 @@ def include_fault(name, included):
     if not room_of(name) or folder not in BELOW or other in reach(folder):
         return None
     return f"{folder} may not include {included}"
+
+
+def piece_of(name):
+    """A header with its source, by their common name; a knot by the first of its names."""
+    stem = posixpath.splitext(name)[0]
+    return min(next((knot for knot in KNOTS if stem in knot), {stem}))
+
+
+def pieces(graph):
+    """{piece: pieces that it includes} of {file: files that it includes}."""
+    found = {}
+    for name, included in graph.items():
+        others = {piece_of(other) for other in included} - {piece_of(name)}
+        found.setdefault(piece_of(name), set()).update(others)
+    return found
 
 
 def circle(graph):

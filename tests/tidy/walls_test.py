@@ -71,6 +71,21 @@ class Folders(unittest.TestCase):
             self.assertIsNotNone(walls.folder_fault(name), name)
 
 
+class Pieces(unittest.TestCase):
+    def test_a_header_and_its_source_are_one(self):
+        self.assertEqual(walls.pieces({"a/b.hpp": {"a/c.hpp"}, "a/b.cpp": {"a/b.hpp", "d/e.hpp"}}),
+                         {"a/b": {"a/c", "d/e"}})
+
+    def test_so_is_a_knot(self):
+        kernel, process, trace = "runtime/kernel.cpp", "runtime/process.hpp", "runtime/trace.hpp"
+        self.assertEqual(walls.pieces({kernel: {process}, process: {"runtime/time.hpp"}, trace: set()}),
+                         {"runtime/executive": {"runtime/time"}})
+
+    def test_a_knot_does_not_hide_a_circle_through_others(self):
+        around = walls.pieces({"runtime/kernel.cpp": {"runtime/event.hpp"}, "runtime/event.cpp": {"runtime/process.hpp"}})
+        self.assertEqual(walls.circle(around), ["runtime/event", "runtime/executive", "runtime/event"])
+
+
 class Circles(unittest.TestCase):
     def test_none(self):
         self.assertEqual(walls.circle({}), [])

@@ -4,7 +4,7 @@
 #include "hydraulics/plant/boom_sensors.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
-#include "hydraulics/plant/measured_excavator.hpp"
+#include "hydraulics/plant/measured_motion.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "runtime/random.hpp"
 
@@ -49,7 +49,7 @@ void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states,
     for (std::size_t i = 0; i < record.size(); ++i) {
         double noise = noise_psi * standard_normal([&] { return random.uniform(); });
         double steps = std::nearbyint((states[i * stride].links.front().outlet_psi + noise) / pressure_resolution_psi);
-        record.of(hydraulics::Link::boom, Sensor::outlet_pressure).push_back(steps * pressure_resolution_psi);
+        record.of(Link::boom, Sensor::outlet_pressure).push_back(steps * pressure_resolution_psi);
     }
 }
 
@@ -62,7 +62,7 @@ void add_voltage(Record& record, const ExcavatorScenario& scenario, double offse
         double since_s = time_s - step.time_s + scenario.integration_step_s / 2;
         double gone = since_s < 0 ? 0 : step.ramp_s > 0 ? std::min(since_s / step.ramp_s, 1.0) : 1;
         double wanted = std::lerp(valve.rest_in, step.desired_in, gone);
-        record.of(hydraulics::Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
+        record.of(Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
     }
 }
 
@@ -74,7 +74,7 @@ std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const s
         RandomStream random(seed, "sensors");
         Record record =
             measure_excavator(simulated, scenario, sampling_period_s, motion.noise, [&] { return random.uniform(); });
-        for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
+        for (double& spool : record.of(Link::boom, Sensor::spool))
             spool += motion.spool_offset_in;
         add_outlet_pressure(record, simulated.states, motion.noise.pressure_psi, seed);
         add_voltage(record, scenario, motion.spool_offset_in);
@@ -104,13 +104,13 @@ std::vector<BoomData> measure(const BoomMotion& motion, std::span<const std::uin
 
 BoomData measure(const BoomMotion& motion, std::uint64_t seed) { return measure(motion, std::array{seed}).front(); }
 
-BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.machine.spool_lag_per_s, 0}; }
+BoomModel model_of(const BoomData& data, AreasFrom from) { return {from, data.boom.spool_lag_per_s, 0}; }
 
 LinkCalibrations calibrations_of(const BoomData& data, const BoomModel& model) {
-    LinkCalibrations calibrations = boom_calibrations(data.machine);
-    LinkCalibration& boom = calibrations[index_of(hydraulics::Link::boom)];
+    LinkCalibrations calibrations = boom_calibrations(data.boom);
+    LinkCalibration& boom = calibrations[index_of(Link::boom)];
     boom.from = model.from;
-    boom.spool_lag_per_s = model.spool_lag_per_s;
+    boom.constants.spool_lag_per_s = model.spool_lag_per_s;
     boom.spool_offset_in = model.spool_offset_in;
     return calibrations;
 }
@@ -123,8 +123,8 @@ std::vector<double> spool_of(const BoomData& data, const BoomModel& model) {
     const Record& record = data.record;
     std::vector<double> spool =
         model.from == AreasFrom::servo
-            ? spool_from_volts(record.of(hydraulics::Link::boom, Sensor::servo), model.spool_lag_per_s, record.period_s)
-            : record.of(hydraulics::Link::boom, Sensor::spool);
+            ? spool_from_volts(record.of(Link::boom, Sensor::servo), model.spool_lag_per_s, record.period_s)
+            : record.of(Link::boom, Sensor::spool);
     for (double& spool_in : spool)
         spool_in -= model.spool_offset_in;
     return spool;

@@ -22,7 +22,7 @@ enum class BoomPlant : unsigned char { simple, measured };
 struct BoomData {
     hydraulics::Record record; ///< of the boom: both pressures, angle, spool, servo-valve's voltage
     hydraulics::FlowConstants flow;
-    hydraulics::LinkMechanics machine; ///< as it truly is
+    hydraulics::LinkMechanics boom; ///< as it truly is
 };
 
 /// A step of the boom, 4 deg/s of a machine of excavator.csv but for what is set here. A spool offset leaves the motion

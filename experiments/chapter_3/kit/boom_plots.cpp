@@ -25,9 +25,7 @@ Series held(Series series) {
     return series;
 }
 
-const std::vector<double>& of(const BoomData& data, Sensor sensor) {
-    return data.record.of(hydraulics::Link::boom, sensor);
-}
+const std::vector<double>& of(const BoomData& data, Sensor sensor) { return data.record.of(Link::boom, sensor); }
 
 Axis time_axis(double until_s) { return {"time [s]", 0, until_s}; }
 
@@ -45,7 +43,7 @@ Panel pressure_panel(std::string title, const BoomData& data, double until_s) {
 
 Series velocity_series(const BoomData& data, const BoomModel& model, double until_s) {
     Series series{"velocity", {}};
-    double flow_per_deg = calibrations_of(data, model)[index_of(hydraulics::Link::boom)].piston_in3_per_deg();
+    double flow_per_deg = calibrations_of(data, model)[index_of(Link::boom)].constants.piston_in3_per_deg();
     for (const CircuitSample& sample : samples_of(data, model))
         if (sample.time_s <= until_s)
             series.points.push_back({sample.time_s, sample.links[0].piston_flow_in3_per_s / flow_per_deg});
@@ -72,7 +70,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
             time_axis(until_s),
             {"compliance [0.001 in³/psi]", 0, 20},
             {best},
-            {{"true", 1000 * watched.data.machine.inlet_compliance_in3_per_psi}}};
+            {{"true", 1000 * watched.data.boom.inlet_compliance_in3_per_psi}}};
 }
 
 /// The error that the equations are left with at every instant where the inlet is open, with the answer.

@@ -1,4 +1,4 @@
-#include "experiments/chapter_3/kit/fault_plots.hpp"
+#include "experiments/chapter_3/kit/fault_study.hpp"
 
 #include "experiments/kit/statistics.hpp"
 #include "identification/statistics.hpp"
@@ -16,7 +16,7 @@ const Axis compliance_axis{"compliance [0.001 in³/psi]", 0, 20};
 
 Mark true_mark() { return {"true, sound", 1000 * Parameters::excavator()["boom.inlet_compliance"]}; }
 
-Panel panel_over_samples(std::span<const Fault> faults, const Plant& plant, std::uint64_t seed) {
+Panel panel_over_samples(std::span<const Fault> faults, const RecordSource& source, std::uint64_t seed) {
     Panel panel{"a: C_BOi estimated by the spool, after each sample of one record",
                 {"time [s]", 0.3, 0.6}, // the first answer, and the end of the slowest rise
                 compliance_axis,
@@ -25,14 +25,14 @@ Panel panel_over_samples(std::span<const Fault> faults, const Plant& plant, std:
     for (const Fault& fault : faults) {
         Series series{fault.name, {}};
         for (const TransientEstimate& estimate :
-             search_faulty(record_of(fault, plant, seed), AreasFrom::spool, seed).estimates)
+             search_faulty(record_of(fault, source, seed), AreasFrom::spool, seed).estimates)
             series.points.push_back({estimate.time_s, 1000 * estimate.compliance_in3_per_psi[0]});
         panel.series.push_back(std::move(series));
     }
     return panel;
 }
 
-Panel panel_over_drift(const Plant& plant, std::span<const std::uint64_t> seeds) {
+Panel panel_over_drift(const RecordSource& source, std::span<const std::uint64_t> seeds) {
     Panel panel{"b: a drift of the servo-valve, last estimate, median of 5 records",
                 {"drift [mV]", -farthest_mv, farthest_mv},
                 compliance_axis,
@@ -41,21 +41,21 @@ Panel panel_over_drift(const Plant& plant, std::span<const std::uint64_t> seeds)
     for (int drift_mv = -farthest_mv; drift_mv <= farthest_mv; drift_mv += drift_step_mv) {
         std::vector<double> by_spool, by_voltage;
         for (std::uint64_t seed : seeds.first(records_a_drift)) {
-            Record record = record_of(drift_of(0.001 * drift_mv), plant, seed);
+            Record record = record_of(drift_of(0.001 * drift_mv), source, seed);
             by_spool.push_back(identified(record, AreasFrom::spool, seed));
             by_voltage.push_back(identified(record, AreasFrom::servo, seed));
         }
-        panel.series[0].points.push_back({1.0 * drift_mv, 1000 * quantile(by_spool, 0.5)});
-        panel.series[1].points.push_back({1.0 * drift_mv, 1000 * quantile(by_voltage, 0.5)});
+        panel.series[0].points.push_back({1.0 * drift_mv, 1000 * lower_median(by_spool)});
+        panel.series[1].points.push_back({1.0 * drift_mv, 1000 * lower_median(by_voltage)});
     }
     return panel;
 }
 
 } // namespace
 
-Plot plot_of_faults(std::span<const Fault> faults, const Plant& plant, std::span<const std::uint64_t> seeds) {
+Plot plot_of_faults(std::span<const Fault> faults, const RecordSource& source, std::span<const std::uint64_t> seeds) {
     return {"What faults of the machine do to the compliance found",
-            {panel_over_samples(faults, plant, seeds.front()), panel_over_drift(plant, seeds)}};
+            {panel_over_samples(faults, source, seeds.front()), panel_over_drift(source, seeds)}};
 }
 
 } // namespace placedpar

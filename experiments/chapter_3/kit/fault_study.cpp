@@ -33,12 +33,12 @@ Fault leak_of(const char* name, double leak_in3_per_s_psi) {
 
 Fault drift_of(double bias_v) { return {"servo-valve's drift", {{"fault.servo_bias", bias_v}}}; }
 
-Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed) {
-    const RecordScenario& scenario = *record_scenario_named(plant.scenario);
+Record record_of(const Fault& fault, const RecordSource& source, std::uint64_t seed) {
+    const RecordScenario& scenario = *record_scenario_named(source.scenario);
     Parameters parameters = scenario.parameters(Parameters::excavator());
     for (const auto& [name, value] : fault.parameters)
         parameters.set(name, value);
-    for (Parameter& row : noise_rows(parameters, plant.noise))
+    for (Parameter& row : noise_rows(parameters, source.noise))
         parameters.put(std::move(row));
     RandomStream sensors(seed, "sensors");
     return scenario.make(parameters, {}, [&] { return sensors.uniform(); });
@@ -46,7 +46,7 @@ Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed) {
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
     IdentificationWay way = service_way();
-    ComplianceSearch prepared = rising(record, {Configuration::a, {hydraulics::Link::boom}, {}, from}, way);
+    ComplianceSearch prepared = rising(record, {Configuration::a, {Link::boom}, {}, from}, way);
     return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
 }
 

@@ -3,8 +3,10 @@
 #include "hydraulics/data/record.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/identification.hpp"
+#include "workbench/plot.hpp"
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,12 +27,12 @@ Fault leak_of(const char* name, double leak_in3_per_s_psi);
 Fault drift_of(double bias_v);
 
 /// Where the records come from, and what they hold.
-struct Plant {
+struct RecordSource {
     const char *scenario, *noise;
     bool has_servo;
 };
 
-hydraulics::Record record_of(const Fault& fault, const Plant& plant, std::uint64_t seed);
+hydraulics::Record record_of(const Fault& fault, const RecordSource& source, std::uint64_t seed);
 
 /// One search, the engineer's way, while the pressure rises. The identifier knows nothing of the fault: it takes the
 /// machine to be that of excavator.csv.
@@ -41,5 +43,10 @@ double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, 
 
 /// By least squares over the rise, in in^3/psi. Throws where there is nothing to fit.
 double least_squares(const hydraulics::Record& record);
+
+/// The compliance estimated from one record of each machine by the spool, sample by sample; and what a drift of the
+/// servo-valve makes of the compliance by the spool and by the voltage, of the first 5 records. REQUIRES: so many
+/// seeds.
+Plot plot_of_faults(std::span<const Fault> faults, const RecordSource& source, std::span<const std::uint64_t> seeds);
 
 } // namespace placedpar

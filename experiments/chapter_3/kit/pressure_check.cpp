@@ -23,7 +23,7 @@ std::vector<ReplaySample> motion_of(const BoomData& data, const BoomModel& model
     std::vector<ReplaySample> motion;
     for (const CircuitSample& sample : samples)
         motion.push_back(
-            {sample.time_s, spool[sample.index], sample.links[0].piston_flow_in3_per_s / data.machine.inlet_area_in2});
+            {sample.time_s, spool[sample.index], sample.links[0].piston_flow_in3_per_s / data.boom.inlet_area_in2});
     return motion;
 }
 
@@ -58,9 +58,9 @@ PressureCheck check_pressure(const BoomData& data, const BoomModel& model, doubl
     }
     check.from_s = opened.front().time_s - before_s;
     check.until_s = check.from_s + transient_s;
-    check.simulated_psi = replay_pressure(motion_of(data, model, samples),
-                                          {data.flow, data.machine.inlet_area_in2, compliance_in3_per_psi},
-                                          check.measured_psi.front(), simulation_step_s);
+    check.simulated_psi =
+        replay_pressure(motion_of(data, model, samples), {data.flow, data.boom.inlet_area_in2, compliance_in3_per_psi},
+                        check.measured_psi.front(), simulation_step_s);
     measure_transient(check);
     return check;
 }

@@ -38,7 +38,7 @@ double solve(double compliance_in3_per_psi, double low, double high, double prec
 }
 
 Series series_over_lag(const BoomData& machine) {
-    Series series{fmt::format("true C {}", machine.machine.inlet_compliance_in3_per_psi)};
+    Series series{fmt::format("true C {}", machine.boom.inlet_compliance_in3_per_psi)};
     for (int i = 0; i <= 110; ++i)
         if (auto found = found_with(with_lag(5 + 0.1 * i), machine))
             series.points.push_back({5 + 0.1 * i, 1000 * *found});
@@ -48,7 +48,7 @@ Series series_over_lag(const BoomData& machine) {
 } // namespace
 
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
-    double own = data.machine.spool_lag_per_s;
+    double own = data.boom.spool_lag_per_s;
     return solve(compliance_in3_per_psi, 0.75 * own, 4 * own, 1e-3,
                  [&](double lag) { return found_with(with_lag(lag), data); });
 }
@@ -71,11 +71,10 @@ Panel panel_of_lag(std::span<const BoomData> machines) {
     for (const BoomData& machine : machines) {
         panel.series.push_back(series_over_lag(machine));
         int colour = static_cast<int>(panel.series.size()) - 1;
-        panel.series.push_back(
-            {"  its own a_0",
-             {{machine.machine.spool_lag_per_s, 1000 * machine.machine.inlet_compliance_in3_per_psi}},
-             Stroke::points,
-             colour});
+        panel.series.push_back({"  its own a_0",
+                                {{machine.boom.spool_lag_per_s, 1000 * machine.boom.inlet_compliance_in3_per_psi}},
+                                Stroke::points,
+                                colour});
     }
     return panel;
 }

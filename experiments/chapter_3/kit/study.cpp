@@ -91,7 +91,7 @@ void add(Study& study, const Transients& transients, std::span<const CircuitSamp
 
 } // namespace
 
-double Study::median_percent() const { return quantile(error_percent, 0.5); }
+double Study::median_percent() const { return lower_median(error_percent); }
 double Study::ninetieth_percent() const { return quantile(error_percent, 0.9); }
 double Study::within_ten_percent() const { return percent_within(error_percent, 10); }
 

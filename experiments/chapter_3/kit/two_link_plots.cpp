@@ -10,13 +10,13 @@ using namespace identification;
 namespace {
 
 constexpr std::size_t states_a_point = 10; // of 1 ms each
-constexpr double shown_s = 2;              // what follows is steady
+constexpr double transient_shown_s = 2;    // what follows is steady
 
-using Value = double (*)(const ExcavatorState&);
+using StateValue = double (*)(const ExcavatorState&);
 
-Series over_time(const TwoLinkMotion& motion, const char* name, Value value) {
+Series over_time(const TwoLinkMotion& motion, const char* name, StateValue value) {
     Series series{name, {}};
-    for (std::size_t i = 0; i < motion.motion.states.size() && motion.motion.states[i].time_s <= shown_s;
+    for (std::size_t i = 0; i < motion.motion.states.size() && motion.motion.states[i].time_s <= transient_shown_s;
          i += states_a_point)
         series.points.push_back({motion.motion.states[i].time_s, value(motion.motion.states[i])});
     return series;
@@ -82,7 +82,7 @@ Panel panel_of_excitation(const ComplianceSearch& prepared, const SearchRun& run
 } // namespace
 
 Plot plot_of_states(const TwoLinkMotion& motion) {
-    auto series = [&](const char* name, Value value) { return over_time(motion, name, value); };
+    auto series = [&](const char* name, StateValue value) { return over_time(motion, name, value); };
     auto pressures = over_time("Pressures", "pressure [psi]",
                                {series("P_11", [](const ExcavatorState& s) { return s.links[0].flow.psi; }),
                                 series("P_12", [](const ExcavatorState& s) { return s.links[1].flow.psi; }),

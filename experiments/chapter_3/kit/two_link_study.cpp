@@ -13,7 +13,7 @@ using namespace identification;
 
 namespace {
 
-const LinkSet bucket_and_boom{hydraulics::Link::bucket, hydraulics::Link::boom};
+const LinkSet bucket_and_boom{Link::bucket, Link::boom};
 
 } // namespace
 

@@ -15,8 +15,8 @@ using namespace hydraulics;
 
 namespace {
 
-const Circuit boom_alone = circuit_of(Configuration::a, {hydraulics::Link::boom});
-const Circuit bucket_and_boom = circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom});
+const Circuit boom_alone = circuit_of(Configuration::a, {Link::boom});
+const Circuit bucket_and_boom = circuit_of(Configuration::a, {Link::bucket, Link::boom});
 
 /// A link at rest into which `flow` goes, whatever its compliance.
 LinkSample steady(double psi, double flow, double inlet_in2, double bypass_in2) {
@@ -92,13 +92,13 @@ TEST_CASE("two junctions: no error at the solution of equations B.3 and B.4") {
 }
 
 TEST_CASE("a link alone with its pump takes the whole flow") {
-    Circuit alone = circuit_of(Configuration::b, {hydraulics::Link::bucket});
+    Circuit alone = circuit_of(Configuration::b, {Link::bucket});
     CHECK(error_of<1>(alone, {0}, {steady(2000, 175, .1, .3)}) == 0);
     CHECK(error_of<1>(alone, {0}, {steady(2000, 170, .1, .3)}) == 5);
 }
 
 TEST_CASE("two pumps meet at the boom in configuration d") {
-    Circuit both = circuit_of(Configuration::d, {hydraulics::Link::boom});
+    Circuit both = circuit_of(Configuration::d, {Link::boom});
     double p = 1700 + std::pow(100 / 40.0, 2), past = 100 * .16 * std::sqrt(p - 25);
     CHECK(error_of<1>(both, {0}, {steady(1700, 100, .4, .16)}) == doctest::Approx(std::abs(350 - 100 - past)));
 }

@@ -33,7 +33,7 @@ Record part(Record record, std::size_t first, std::size_t last) {
     };
     cut(record.time_s);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
-        cut(record.of(hydraulics::Link::boom, sensor));
+        cut(record.of(Link::boom, sensor));
     return record;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("scenario A has 20 usable samples from .20 to .58 s, the first 14 risi
     for (std::size_t i = 0; i < samples.size(); ++i) {
         CHECK(samples[i].index == 10 + i);
         CHECK(samples[i].time_s == doctest::Approx(0.20 + 0.02 * static_cast<double>(i)));
-        CHECK(samples[i].links.at(0).inlet_psi == record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[10 + i]);
+        CHECK(samples[i].links.at(0).inlet_psi == record.of(Link::boom, Sensor::inlet_pressure)[10 + i]);
         CHECK((samples[i].links.at(0).inlet_slope_psi_per_s > 0) == (i < 14));
     }
 }
@@ -62,8 +62,8 @@ TEST_CASE("the piston's flow at each sample is that of the motion, up to the lin
 
 TEST_CASE("samples where the check valve shuts later are left out") {
     Record record = exact_record();
-    record.of(hydraulics::Link::boom, Sensor::spool)[15] = 0.18;  // a glitch: inlet shut
-    record.of(hydraulics::Link::boom, Sensor::spool)[16] = 0.195; // open, but the pump cannot reach the load
+    record.of(Link::boom, Sensor::spool)[15] = 0.18;  // a glitch: inlet shut
+    record.of(Link::boom, Sensor::spool)[16] = 0.195; // open, but the pump cannot reach the load
     auto samples = usable(record);
     REQUIRE(samples.size() == 20);
     CHECK(samples[4].index == 14);
@@ -99,10 +99,10 @@ TEST_CASE("skipped samples are the first usable ones") {
 
 TEST_CASE("a spool that reads too high by an offset gives the areas of the true spool") {
     Record record = exact_record();
-    for (double& spool : record.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool : record.of(Link::boom, Sensor::spool))
         spool += 0.01;
     LinkCalibrations offset = calibrations();
-    offset[index_of(hydraulics::Link::boom)].spool_offset_in = 0.01;
+    offset[index_of(Link::boom)].spool_offset_in = 0.01;
     auto mended = circuit_samples(record, circuit, offset);
     auto exact = circuit_samples(exact_record(), circuit, calibrations());
     for (std::size_t i = 0; i < exact.size(); ++i)
@@ -111,12 +111,12 @@ TEST_CASE("a spool that reads too high by an offset gives the areas of the true 
 
 TEST_CASE("areas that were read go before those of the spool; a missing channel is named") {
     Record record = exact_record();
-    record.of(hydraulics::Link::boom, Sensor::inlet_area).assign(record.size(), 0.1);
-    record.of(hydraulics::Link::boom, Sensor::bypass_area).assign(record.size(), 0.2);
+    record.of(Link::boom, Sensor::inlet_area).assign(record.size(), 0.1);
+    record.of(Link::boom, Sensor::bypass_area).assign(record.size(), 0.2);
     auto samples = circuit_samples(record, circuit, calibrations());
     CHECK(samples[0].links[0].inlet_in2 == 0.1);
     CHECK(samples[0].links[0].bypass_in2 == 0.2);
-    record.of(hydraulics::Link::boom, Sensor::angle).clear();
+    record.of(Link::boom, Sensor::angle).clear();
     CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}),
                          "the record has no channel boom.angle; it has boom.inlet_pressure, boom.spool, "
                          "boom.inlet_area, boom.bypass_area",
@@ -124,7 +124,7 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
 }
 
 TEST_CASE("two junctions in series: a link takes no flow while another holds the pressure below its own") {
-    Circuit two = circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom});
+    Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     // k 100, Q 175, P_e 25: the worked junction of the design notes has 2032.168 psi at the bucket.
     std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .068}, {1700, 0, 0, .096, .016}}};
     CHECK(all_open(two, links, rounded_flow_constants(), 0));
@@ -137,13 +137,13 @@ TEST_CASE("two junctions in series: a link takes no flow while another holds the
 
 TEST_CASE("the areas come from the voltage where only that was read") {
     Record record = exact_record();
-    std::vector<double>& volts = record.of(hydraulics::Link::boom, Sensor::servo);
+    std::vector<double>& volts = record.of(Link::boom, Sensor::servo);
     const auto valve = std::get<SpoolOrifices>(single_boom_scenario().links[0].valve);
     const SpoolStep& step = valve.steps[0];
     for (double time_s : record.time_s) // the step of scenario A, commanded
         volts.push_back(servo_volts(time_s >= step.time_s - 1e-9 ? step.desired_in : valve.rest_in));
     auto by_spool = circuit_samples(record, circuit, calibrations());
-    record.of(hydraulics::Link::boom, Sensor::spool).clear();
+    record.of(Link::boom, Sensor::spool).clear();
     auto by_servo = circuit_samples(record, circuit, calibrations());
     REQUIRE(by_servo.size() == by_spool.size());
     for (std::size_t i = 0; i < by_servo.size(); ++i) // the lag of A.2 is exact for a held command

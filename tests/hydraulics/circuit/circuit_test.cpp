@@ -13,7 +13,7 @@ namespace {
 
 std::string text_of(LinkSet links) {
     std::string text;
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         if (links.contains(link))
             text += fmt::format("{}{}", text.empty() ? "" : ",", symbol_of(link));
     return "{" + text + "}";
@@ -39,8 +39,7 @@ std::string text_of(const Circuit& circuit) {
     return text;
 }
 
-constexpr hydraulics::Link BU = hydraulics::Link::bucket, BO = hydraulics::Link::boom, ST = hydraulics::Link::stick,
-                           SW = hydraulics::Link::swing;
+constexpr Link BU = Link::bucket, BO = Link::boom, ST = Link::stick, SW = Link::swing;
 
 void check_circuit(char configuration, LinkSet active, const std::string& expected) {
     CAPTURE(configuration);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double pump = 175;
 
-Circuit bucket_then_boom() { return circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom}); }
+Circuit bucket_then_boom() { return circuit_of(Configuration::a, {Link::bucket, Link::boom}); }
 
 /// The junction's pressure beyond the bypass.
 double next_psi(const Circuit& circuit, std::size_t j, const std::vector<JunctionFlow>& flows) {
@@ -110,7 +110,7 @@ TEST_CASE("bucket and boom of configuration a: B.3 and B.4 at given pressures") 
 
 TEST_CASE("one junction is the flow split") {
     RandomStream random(5, "one junction");
-    Circuit boom = circuit_of(Configuration::a, {hydraulics::Link::boom});
+    Circuit boom = circuit_of(Configuration::a, {Link::boom});
     for (int i = 0; i < 5000; ++i) {
         auto openings = random_openings(boom, random);
         FlowSplit split = split_flow(openings[0].inlet_in2, openings[0].bypass_in2, openings[0].link_psi, flow);
@@ -178,7 +178,7 @@ TEST_CASE("a heavier load on any link lowers no junction's pressure and adds not
 }
 
 TEST_CASE("the bucket alone in configuration b takes its pump's whole flow, up to the relief pressure") {
-    Circuit bucket = circuit_of(Configuration::b, {hydraulics::Link::bucket});
+    Circuit bucket = circuit_of(Configuration::b, {Link::bucket});
     auto flows = solve_junctions(bucket, {{{1600, 0.1, 0.2}}}, flow); // the bypass is of no effect
     CHECK(flows[0].inlet_in3_per_s == 175);
     CHECK(flows[0].psi == doctest::Approx(1600 + 17.5 * 17.5));
@@ -189,7 +189,7 @@ TEST_CASE("the bucket alone in configuration b takes its pump's whole flow, up t
 }
 
 TEST_CASE("the boom alone in configuration d is fed by both pumps") {
-    auto flows = solve_junctions(circuit_of(Configuration::d, {hydraulics::Link::boom}), {{{9000, 0.1, 0.07}}}, flow);
+    auto flows = solve_junctions(circuit_of(Configuration::d, {Link::boom}), {{{9000, 0.1, 0.07}}}, flow);
     CHECK(flows[0].bypass_in3_per_s == 350);
     CHECK(flows[0].psi == doctest::Approx(25 + 50 * 50));
 }

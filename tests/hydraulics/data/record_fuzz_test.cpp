@@ -61,7 +61,7 @@ void check_record(const Record& record) {
         CHECK(periods > 0);
         CHECK(std::abs(periods - std::round(periods)) <= sampling_tolerance * 1.001);
     }
-    for (hydraulics::Link link : all_links)
+    for (Link link : all_links)
         for (Sensor sensor : all_sensors) {
             const auto& values = record.of(link, sensor);
             CHECK((values.empty() || values.size() == record.size()));

@@ -46,11 +46,11 @@ TEST_CASE("a record as it is written") {
     CHECK(record.description == "boom, seed 1\nby hand\n");
     CHECK(record.size() == 10);
     CHECK(record.period_s == doctest::Approx(0.02));
-    CHECK(record.links() == LinkSet{hydraulics::Link::boom});
-    CHECK(record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[5] == doctest::Approx(1655));
-    CHECK(record.has(hydraulics::Link::boom, Sensor::spool));
-    CHECK_FALSE(record.has(hydraulics::Link::boom, Sensor::servo));
-    CHECK_FALSE(record.has(hydraulics::Link::bucket, Sensor::angle));
+    CHECK(record.links() == LinkSet{Link::boom});
+    CHECK(record.of(Link::boom, Sensor::inlet_pressure)[5] == doctest::Approx(1655));
+    CHECK(record.has(Link::boom, Sensor::spool));
+    CHECK_FALSE(record.has(Link::boom, Sensor::servo));
+    CHECK_FALSE(record.has(Link::bucket, Sensor::angle));
     REQUIRE(record.stretches().size() == 1);
     CHECK(record.stretches()[0].last == 10);
 }
@@ -68,8 +68,8 @@ TEST_CASE("columns in any order, by a link's symbol, from other units") {
     CHECK(metric.faults.empty());
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool})
         for (std::size_t i = 0; i < 10; ++i)
-            CHECK(metric.record->of(hydraulics::Link::boom, sensor)[i] ==
-                  doctest::Approx(inch.record->of(hydraulics::Link::boom, sensor)[i]).epsilon(1e-9));
+            CHECK(metric.record->of(Link::boom, sensor)[i] ==
+                  doctest::Approx(inch.record->of(Link::boom, sensor)[i]).epsilon(1e-9));
     CHECK(metric.record->period_s == doctest::Approx(inch.record->period_s).epsilon(1e-12));
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs"
     ReadRecord read = read_record(text);
     CHECK(read.faults.empty());
     REQUIRE(read.record);
-    CHECK(read.record->of(hydraulics::Link::boom, Sensor::angle)[5] == 5);
+    CHECK(read.record->of(Link::boom, Sensor::angle)[5] == 5);
 }
 
 TEST_CASE("what is wrong with a header") {
@@ -186,14 +186,14 @@ TEST_CASE("what no sensor could have read is found: the earliest, and the first 
     REQUIRE(read.record);
     Record& record = *read.record;
     CHECK(!first_unmeasurable(record));
-    record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[4] = -1e13;
-    record.of(hydraulics::Link::boom, Sensor::spool)[3] = NAN;
-    record.of(hydraulics::Link::boom, Sensor::angle)[3] = INFINITY;
+    record.of(Link::boom, Sensor::inlet_pressure)[4] = -1e13;
+    record.of(Link::boom, Sensor::spool)[3] = NAN;
+    record.of(Link::boom, Sensor::angle)[3] = INFINITY;
     auto reading = first_unmeasurable(record);
     REQUIRE(reading);
     CHECK(reading->sensor == Sensor::angle);
     CHECK(reading->time_s == 0.06);
-    record.of(hydraulics::Link::boom, Sensor::angle)[3] = record.of(hydraulics::Link::boom, Sensor::spool)[3] = 0;
+    record.of(Link::boom, Sensor::angle)[3] = record.of(Link::boom, Sensor::spool)[3] = 0;
     REQUIRE(first_unmeasurable(record));
     CHECK(first_unmeasurable(record)->value == -1e13);
 }
@@ -204,8 +204,8 @@ TEST_CASE("what is printed reads back, and prints the same again") {
     for (int i = 0; i < 12; ++i) {
         record.time_s.push_back(0.02 * i);
         for (Sensor sensor : all_sensors)
-            record.of(hydraulics::Link::stick, sensor).push_back(1000.0 / 3 * std::sin(i) + static_cast<int>(sensor));
-        record.of(hydraulics::Link::boom, Sensor::angle).push_back(-1e-9 * i);
+            record.of(Link::stick, sensor).push_back(1000.0 / 3 * std::sin(i) + static_cast<int>(sensor));
+        record.of(Link::boom, Sensor::angle).push_back(-1e-9 * i);
     }
     std::string text = print_record(record);
     CHECK(text.find("-0.0000000") == std::string::npos);
@@ -216,8 +216,7 @@ TEST_CASE("what is printed reads back, and prints the same again") {
     CHECK(print_record(*read.record) == text);
     for (Sensor sensor : all_sensors)
         for (std::size_t i = 0; i < 12; ++i)
-            CHECK(std::abs(read.record->of(hydraulics::Link::stick, sensor)[i] -
-                           record.of(hydraulics::Link::stick, sensor)[i]) <=
+            CHECK(std::abs(read.record->of(Link::stick, sensor)[i] - record.of(Link::stick, sensor)[i]) <=
                   (quantity_of(sensor) == Quantity::pressure ? 0.51e-4 : 0.51e-7));
 }
 
@@ -225,7 +224,7 @@ TEST_CASE("a period that needs more decimals gets them") {
     Record record;
     for (int i = 0; i < 8; ++i) {
         record.time_s.push_back(i / 1024.0);
-        record.of(hydraulics::Link::boom, Sensor::angle).push_back(i);
+        record.of(Link::boom, Sensor::angle).push_back(i);
     }
     ReadRecord read = read_record(print_record(record));
     REQUIRE(read.record);

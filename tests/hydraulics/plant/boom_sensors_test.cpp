@@ -60,12 +60,11 @@ TEST_CASE("without noise the sensors tell the state within half a step of their 
             const MeasuredState& state = motion[200 * i];
             double angle = 20 + state.piston_in / 22.4 * 180 / std::numbers::pi;
             CHECK(record.time_s[i] == doctest::Approx(state.time_s));
-            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::inlet_pressure)[i] - state.inlet_psi) <= 0.6104);
-            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::outlet_pressure)[i] - state.outlet_psi) <= 0.6104);
-            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::angle)[i] - angle) <= angle_step / 2);
-            CHECK(std::abs(record.of(hydraulics::Link::boom, Sensor::spool)[i] - (state.spool_in + 0.01)) <=
-                  0.5 / 4096);
-            CHECK(record.of(hydraulics::Link::boom, Sensor::servo)[i] == held_volts(excavator, record.time_s[i]));
+            CHECK(std::abs(record.of(Link::boom, Sensor::inlet_pressure)[i] - state.inlet_psi) <= 0.6104);
+            CHECK(std::abs(record.of(Link::boom, Sensor::outlet_pressure)[i] - state.outlet_psi) <= 0.6104);
+            CHECK(std::abs(record.of(Link::boom, Sensor::angle)[i] - angle) <= angle_step / 2);
+            CHECK(std::abs(record.of(Link::boom, Sensor::spool)[i] - (state.spool_in + 0.01)) <= 0.5 / 4096);
+            CHECK(record.of(Link::boom, Sensor::servo)[i] == held_volts(excavator, record.time_s[i]));
         }
     }
 }
@@ -81,7 +80,7 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     Record record = read_with(sensors, excavator, motion);
     auto deviation = [&](Sensor sensor) {
         double sum = 0, squares = 0;
-        for (double value : record.of(hydraulics::Link::boom, sensor)) {
+        for (double value : record.of(Link::boom, sensor)) {
             sum += value;
             squares += value * value;
         }
@@ -93,8 +92,8 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     CHECK(deviation(Sensor::spool) == doctest::Approx(0.001).epsilon(0.08));
     Record again = read_with(sensors, excavator, motion), other = read_with(sensors, excavator, motion, 2);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool}) {
-        CHECK(again.of(hydraulics::Link::boom, sensor) == record.of(hydraulics::Link::boom, sensor));
-        CHECK(other.of(hydraulics::Link::boom, sensor) != record.of(hydraulics::Link::boom, sensor));
+        CHECK(again.of(Link::boom, sensor) == record.of(Link::boom, sensor));
+        CHECK(other.of(Link::boom, sensor) != record.of(Link::boom, sensor));
     }
 }
 

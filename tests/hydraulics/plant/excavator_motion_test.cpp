@@ -81,8 +81,8 @@ TEST_CASE("scenario R2: steady state") {
 TEST_CASE("scenario R2: both paths are open from .34 s on, excitation is gone by 1.0 and 1.42 s") {
     const auto& checks = two_links().checks;
     REQUIRE(checks.size() == 2); // opened once each, never shut
-    CHECK(checks[0].link == hydraulics::Link::bucket);
-    CHECK(checks[1].link == hydraulics::Link::boom);
+    CHECK(checks[0].link == Link::bucket);
+    CHECK(checks[1].link == Link::boom);
     CHECK(checks[0].opened);
     CHECK(checks[1].opened);
     CHECK(checks[1].time_s > 0.32);
@@ -161,10 +161,10 @@ TEST_CASE("any configuration with all links: each gets what the controller asks 
         scenario.integration_step_s = 0.008;
         ExcavatorMotion motion = simulate_excavator(scenario);
         for (std::size_t i = 0; i < 4; ++i) {
-            hydraulics::Link link = scenario.links[i].link;
+            Link link = scenario.links[i].link;
             CAPTURE(name_of(link));
-            bool alone = (configuration == Configuration::b && link == hydraulics::Link::bucket) ||
-                         (configuration == Configuration::c && link == hydraulics::Link::swing);
+            bool alone = (configuration == Configuration::b && link == Link::bucket) ||
+                         (configuration == Configuration::c && link == Link::swing);
             double expected = alone ? 175.08 : 50;
             const LinkState& end = motion.states.back().links[i];
             CHECK(end.flow.inlet_in3_per_s == doctest::Approx(expected).epsilon(1e-3));
@@ -215,7 +215,7 @@ TEST_CASE("a scenario that cannot be simulated says why") {
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
                          "excavator scenario: the bucket's damping is -1, expected 0 or above", UnfitScenario);
     scenario = two_link_scenario();
-    scenario.links[1].link = hydraulics::Link::bucket;
+    scenario.links[1].link = Link::bucket;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario),
                          "excavator scenario: the bucket is listed twice, expected each link once", UnfitScenario);
     scenario.links.clear();

@@ -16,7 +16,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(hydraulics::Link::boom, sensor); }
+std::vector<double> boom(const Record& record, Sensor sensor) { return record.of(Link::boom, sensor); }
 
 } // namespace
 
@@ -64,9 +64,9 @@ TEST_CASE("a link with a spool has its spool read, one without has its areas rea
                                  [] { return 0.5; });
     };
     Record spool = measured(single_boom_scenario()), areas = measured(two_link_scenario());
-    CHECK(spool.has(hydraulics::Link::boom, Sensor::spool));
-    CHECK(!spool.has(hydraulics::Link::boom, Sensor::inlet_area));
-    for (hydraulics::Link link : {hydraulics::Link::bucket, hydraulics::Link::boom}) {
+    CHECK(spool.has(Link::boom, Sensor::spool));
+    CHECK(!spool.has(Link::boom, Sensor::inlet_area));
+    for (Link link : {Link::bucket, Link::boom}) {
         CHECK(!areas.has(link, Sensor::spool));
         CHECK(areas.has(link, Sensor::inlet_area));
         CHECK(areas.has(link, Sensor::bypass_area));

@@ -29,7 +29,7 @@ TEST_CASE("the circuit with the areas of the feedforward gives each link its flo
 }
 
 TEST_CASE("the feedforward of bucket and boom, by hand") {
-    Circuit circuit = circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom});
+    Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     auto openings = openings_for(circuit, {{{1900, 50}, {1700, 55}}}, flow, 25, 175);
     CHECK(openings[1].inlet_in2 == doctest::Approx(55 / 500.0));          // P12 1725: 25 psi over the boom's inlet
     CHECK(openings[1].bypass_in2 == doctest::Approx(70 / 4123.1056256));  // sqrt(1700 psi) to the tank
@@ -38,7 +38,7 @@ TEST_CASE("the feedforward of bucket and boom, by hand") {
 }
 
 TEST_CASE("what no areas can give is refused") {
-    Circuit circuit = circuit_of(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom});
+    Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{1900, 100}, {1700, 100}}}, flow, 25, 175),
                          "the boom is to get 100 in^3/s, 75.0 come to its junction", UnfitScenario);
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{4490, 50}, {1700, 50}}}, flow, 25, 175),

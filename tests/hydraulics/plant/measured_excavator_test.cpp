@@ -3,6 +3,7 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "hydraulics/plant/measured_dynamics.hpp"
+#include "hydraulics/plant/measured_motion.hpp"
 #include "hydraulics/plant/requirement.hpp"
 
 #include <doctest/doctest.h>

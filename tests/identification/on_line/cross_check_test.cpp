@@ -11,8 +11,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-constexpr hydraulics::Link bu = hydraulics::Link::bucket, bo = hydraulics::Link::boom, st = hydraulics::Link::stick,
-                           sw = hydraulics::Link::swing;
+constexpr Link bu = Link::bucket, bo = Link::boom, st = Link::stick, sw = Link::swing;
 
 /// A link of baseline .01 of which these sets say these multiples, each over three transients.
 LinkCheck check_of(std::initializer_list<std::pair<LinkSet, double>> ratios) {

@@ -21,11 +21,10 @@ using namespace placedpar::identification;
 namespace {
 
 constexpr PerLink<double> healthy{0.0150, 0.0086, 0.0200, 0.0300};
-constexpr LinkSet bucket{hydraulics::Link::bucket}, boom{hydraulics::Link::boom},
-    bucket_boom{hydraulics::Link::bucket, hydraulics::Link::boom};
+constexpr LinkSet bucket{Link::bucket}, boom{Link::boom}, bucket_boom{Link::bucket, Link::boom};
 
 Diagnosis diagnosis_in(Configuration configuration, LinkSet active, std::uint64_t seed = 1) {
-    Diagnosis diagnosis("digger", {}, {}, seed);
+    Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, seed);
     diagnosis.change({configuration, active});
     return diagnosis;
 }
@@ -37,11 +36,11 @@ Record boom_record(std::uint64_t seed, const MeasurementNoise& noise) {
 }
 
 void feed(Diagnosis& diagnosis, const Record& record) {
-    auto of = [&](Sensor sensor) { return record.of(hydraulics::Link::boom, sensor); };
+    auto of = [&](Sensor sensor) { return record.of(Link::boom, sensor); };
     for (std::size_t i = 0; i < record.size(); ++i) {
         ExcavatorSample sample{record.time_s[i], {}};
-        sample.links[index_of(hydraulics::Link::boom)] = Reading{of(Sensor::inlet_pressure)[i], of(Sensor::angle)[i],
-                                                                 SpoolPosition{std::max(of(Sensor::spool)[i], 0.0)}};
+        sample.links[index_of(Link::boom)] = Reading{of(Sensor::inlet_pressure)[i], of(Sensor::angle)[i],
+                                                     SpoolPosition{std::max(of(Sensor::spool)[i], 0.0)}};
         diagnosis.take(sample);
     }
 }
@@ -66,7 +65,7 @@ TEST_CASE("the boom's compliance out of scenario A, by spool") {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Diagnosis diagnosis = diagnosis_in(Configuration::a, boom, seed);
             feed(diagnosis, boom_record(seed, noise));
-            good += off(estimate_of(diagnosis, boom, hydraulics::Link::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
+            good += off(estimate_of(diagnosis, boom, Link::boom).compliance_in3_per_psi(), 0.0086) <= 0.10;
         }
         CHECK(good >= 19); // 90th percentile 4 % without noise, 8 % at low noise
     }
@@ -80,7 +79,7 @@ TEST_CASE("all links of every configuration are found within 10 %") {
             Diagnosis diagnosis = diagnosis_in(configuration, LinkSet::all(), seed);
             feed(diagnosis, {configuration, LinkSet::all(), healthy}, 0);
             for (LinkSet set : diagnosis.sets_in_use())
-                for (hydraulics::Link link : links_of(set)) {
+                for (Link link : links_of(set)) {
                     auto found = estimate_of(diagnosis, set, link).compliance_in3_per_psi();
                     CHECK(found);
                     good += off(found, healthy[index_of(link)]) <= 0.10;
@@ -109,9 +108,9 @@ TEST_CASE("a change from a to b leaves P2a untouched") {
 
 TEST_CASE("what a set finds does not depend on the other sets") {
     Diagnosis alone = diagnosis_in(Configuration::a, boom),
-              both = diagnosis_in(Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick});
+              both = diagnosis_in(Configuration::a, {Link::boom, Link::stick});
     feed(alone, {Configuration::a, boom, healthy}, 0);
-    feed(both, {Configuration::a, {hydraulics::Link::boom, hydraulics::Link::stick}, healthy}, 0);
+    feed(both, {Configuration::a, {Link::boom, Link::stick}, healthy}, 0);
     CHECK(alone.sets().at(boom).state() == both.sets().at(boom).state());
     Diagnosis other = diagnosis_in(Configuration::a, boom, 2);
     feed(other, {Configuration::a, boom, healthy}, 0);
@@ -145,17 +144,17 @@ TEST_CASE("after a change of configuration the window begins anew") {
 TEST_CASE("below the gate nothing moves") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     feed(diagnosis, {Configuration::a, boom, healthy}, 0);
-    double found = estimate_of(diagnosis, boom, hydraulics::Link::boom).compliance_in3_per_psi().value();
-    CHECK(estimate_of(diagnosis, boom, hydraulics::Link::boom).excited());
+    double found = estimate_of(diagnosis, boom, Link::boom).compliance_in3_per_psi().value();
+    CHECK(estimate_of(diagnosis, boom, Link::boom).excited());
     std::vector<Genome> population = diagnosis.sets().at(boom).state().population;
     Transient slow(Configuration::a, boom, {0.03, 0.03, 0.03, 0.03});
     slow.slope_psi_per_s.fill(700);
     slow.curvature_psi_per_s2 = 0;
     for (const SampleOutcome& outcome : feed(diagnosis, slow, 10))
         CHECK(outcome.generations == 0);
-    CHECK(estimate_of(diagnosis, boom, hydraulics::Link::boom).compliance_in3_per_psi() == found);
-    CHECK_FALSE(estimate_of(diagnosis, boom, hydraulics::Link::boom).excited());
-    CHECK(estimate_of(diagnosis, boom, hydraulics::Link::boom).state().excitation_psi_per_s == doctest::Approx(700));
+    CHECK(estimate_of(diagnosis, boom, Link::boom).compliance_in3_per_psi() == found);
+    CHECK_FALSE(estimate_of(diagnosis, boom, Link::boom).excited());
+    CHECK(estimate_of(diagnosis, boom, Link::boom).state().excitation_psi_per_s == doctest::Approx(700));
     CHECK(diagnosis.sets().at(boom).state().population == population);
 }
 
@@ -170,7 +169,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
     };
     auto bucket_codes = columns(0), boom_codes = columns(10);
     Transient half(Configuration::a, bucket_boom, healthy);
-    half.slope_psi_per_s[index_of(hydraulics::Link::bucket)] = 500;
+    half.slope_psi_per_s[index_of(Link::bucket)] = 500;
     half.curvature_psi_per_s2 = 0;
     auto outcomes = feed(diagnosis, half, 10, 12); // the boom stays below the bucket
     CHECK(outcomes.back().generations == 5);
@@ -179,7 +178,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
 }
 
 TEST_CASE("a refused sample changes nothing") {
-    Diagnosis fresh("digger", {}, {}, 1);
+    Diagnosis fresh("digger", excavator_parameters(Parameters::excavator()), {}, 1);
     Transient transient(Configuration::a, boom, healthy);
     CHECK(std::holds_alternative<NoConfiguration>(refusal(fresh, transient.sample(0, 0)).reason()));
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
@@ -191,7 +190,7 @@ TEST_CASE("a refused sample changes nothing") {
     CHECK(std::get<TimeNotLater>(earlier.reason()).time_s == doctest::Approx(0.06));
     CHECK(std::get<TimeNotLater>(earlier.reason()).last_time_s == doctest::Approx(0.22));
     CHECK(std::string(earlier.what()) == "the sample's time, 0.06 s, is not after the last sample's, 0.22 s");
-    CHECK(std::get<LinkNotRead>(refusal(diagnosis, {5, {}}).reason()).link == hydraulics::Link::boom);
+    CHECK(std::get<LinkNotRead>(refusal(diagnosis, {5, {}}).reason()).link == Link::boom);
     CHECK(diagnosis.state() == before);
     diagnosis.connected(); // after another hello time may begin anew
     CHECK(diagnosis.take(transient.sample(0, 0)).window_restarted);
@@ -201,12 +200,12 @@ TEST_CASE("a doubled compliance is told once, and its end") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     Transient good(Configuration::a, boom, healthy);
     PerLink<double> twice = healthy;
-    twice[index_of(hydraulics::Link::boom)] *= 2;
+    twice[index_of(Link::boom)] *= 2;
     Transient bad(Configuration::a, boom, twice);
     feed(diagnosis, good, 0);
     feed(diagnosis, good, 10);
     CHECK(diagnosis.alarms().empty());
-    CHECK(off(diagnosis.check(hydraulics::Link::boom).baseline_in3_per_psi, 0.0086) < 0.05);
+    CHECK(off(diagnosis.check(Link::boom).baseline_in3_per_psi, 0.0086) < 0.05);
     std::size_t raised = 0, cleared = 0;
     for (const SampleOutcome& outcome : feed(diagnosis, bad, 20)) {
         raised += static_cast<std::size_t>(std::ranges::count(outcome.raised, AlarmKind::doubled, &Alarm::kind));
@@ -225,9 +224,9 @@ TEST_CASE("sets that disagree are told") {
     feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
     diagnosis.change({Configuration::b, bucket_boom});
     PerLink<double> other = healthy;
-    other[index_of(hydraulics::Link::boom)] *= 1.5;
+    other[index_of(Link::boom)] *= 1.5;
     feed(diagnosis, {Configuration::b, bucket_boom, other}, 10);
-    LinkCheck check = diagnosis.check(hydraulics::Link::boom);
+    LinkCheck check = diagnosis.check(Link::boom);
     REQUIRE(check.estimates.size() == 2);
     CHECK(check.spread() == doctest::Approx(0.5 / 1.25).epsilon(0.1));
     CHECK(std::ranges::count(diagnosis.alarms(), Alarm{AlarmKind::inconsistent, boom, ""}) == 1);
@@ -237,22 +236,22 @@ TEST_CASE("sets that disagree are told") {
 TEST_CASE("an excavator of negative compliance is at its lower bound: drift") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     PerLink<double> negative = healthy;
-    negative[index_of(hydraulics::Link::boom)] = -0.004;
+    negative[index_of(Link::boom)] = -0.004;
     feed(diagnosis, {Configuration::a, boom, negative}, 0);
     CHECK(std::ranges::count(diagnosis.alarms(), Alarm{AlarmKind::drift, boom, ""}) == 1);
-    CHECK_FALSE(diagnosis.check(hydraulics::Link::boom).baseline_in3_per_psi); // no measure of health
+    CHECK_FALSE(diagnosis.check(Link::boom).baseline_in3_per_psi); // no measure of health
 }
 
 namespace {
 
 ExcavatorSample boom_by_voltage(double time_s, double volts) {
     ExcavatorSample sample{time_s, {}};
-    sample.links[index_of(hydraulics::Link::boom)] = Reading{1500, 0, ServoVoltage{volts}};
+    sample.links[index_of(Link::boom)] = Reading{1500, 0, ServoVoltage{volts}};
     return sample;
 }
 
 double followed_spool_in(const Diagnosis& diagnosis) {
-    return diagnosis.state().tracks[index_of(hydraulics::Link::boom)].state().spool_in.value();
+    return diagnosis.state().tracks[index_of(Link::boom)].state().spool_in.value();
 }
 
 // A.1 at .3 V, and the spool at rest.
@@ -263,7 +262,7 @@ constexpr double raised_in = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1
 TEST_CASE("the spool moves on over a gap, a change of configuration and a late sample, by the time that passed") {
     // From rest, .3 V from 1 s on; a_0 as in A.2.
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
-    double lag_per_s = diagnosis.parameters().links[index_of(hydraulics::Link::boom)].spool_lag_per_s;
+    double lag_per_s = diagnosis.parameters().links[index_of(Link::boom)].spool_lag_per_s;
     auto way = [&](double elapsed_s) { return raised_in + (rest_in - raised_in) * std::exp(-lag_per_s * elapsed_s); };
     diagnosis.take(boom_by_voltage(0.98, 0));
     diagnosis.take(boom_by_voltage(1, 0.3));
@@ -290,7 +289,7 @@ TEST_CASE("where its voltage was not told the spool starts at rest") {
     diagnosis.take(boom_by_voltage(0.02, 0));
     CHECK(followed_spool_in(diagnosis) == doctest::Approx(rest_in));
     ExcavatorSample by_spool = boom_by_voltage(0.04, 0);
-    by_spool.links[index_of(hydraulics::Link::boom)]->valve = SpoolPosition{0.2};
+    by_spool.links[index_of(Link::boom)]->valve = SpoolPosition{0.2};
     diagnosis.take(by_spool);
     diagnosis.take(boom_by_voltage(0.06, 0.3));
     CHECK(followed_spool_in(diagnosis) == doctest::Approx(raised_in));

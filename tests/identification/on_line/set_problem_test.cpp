@@ -35,7 +35,7 @@ SetSample random_set_sample(std::size_t links, RandomStream& random) {
 } // namespace
 
 TEST_CASE("neighbours in compliance are neighbours in the string") {
-    SetProblem problem(Configuration::a, {hydraulics::Link::boom}, fitted_flow_constants(), bits);
+    SetProblem problem(Configuration::a, {Link::boom}, fitted_flow_constants(), bits);
     CHECK(problem.bits() == 10);
     for (std::uint64_t code = 0; code < 1024; ++code)
         CHECK(problem.compliance_in3_per_psi(string_of({code}), 0) ==
@@ -46,7 +46,7 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
     RandomStream random(1, "set problem");
     for (Configuration configuration : all_configurations)
         for (LinkSet group : coupled_groups(configuration)) {
-            std::vector<hydraulics::Link> links = links_of(group);
+            std::vector<Link> links = links_of(group);
             SetProblem problem(configuration, group, fitted_flow_constants(), bits);
             Circuit circuit = circuit_of(configuration, group);
             std::vector<SetSample> window{random_set_sample(links.size(), random),
@@ -73,14 +73,14 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
 }
 
 TEST_CASE("a path is open where the pump can reach the cylinder") {
-    SetProblem problem(Configuration::a, {hydraulics::Link::boom}, {100, 175, 25, 4500}, bits);
+    SetProblem problem(Configuration::a, {Link::boom}, {100, 175, 25, 4500}, bits);
     // All 175 in^3/s through .068 in^2: 25 + (175 / 6.8)^2 = 687.3 psi.
     CHECK(problem.open({{687, 0, 0, 0.1, 0.068}}));
     CHECK_FALSE(problem.open({{688, 0, 0, 0.1, 0.068}}));
     CHECK_FALSE(problem.open({{600, 0, 0, 0, 0.068}})); // its inlet is shut
     CHECK(problem.open({{4000, 0, 0, 0.1, 0}}));        // its bypass is shut
     // In series: 2000 and 1700 psi with these areas take 56.7 and 52.2 in^3/s, at 2032 and 1730 psi.
-    SetProblem series(Configuration::a, {hydraulics::Link::bucket, hydraulics::Link::boom}, {100, 175, 25, 4500}, bits);
+    SetProblem series(Configuration::a, {Link::bucket, Link::boom}, {100, 175, 25, 4500}, bits);
     CHECK(series.open({{2000, 0, 0, 0.1, 0.068}, {1700, 0, 0, 0.096, 0.016}}));
     CHECK_FALSE(series.open({{2000, 0, 0, 0.1, 0.068}, {2500, 0, 0, 0.096, 0.016}}));
     // What the boom does not take keeps the bucket's junction at 993.6 psi at most: .068 + .1 in^2 in series.
@@ -90,7 +90,7 @@ TEST_CASE("a path is open where the pump can reach the cylinder") {
 TEST_CASE("the readings of the tests' transients fit the equations exactly") {
     PerLink<double> c{0.015, 0.0086, 0.02, 0.03};
     for (Configuration configuration : all_configurations) {
-        Diagnosis diagnosis("m", {}, {}, 1);
+        Diagnosis diagnosis("m", excavator_parameters(Parameters::excavator()), {}, 1);
         diagnosis.change({configuration, LinkSet::all()});
         feed(diagnosis, {configuration, LinkSet::all(), c}, 0, 12);
         for (LinkSet set : diagnosis.sets_in_use()) {
@@ -98,7 +98,7 @@ TEST_CASE("the readings of the tests' transients fit the equations exactly") {
             std::vector<std::uint64_t> codes;
             Genome genome(16 * set.size());
             std::size_t i = 0;
-            for (hydraulics::Link link : links_of(set)) {
+            for (Link link : links_of(set)) {
                 auto code = static_cast<std::uint64_t>(std::lround(c[index_of(link)] / 0.1 * 65536));
                 genome.set_field(16 * i++, 16, code ^ (code >> 1));
             }

@@ -44,7 +44,9 @@ private:
     Reading reading(hydraulics::Link link, double psi, double flow_in3_per_s, double t, ValveAreas areas) const {
         // The integral of (flow - C dP/dt).
         double piston_in3 = flow_in3_per_s * t - compliance_[index_of(link)] * risen_psi(link, t);
-        double angle_rad = piston_in3 / default_link_parameters()[index_of(link)].piston_in3_per_rad;
+        double angle_rad =
+            piston_in3 /
+            hydraulics::link_constants(hydraulics::Parameters::excavator())[index_of(link)].piston_in3_per_rad;
         return {psi, angle_rad * 180 / std::numbers::pi, areas};
     }
 

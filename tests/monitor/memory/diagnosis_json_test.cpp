@@ -19,7 +19,7 @@ std::string text_of(const Diagnosis& diagnosis) { return boost::json::serialize(
 
 TEST_CASE("the state goes through JSON and on as if nothing had been") {
     for (std::size_t cut : {0u, 3u, 7u, 12u, 29u}) {
-        Diagnosis diagnosis("digger", {}, {}, 1);
+        Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
         diagnosis.change({Configuration::c, LinkSet::all()});
         Transient transient(Configuration::c, LinkSet::all(), {0.0150, 0.0086, 0.0200, 0.0300});
         feed(diagnosis, transient, 0, cut);

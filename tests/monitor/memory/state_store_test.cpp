@@ -230,7 +230,7 @@ TEST_CASE("machines are known with one set of parameters") {
     diagnoses.replay("m", hello);
     diagnoses.replay("m", configuration);
     CHECK_NOTHROW(diagnoses.replay("m", hello));
-    CHECK(diagnoses.named("m").active() == LinkSet{hydraulics::Link::boom});
+    CHECK(diagnoses.named("m").active() == LinkSet{Link::boom});
     CHECK_THROWS_WITH_AS(diagnoses.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01})"),
                          doctest::Contains("other parameters"), BadMessage);
     diagnoses.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01,"anew":true})");

@@ -33,8 +33,8 @@ TEST_CASE("hello") {
     auto plain = parsed<Hello>(R"({"type":"hello","version":1,"machine":"digger-7"})");
     CHECK(plain.machine == "digger-7");
     CHECK(plain.role == Role::control);
-    CHECK(plain.parameters == ExcavatorParameters{});
-    CHECK(plain.parameters.links[index_of(hydraulics::Link::boom)].piston_in3_per_rad == doctest::Approx(32 * 22.4));
+    CHECK(plain.parameters == excavator_parameters(Parameters::excavator()));
+    CHECK(plain.parameters.links[index_of(Link::boom)].piston_in3_per_rad == doctest::Approx(32 * 22.4));
 
     auto full = parsed<Hello>(R"({"type":"hello","version":1,"machine":"m","role":"watch","answers":"moved",)"
                               R"("load_every_s":5,"period_s":0.01,"anew":true,)"
@@ -46,14 +46,14 @@ TEST_CASE("hello") {
     CHECK(full.load_every_s == 5);
     CHECK(full.parameters.period_s == 0.01);
     CHECK(full.parameters.flow.pump_in3_per_s == 175);
-    CHECK(full.parameters.links[index_of(hydraulics::Link::stick)].spool_lag_per_s == 9);
+    CHECK(full.parameters.links[index_of(Link::stick)].spool_lag_per_s == 9);
 }
 
 TEST_CASE("configuration") {
     auto change =
         parsed<ConfigurationChange>(R"({"type":"configuration","configuration":"b","active":["BU","stick"]})");
     CHECK(change.configuration == Configuration::b);
-    CHECK(change.active == LinkSet{hydraulics::Link::bucket, hydraulics::Link::stick});
+    CHECK(change.active == LinkSet{Link::bucket, Link::stick});
     CHECK(parsed<ConfigurationChange>(R"({"type":"configuration","configuration":"e","active":[]})").active.empty());
 }
 
@@ -63,17 +63,17 @@ TEST_CASE("sample: the valve by spool, voltage or areas") {
         R"("BU":{"inlet_psi":1900,"angle_deg":-4.5,"servo_V":0.3},)"
         R"("SW":{"inlet_psi":100,"angle_deg":0,"inlet_in2":0.1,"bypass_in2":0.3}}})");
     CHECK(sample.time_s == 1.5);
-    CHECK_FALSE(sample.links[index_of(hydraulics::Link::stick)]);
-    CHECK(std::get<SpoolPosition>(sample.links[index_of(hydraulics::Link::boom)]->valve).spool_in == 0.25);
-    CHECK(std::get<ServoVoltage>(sample.links[index_of(hydraulics::Link::bucket)]->valve).servo_V == 0.3);
-    CHECK(std::get<ValveAreas>(sample.links[index_of(hydraulics::Link::swing)]->valve).bypass_in2 == 0.3);
-    CHECK(sample.links[index_of(hydraulics::Link::bucket)]->angle_deg == -4.5);
+    CHECK_FALSE(sample.links[index_of(Link::stick)]);
+    CHECK(std::get<SpoolPosition>(sample.links[index_of(Link::boom)]->valve).spool_in == 0.25);
+    CHECK(std::get<ServoVoltage>(sample.links[index_of(Link::bucket)]->valve).servo_V == 0.3);
+    CHECK(std::get<ValveAreas>(sample.links[index_of(Link::swing)]->valve).bypass_in2 == 0.3);
+    CHECK(sample.links[index_of(Link::bucket)]->angle_deg == -4.5);
 }
 
 TEST_CASE("baseline, status, load, ping, bye") {
     auto baseline = parsed<Baseline>(R"({"type":"baseline","links":{"BO":0.0086}})");
-    CHECK(baseline.compliance_in3_per_psi[index_of(hydraulics::Link::boom)] == 0.0086);
-    CHECK_FALSE(baseline.compliance_in3_per_psi[index_of(hydraulics::Link::bucket)]);
+    CHECK(baseline.compliance_in3_per_psi[index_of(Link::boom)] == 0.0086);
+    CHECK_FALSE(baseline.compliance_in3_per_psi[index_of(Link::bucket)]);
     CHECK_NOTHROW(parsed<StatusRequest>(R"({"type":"status"})"));
     CHECK_NOTHROW(parsed<LoadRequest>(R"({"type":"load"})"));
     CHECK_NOTHROW(parsed<Ping>(R"({"type":"ping"})"));

@@ -38,8 +38,7 @@ void check_equal(const Record& file, const Record& simulated) {
     for (auto [sensor, rounding] :
          {std::pair{Sensor::inlet_pressure, 0.0501}, {Sensor::angle, 0.0000501}, {Sensor::spool, 0.00000501}})
         for (std::size_t i = 0; i < file.size(); ++i)
-            CHECK(std::abs(file.of(hydraulics::Link::boom, sensor)[i] -
-                           simulated.of(hydraulics::Link::boom, sensor)[i]) <= rounding);
+            CHECK(std::abs(file.of(Link::boom, sensor)[i] - simulated.of(Link::boom, sensor)[i]) <= rounding);
 }
 
 } // namespace

@@ -8,7 +8,7 @@ namespace {
 std::int64_t whole_ns(Time t) { return t.count() / 1000; }
 } // namespace
 
-BitModel::BitModel(const LinkTiming& timing, const std::array<Traffic, 2>& traffic)
+BitModel::BitModel(const hardware::LinkTiming& timing, const std::array<Traffic, 2>& traffic)
     : bit_(1'000'000'000 / timing.bits_per_second), delay_(whole_ns(timing.wire_delay)), notice_after_(bit_ * 11 / 2),
       restart_after_(bit_ * 32 / 10 + 140), traffic_(traffic) {
     if (!timing.overlapped_acknowledge) {

@@ -30,7 +30,7 @@ struct Course {
 /// runtime/hardware/link.cpp: there events, here levels.
 class BitModel {
 public:
-    BitModel(const LinkTiming&, const std::array<Traffic, 2>&);
+    BitModel(const hardware::LinkTiming&, const std::array<Traffic, 2>&);
     /// Steps until all traffic has passed. Throws when that takes longer than the limit.
     std::array<Course, 2> run(std::int64_t limit);
 

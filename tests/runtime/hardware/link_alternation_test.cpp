@@ -15,6 +15,7 @@
 #include <numeric>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <cmath>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 
 namespace {
 

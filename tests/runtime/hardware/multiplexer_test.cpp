@@ -12,6 +12,7 @@
 #include <array>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
 using test::cycle;

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using namespace placedpar::test;
 
 namespace {

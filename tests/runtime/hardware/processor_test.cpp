@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
 using test::cycle;

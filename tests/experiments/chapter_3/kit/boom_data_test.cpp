@@ -13,9 +13,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-const std::vector<double>& of(const BoomData& data, Sensor sensor) {
-    return data.record.of(hydraulics::Link::boom, sensor);
-}
+const std::vector<double>& of(const BoomData& data, Sensor sensor) { return data.record.of(Link::boom, sensor); }
 
 double greatest_difference(const std::vector<double>& a, const std::vector<double>& b) {
     REQUIRE(a.size() == b.size());

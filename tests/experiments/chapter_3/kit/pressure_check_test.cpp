@@ -9,7 +9,7 @@ using namespace placedpar::hydraulics;
 
 TEST_CASE("the true compliance gives back the recorded pressure, half and twice do not") {
     BoomData data = measure({BoomPlant::simple}, 1);
-    double truth = data.machine.inlet_compliance_in3_per_psi;
+    double truth = data.boom.inlet_compliance_in3_per_psi;
     for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
         BoomModel model = model_of(data, from);
         CHECK(check_pressure(data, model, truth).rms_psi <= 4);

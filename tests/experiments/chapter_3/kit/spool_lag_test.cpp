@@ -20,7 +20,7 @@ double found_while_rising(const BoomData& data, const BoomModel& model) {
 TEST_CASE("what the machine's own lag finds is found by the machine's own lag") {
     BoomData data = measure({BoomPlant::simple}, 1);
     double found = found_while_rising(data, model_of(data, AreasFrom::servo));
-    CHECK(lag_that_finds(found, data) == doctest::Approx(data.machine.spool_lag_per_s).epsilon(1e-3));
+    CHECK(lag_that_finds(found, data) == doctest::Approx(data.boom.spool_lag_per_s).epsilon(1e-3));
 }
 
 TEST_CASE("the lag and the offset that find a compliance do find it") {
@@ -30,7 +30,7 @@ TEST_CASE("the lag and the offset that find a compliance do find it") {
     double low = offset_that_finds(0.005, data);
     CHECK(low < 0);
     // A sensor that reads so much too low.
-    for (double& spool_in : data.record.of(hydraulics::Link::boom, Sensor::spool))
+    for (double& spool_in : data.record.of(Link::boom, Sensor::spool))
         spool_in += low;
     CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == doctest::Approx(0.005).epsilon(0.01));
 }

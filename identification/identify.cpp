@@ -35,7 +35,7 @@ std::vector<double> last_answers(std::span<const SearchRun> runs, std::size_t ju
 }
 
 /// Everything about one junction's compliance but its flags.
-LinkIdentified summary(hydraulics::Link link, const std::vector<double>& answers) {
+LinkIdentified summary(Link link, const std::vector<double>& answers) {
     LinkIdentified identified{};
     identified.link = link;
     identified.compliance_in3_per_psi = median(answers);
