@@ -1,5 +1,6 @@
 #include "workbench/problems.hpp"
 
+#include "classics/kinds.hpp"
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
@@ -47,6 +48,7 @@ ProblemRegistry known_problems(std::uint64_t seed) {
 Catalogue known_kinds(const ProblemRegistry& problems) {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
+    add_classical_kinds(catalogue);
     add_genetic_algorithm_kinds(catalogue, problems);
     return catalogue;
 }

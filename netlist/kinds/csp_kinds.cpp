@@ -3,6 +3,7 @@
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "netlist/kinds/packet.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/timer.hpp"
 
@@ -15,25 +16,10 @@ namespace placedpar {
 
 namespace {
 
-/// A number in a message of stated length.
-struct Packet {
-    std::int64_t number = 0;
-    std::uint32_t bytes = 4;
-    WireForm wire_form() const { return WireForm(bytes); }
-};
-
-PortDescription in() { return description::input<Packet>("in", "packet", "packets come in"); }
-PortDescription out() { return description::output<Packet>("out", "packet", "packets go out"); }
-
-ParameterDescription count() {
-    return description::integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12},
-                                "packets that pass before it ends");
-}
-
-ParameterDescription cycles() {
-    return description::integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12},
-                                "workload: computation for each packet");
-}
+using description::packet_count;
+using description::packet_cycles;
+using description::packets_in;
+using description::packets_out;
 
 ParameterDescription bytes() {
     return description::integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
@@ -120,8 +106,8 @@ void consume(ProcessEnvironment& environment) {
 ProcessKind producer_kind() {
     return {.name = "csp.producer",
             .about = "Outputs numbered packets.",
-            .ports = {out()},
-            .parameters = {count(), bytes(), cycles()},
+            .ports = {packets_out()},
+            .parameters = {packet_count(), bytes(), packet_cycles()},
             .body = produce};
 }
 
@@ -129,8 +115,8 @@ ProcessKind producer_kind() {
 ProcessKind relay_kind(std::string name, std::string about, std::function<void(ProcessEnvironment&)> body) {
     return {.name = std::move(name),
             .about = std::move(about),
-            .ports = {in(), out()},
-            .parameters = {count(), cycles()},
+            .ports = {packets_in(), packets_out()},
+            .parameters = {packet_count(), packet_cycles()},
             .body = std::move(body)};
 }
 
@@ -141,8 +127,8 @@ ProcessKind identity_kind() {
 ProcessKind prefix_kind() {
     return {.name = "csp.prefix",
             .about = "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
-            .ports = {in(), out()},
-            .parameters = {count(), bytes(), cycles()},
+            .ports = {packets_in(), packets_out()},
+            .parameters = {packet_count(), bytes(), packet_cycles()},
             .body = prefix};
 }
 
@@ -157,8 +143,8 @@ ProcessKind successor_kind() {
 ProcessKind consumer_kind() {
     return {.name = "csp.consumer",
             .about = "Takes packets in and measures how fast they come.",
-            .ports = {in()},
-            .parameters = {count(), cycles()},
+            .ports = {packets_in()},
+            .parameters = {packet_count(), packet_cycles()},
             .measurements = {{"time", "ms", "from its start to the last packet"},
                              {"last_number", "", "the number of the last packet"},
                              {"time_per_packet", "us", "mean"},

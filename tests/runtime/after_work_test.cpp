@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
+using namespace placedpar::hardware;
 using std::chrono::milliseconds;
 
 namespace {

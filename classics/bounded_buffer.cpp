@@ -1,0 +1,70 @@
+// A bounded buffer (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 5.1). As there and in occam, an
+// output cannot guard an alternative: the customer asks for a packet before it is output.
+
+#include "classics/kinds.hpp"
+
+#include "netlist/kinds/environment.hpp"
+#include "netlist/kinds/packet.hpp"
+#include "runtime/alternation.hpp"
+#include "runtime/executive.hpp"
+
+#include <algorithm>
+#include <deque>
+
+namespace placedpar {
+
+namespace {
+
+void hold(ProcessEnvironment& environment) {
+    auto in = environment.input<Packet>("in"), request = environment.input<Packet>("request");
+    auto out = environment.output<Packet>("out");
+    std::int64_t to_come = environment.integer("count"), to_go = to_come;
+    auto capacity = static_cast<std::size_t>(environment.integer("capacity"));
+    std::deque<Packet> held;
+    std::size_t most = 0;
+    while (to_go > 0)
+        alt(when(held.size() < capacity && to_come > 0, on(in,
+                                                           [&](const Packet& packet) {
+                                                               held.push_back(packet);
+                                                               most = std::max(most, held.size());
+                                                               --to_come;
+                                                           })),
+            when(!held.empty(), on(request, [&](const Packet&) {
+                     out.output(held.front());
+                     held.pop_front();
+                     --to_go;
+                 })));
+    environment.measure("most_held", static_cast<double>(most), "packets");
+}
+
+void ask_and_consume(ProcessEnvironment& environment) {
+    auto request = environment.output<Packet>("request"), out = environment.output<Packet>("out");
+    auto in = environment.input<Packet>("in");
+    for (std::int64_t i = 0; i < environment.integer("count"); ++i) {
+        request.output({i, 1});
+        out.output(in.input());
+    }
+}
+
+} // namespace
+
+std::vector<ProcessKind> bounded_buffer_kinds() {
+    using namespace description;
+    ProcessKind buffer{.name = "csp.buffer",
+                       .about = "Holds up to so many packets, first in, first out.",
+                       .ports = {packets_in(), packets_in("request", "asks for the next packet"), packets_out()},
+                       .parameters = {packet_count(), integer("capacity",
+                                                              {.unit = "packets", .by_default = 10, .least = 1,
+                                                               .most = 1e9},
+                                                              "held at the most")},
+                       .measurements = {{"most_held", "packets", "at once"}},
+                       .body = hold};
+    ProcessKind customer{.name = "csp.customer",
+                         .about = "Asks a buffer for packets and outputs them: what stands between it and a consumer.",
+                         .ports = {packets_out("request", "asks for the next packet"), packets_in(), packets_out()},
+                         .parameters = {packet_count()},
+                         .body = ask_and_consume};
+    return {buffer, customer};
+}
+
+} // namespace placedpar

@@ -1,0 +1,122 @@
+// Dijkstra's dining philosophers, as Hoare tells them (Communicating Sequential Processes, 1985, section 2.5): the
+// forks are processes too, and a butler who never lets all of them sit keeps them from starving.
+
+#include "classics/kinds.hpp"
+
+#include "netlist/kinds/description.hpp"
+#include "netlist/kinds/environment.hpp"
+#include "runtime/alternation.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/timer.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+/// A message that says nothing but that it comes: occam's `c ! ANY`. A byte on a wire.
+struct Signal {
+    WireForm wire_form() const { return WireForm(1); }
+};
+
+void dine(ProcessEnvironment& environment) {
+    auto left = environment.output<Signal>("left"), right = environment.output<Signal>("right");
+    bool has_butler = environment.connected("butler");
+    Output<Signal> butler;
+    if (has_butler)
+        butler = environment.output<Signal>("butler");
+    auto sit_down_or_get_up = [&] {
+        if (has_butler)
+            butler.output({});
+    };
+    for (std::int64_t meal = 0; meal < environment.integer("meals"); ++meal) {
+        compute(Cycles{environment.integer("thinking")});
+        sit_down_or_get_up();
+        left.output({}); // picks it up
+        right.output({});
+        compute(Cycles{environment.integer("eating")});
+        left.output({}); // puts it down
+        right.output({});
+        sit_down_or_get_up();
+    }
+    environment.measure("time", in_milliseconds(now()), "ms");
+}
+
+void serve_as_fork(ProcessEnvironment& environment) {
+    auto hands = environment.inputs<Signal>("hand");
+    for (std::int64_t use = 0; use < environment.integer("uses"); ++use)
+        alt(std::span<const Input<Signal>>(hands), [&](std::size_t hand, Signal) { hands[hand].input(); });
+}
+
+/// Those who stand may sit down while a seat is free; those who sit may get up.
+std::vector<Guard> guards_of(const std::vector<Input<Signal>>& philosophers, const std::vector<bool>& sits,
+                             std::int64_t seats) {
+    bool seat_free = std::ranges::count(sits, true) < seats;
+    std::vector<Guard> guards;
+    for (std::size_t i = 0; i < philosophers.size(); ++i)
+        guards.push_back({sits[i] || seat_free ? Guard::input : Guard::never, &philosophers[i].channel()});
+    return guards;
+}
+
+void wait_on_table(ProcessEnvironment& environment) {
+    auto philosophers = environment.inputs<Signal>("philosopher");
+    std::vector<bool> sits(philosophers.size(), false);
+    auto movements = 2 * environment.integer("meals") * static_cast<std::int64_t>(philosophers.size());
+    for (std::int64_t i = 0; i < movements; ++i) {
+        std::size_t chosen = select(guards_of(philosophers, sits, environment.integer("seats")));
+        philosophers[chosen].input();
+        sits[chosen] = !sits[chosen];
+    }
+}
+
+ParameterDescription meals(std::string about) {
+    return description::integer("meals", {.by_default = 10, .least = 1, .most = 1e9}, std::move(about));
+}
+
+ParameterDescription work(std::string name, std::string about) {
+    return description::integer(std::move(name), {.unit = "cycles", .by_default = 2000, .least = 0, .most = 1e12},
+                                std::move(about));
+}
+
+ProcessKind philosopher_kind() {
+    using namespace description;
+    auto signals = [](std::string name, std::string about) {
+        return output<Signal>(std::move(name), "signal", std::move(about));
+    };
+    return {.name = "csp.philosopher",
+            .about = "Thinks, picks up the fork on the left, then the one on the right, eats, puts them down.",
+            .ports = {signals("left", "picks up and puts down"), signals("right", "picks up and puts down"),
+                      optional(signals("butler", "sits down and gets up"))},
+            .parameters = {meals("before the philosopher leaves"), work("thinking", "workload: before each meal"),
+                           work("eating", "workload: each meal")},
+            .measurements = {{"time", "ms", "when the last meal was over"}},
+            .body = dine};
+}
+
+ProcessKind fork_kind() {
+    using namespace description;
+    return {.name = "csp.fork",
+            .about = "Is picked up by one of its neighbours, and put down by the same, before another can have it.",
+            .ports = {input<Signal>("hand", "signal", "an array: the neighbours")},
+            .parameters = {integer("uses", {.by_default = 20, .least = 1, .most = 1e9},
+                                   "how often it is picked up before it ends: twice the meals of a philosopher")},
+            .body = serve_as_fork};
+}
+
+ProcessKind butler_kind() {
+    using namespace description;
+    return {.name = "csp.butler",
+            .about = "Lets only so many philosophers sit at the table at once: with one fewer than there are, one of "
+                     "them can always eat.",
+            .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
+            .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6}, "sitting at once"),
+                           meals("of each philosopher")},
+            .body = wait_on_table};
+}
+
+} // namespace
+
+std::vector<ProcessKind> philosopher_kinds() { return {philosopher_kind(), fork_kind(), butler_kind()}; }
+
+} // namespace placedpar

@@ -1,0 +1,80 @@
+// The sieve of Eratosthenes as a pipeline (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.1; the
+// idea is McIlroy's): each process keeps the first number that it gets, a prime, and lets through what it does not
+// divide.
+
+#include "classics/kinds.hpp"
+
+#include "netlist/kinds/environment.hpp"
+#include "netlist/kinds/packet.hpp"
+#include "runtime/executive.hpp"
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::int64_t end_of_numbers = 0;
+
+void count_up(ProcessEnvironment& environment) {
+    auto to = environment.output<Packet>("out");
+    for (std::int64_t number = 2; number <= environment.integer("last"); ++number)
+        to.output({number});
+    to.output({end_of_numbers});
+}
+
+/// The end of the pipeline: what comes through the last process goes nowhere.
+class Onwards {
+public:
+    explicit Onwards(const ProcessEnvironment& environment) : connected_(environment.connected("out")) {
+        if (connected_)
+            out_ = environment.output<Packet>("out");
+    }
+    void pass(std::int64_t number) {
+        passed_ += number != end_of_numbers;
+        if (connected_)
+            out_.output({number});
+    }
+    std::int64_t passed() const { return passed_; }
+
+private:
+    bool connected_;
+    Output<Packet> out_;
+    std::int64_t passed_ = 0;
+};
+
+void sieve(ProcessEnvironment& environment) {
+    auto from = environment.input<Packet>("in");
+    Onwards onwards(environment);
+    Cycles division{environment.integer("cycles")};
+    std::int64_t prime = from.input().number, number = prime;
+    while (number != end_of_numbers) {
+        number = from.input().number;
+        compute(division);
+        if (number != end_of_numbers && number % prime != 0)
+            onwards.pass(number);
+    }
+    onwards.pass(end_of_numbers);
+    environment.measure("prime", static_cast<double>(prime));
+    environment.measure("passed", static_cast<double>(onwards.passed()));
+}
+
+} // namespace
+
+std::vector<ProcessKind> sieve_kinds() {
+    using namespace description;
+    ProcessKind numbers{.name = "csp.numbers",
+                        .about = "Outputs 2, 3, 4 and so on, then an end.",
+                        .ports = {packets_out("out", "numbers")},
+                        .parameters = {integer("last", {.by_default = 100, .least = 2, .most = 1e9}, "number")},
+                        .body = count_up};
+    ProcessKind sieve_kind{
+        .name = "csp.sieve",
+        .about = "Keeps the first number, a prime, and passes on those that it does not divide.",
+        .ports = {packets_in("in", "numbers"), optional(packets_out("out", "numbers"))},
+        .parameters = {integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
+                               "workload: a division by the prime")},
+        .measurements = {{"prime", "", "0: no number came"}, {"passed", "", "numbers that it let through"}},
+        .body = sieve};
+    return {numbers, sieve_kind};
+}
+
+} // namespace placedpar

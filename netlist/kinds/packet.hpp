@@ -1,0 +1,37 @@
+#pragma once
+
+#include "netlist/kinds/description.hpp"
+#include "runtime/protocol.hpp"
+
+#include <cstdint>
+
+namespace placedpar {
+
+/// A number in a message of stated length: what the processes of textbooks pass to each other.
+struct Packet {
+    std::int64_t number = 0;
+    std::uint32_t bytes = 4;
+    WireForm wire_form() const { return WireForm(bytes); }
+};
+
+namespace description {
+
+inline PortDescription packets_in(std::string name = "in", std::string about = "packets come in") {
+    return input<Packet>(std::move(name), "packet", std::move(about));
+}
+inline PortDescription packets_out(std::string name = "out", std::string about = "packets go out") {
+    return output<Packet>(std::move(name), "packet", std::move(about));
+}
+
+/// The parameter `count`.
+inline ParameterDescription packet_count(std::string about = "packets that pass before it ends") {
+    return integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12}, std::move(about));
+}
+/// The parameter `cycles`: workload.
+inline ParameterDescription packet_cycles(std::string about = "workload: computation for each packet") {
+    return integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12}, std::move(about));
+}
+
+} // namespace description
+
+} // namespace placedpar

@@ -1,0 +1,102 @@
+// The classical networks of the examples, against what everybody knows of them.
+
+#include "classics/kinds.hpp"
+
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/read.hpp"
+#include "text/diagnostic.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+RunReport run_example(const std::string& file, const Overrides& overrides = {}, std::uint64_t seed = 1) {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    add_classical_kinds(catalogue);
+    ReadResult read = read_netlist(std::string(PLACEDPAR_SOURCE_DIR) + "/examples/" + file, catalogue, overrides);
+    INFO(render(read.diagnostics));
+    REQUIRE(read.network);
+    return Machine(*read.network, catalogue, seed).run();
+}
+
+double milliseconds(const RunReport& report) { return in_milliseconds(report.result.time); }
+
+RunReport run_farm(const std::string& deal, int workers) {
+    return run_example("33-farm/farm.cfs", {{"deal", "\"" + deal + "\""}, {"workers", std::to_string(workers)}});
+}
+
+RunReport run_buffer(int capacity) {
+    return run_example("34-bounded-buffer/buffer.cfs", {{"capacity", std::to_string(capacity)}});
+}
+
+} // namespace
+
+TEST_CASE("philosophers starve in a circle; with a butler all of them eat") {
+    CHECK(run_example("30-philosophers/philosophers.cfs").result.ending == Ending::completed);
+    RunReport starved = run_example("30-philosophers/philosophers.cfs", {{"butler", "0"}});
+    REQUIRE(starved.result.ending == Ending::stuck);
+    CHECK(starved.result.deadlock->cycle.size() == 10); // each philosopher waits for a fork, which waits for the next
+}
+
+TEST_CASE("the sieve finds the primes up to 100") {
+    RunReport report = run_example("31-sieve/sieve.cfs");
+    REQUIRE(report.result.ending == Ending::completed);
+    const int primes[] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37, 41,
+                          43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97};
+    for (std::size_t i = 0; i < std::size(primes); ++i)
+        CHECK(report.measured(fmt::format("sieve[{}]", i), "prime") == primes[i]);
+    CHECK(report.measured("sieve[0]", "passed") == 49); // the odd numbers from 3 to 99
+}
+
+TEST_CASE("a sieve with more processes than primes ends too, and one with fewer lets numbers through") {
+    RunReport more = run_example("31-sieve/sieve.cfs", {{"last", "10"}, {"primes", "6"}});
+    CHECK(more.result.ending == Ending::completed);
+    CHECK(more.measured("sieve[3]", "prime") == 7);
+    CHECK(more.measured("sieve[4]", "prime") == 0);
+    CHECK(run_example("31-sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") == 21); // primes over 7
+}
+
+TEST_CASE("the mesh multiplies vectors by its matrix") {
+    RunReport report = run_example("32-matrix/matrix.cfs");
+    REQUIRE(report.result.ending == Ending::completed);
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j) {
+            double product = 0;
+            for (int i = 0; i < 3; ++i)
+                product += (k + i) * (3 * i + j + 1);
+            CHECK(report.measured(fmt::format("column[{}]", j), fmt::format("row[{}]", k)) == product);
+        }
+}
+
+TEST_CASE("a balancer that deals to idle workers is quicker than one that deals in turn, and both do every task") {
+    for (int workers : {1, 2, 4}) {
+        RunReport idle = run_farm("idle", workers), turn = run_farm("turn", workers);
+        double tasks = 0;
+        for (int i = 0; i < workers; ++i)
+            tasks += idle.measured(fmt::format("worker[{}]", i), "tasks");
+        CHECK(tasks == 60);
+        CHECK(turn.measured("worker[0]", "tasks") == 60 / workers);
+        CHECK(milliseconds(idle) <= milliseconds(turn));
+    }
+    CHECK(milliseconds(run_farm("idle", 4)) < 0.9 * milliseconds(run_farm("turn", 4)));
+    CHECK(milliseconds(run_farm("idle", 4)) < milliseconds(run_farm("idle", 1)) / 3.5);
+}
+
+TEST_CASE("a bounded buffer never holds more than it may, and delivers everything in order") {
+    for (int capacity : {1, 5, 10}) {
+        RunReport report = run_buffer(capacity);
+        CHECK(report.result.ending == Ending::completed);
+        CHECK(report.measured("buffer", "most_held") == capacity); // the producer is quicker
+        CHECK(report.measured("consumer", "last_number") == 99);
+    }
+    CHECK(run_buffer(1000).measured("buffer", "most_held") < 100);
+}
