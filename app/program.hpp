@@ -1,0 +1,13 @@
+#pragma once
+
+#include "netlist/kinds/process_kind.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+/// The main() of a program that does with netlists what placedpar does (run, check, show, kinds), and knows kinds of
+/// its own beside PlacedPar's. Returns the exit code. REQUIRES: their names are new.
+int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds);
+
+} // namespace placedpar
