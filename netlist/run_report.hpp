@@ -36,7 +36,7 @@ struct RunReport {
     std::vector<LinkUse> links;
     std::vector<ProcessUse> processes;
 
-    /// The measurement of that name by that process; throws std::out_of_range if there is none.
+    /// The measurement of that name by that process; throws UserError if there is none.
     double measured(std::string_view process, std::string_view name) const;
     const std::string& measured_text(std::string_view process, std::string_view name) const;
 };
