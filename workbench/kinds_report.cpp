@@ -72,71 +72,94 @@ std::string print_process(const ProcessKind& kind) {
            (kind.measurements.empty() ? "" : print_measures(kind));
 }
 
-bool in_other_letters(const std::string& one, const std::string& other) {
+/// Whether it is only another spelling: t800 for T800.
+bool is_alias(const DeviceModel& model) {
     auto upper = [](unsigned char c) { return std::toupper(c); };
-    return one != other && std::ranges::equal(one, other, {}, upper, upper);
+    return model.name != model.type && std::ranges::equal(model.name, model.type, {}, upper, upper);
 }
 
-/// What nodes of the kind are declared by, but for what stands for all of them, and for T800 written t800.
+/// What nodes of the kind are declared by, but for what stands for all of them, and for aliases.
 std::vector<std::string> model_names(const DeviceKind& kind) {
     std::vector<std::string> names;
     for (const DeviceModel& model : kind.models)
-        if (!model.needs_type && !in_other_letters(model.name, model.type))
+        if (!model.needs_type && !is_alias(model))
             names.push_back(model.name);
     return names;
 }
 
+std::string print_line(const std::string& name, const std::string& about) {
+    return fmt::format("  {:<16} {}\n", name, about);
+}
+
 /// The kind by its only model, or by its own name with the models below.
-std::string print_line(const DeviceKind& kind) {
+std::string print_device_lines(const DeviceKind& kind) {
     auto names = model_names(kind);
-    std::string out = fmt::format("  {:<16} {}\n", names.size() == 1 ? names.front() : kind.name, kind.about);
-    if (names.size() > 1)
-        out += fmt::format("  {:<16} {}\n", "", fmt::join(names, " "));
+    std::string about = kind.about + (kind.refusal.empty() ? "" : " Cannot be declared yet.");
+    if (names.size() == 1)
+        return print_line(names.front(), about);
+    return print_line(kind.name, about) + print_line("", fmt::format("{}", fmt::join(names, " ")));
+}
+
+std::string print_process_lines(const Catalogue& catalogue) {
+    std::string out;
+    for (const auto& [name, kind] : catalogue.kinds())
+        out += print_line(name, kind.about);
     return out;
 }
 
-std::string print_links(const NodeType& type) {
-    const DeviceKind& kind = *type.preset.kind;
-    if (kind.links == LinkRole::ends && type.links > 0)
-        return fmt::format("links: {}; a byte is acknowledged {}\n", type.links,
-                           type.preset.overlapped_acknowledge ? "while it comes in" : "when it has come in");
-    return kind.links == LinkRole::crosses ? fmt::format("links: {}\n", type.links) : "";
+const char* moment_of_acknowledge(const NodeType& type) {
+    return type.preset.overlapped_acknowledge ? "; a byte is acknowledged while it comes in"
+                                              : "; a byte is acknowledged when it has come in";
 }
 
+std::string print_link_count(const NodeType& type) {
+    if (type.links == 0 || type.needs_type)
+        return "";
+    bool acknowledges = type.preset.kind->links == LinkRole::ends;
+    return fmt::format("links: {}{}\n", type.links, acknowledges ? moment_of_acknowledge(type) : "");
+}
+
+std::string print_needed_type(const DeviceKind& kind) {
+    return fmt::format("  {:<28} string  must be given: one of\n  {:<28} {}\n", "type", "",
+                       fmt::join(model_names(kind), " "));
+}
+
+std::string print_kept(const DeviceKind& kind) {
+    return fmt::format("  {}\n  {:<28} read and printed, without effect on a run\n", fmt::join(kind.kept, ", "), "");
+}
+
+/// What the model says itself takes the place of the kind's default.
 std::string print_attributes(const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
-    std::string out = kind.has_attributes() ? "\nattributes\n" : "";
-    if (type.needs_type)
-        out += fmt::format("  {:<28} string  must be given: one of\n  {:<28} {}\n", "type", "",
-                           fmt::join(model_names(kind), " "));
+    std::string out = "\nattributes\n" + (type.needs_type ? print_needed_type(kind) : "");
     for (const AttributeDescription& attribute : kind.attributes)
         out += print_parameter(attribute.value, type.preset.attributes.find(attribute.value.name)->second);
-    if (!kind.kept.empty())
-        out +=
-            fmt::format("  {}\n  {:<28} read and printed, without effect on a run\n", fmt::join(kind.kept, ", "), "");
-    return out;
+    return kind.kept.empty() ? out : out + print_kept(kind);
 }
 
-/// What nodes can be declared with by this name. What the model says itself takes the place of the kind's default.
+/// "B404 (T800)" for a module, which carries one.
+std::string print_name(const std::string& name, const NodeType& type) {
+    bool carries = !type.needs_type && type.preset.type != name;
+    return carries ? fmt::format("{} ({})", name, type.preset.type) : name;
+}
+
+/// What nodes can be declared with by this name.
 std::string print_device(const std::string& name, const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
-    std::string carries = type.needs_type || type.preset.type == name ? "" : fmt::format(" ({})", type.preset.type);
+    std::string head = fmt::format("{}\n{}\n", print_name(name, type), kind.about);
     if (!kind.refusal.empty())
-        return fmt::format("{}\n{}\ncannot be declared: {}\n", name, kind.about, kind.refusal);
-    return fmt::format("{}{}\n{}\n{}processes: {}\n", name, carries, kind.about, print_links(type),
-                       kind.runs_processes ? "can be placed on it" : "none can be placed on it") +
-           print_attributes(type);
+        return head + fmt::format("cannot be declared: {}\n", kind.refusal);
+    return head + print_link_count(type) +
+           fmt::format("processes: {}\n", kind.runs_processes ? "can be placed on it" : "none can be placed on it") +
+           (kind.has_attributes() ? print_attributes(type) : "");
 }
 
 } // namespace
 
 std::string print_kinds(const Catalogue& catalogue) {
-    std::string out = "processes\n";
-    for (const auto& [name, kind] : catalogue.kinds())
-        out += fmt::format("  {:<16} {}\n", name, kind.about);
-    out += "\ndevices\n";
+    std::string out = "processes\n" + print_process_lines(catalogue) + "\ndevices\n";
     for (const auto& [name, kind] : catalogue.devices())
-        out += print_line(*kind);
+        out += print_device_lines(*kind);
     return out;
 }
 

@@ -69,7 +69,8 @@ TEST_CASE("what a process refuses is the user's error at its place; its defects 
     auto run = [](std::function<void()> body) {
         Catalogue catalogue;
         catalogue.add({.name = "mine", .about = "", .body = [body](ProcessEnvironment&) { body(); }});
-        ReadResult read = read_netlist_text("T800 a; process p; use \"mine\" for p; place p on a;", catalogue, {}, "m.cfs");
+        ReadResult read =
+            read_netlist_text("T800 a; process p; use \"mine\" for p; place p on a;", catalogue, {}, "m.cfs");
         REQUIRE(read.network);
         Machine(*read.network, catalogue, 1).run();
     };

@@ -196,16 +196,15 @@ TEST_CASE("no state file: what it is instead, and what to do") {
     scratch.write("state", "{\"placedpar_monitor_state\":7}");
     Diagnoses diagnoses = none();
     CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(diagnoses),
-                         doctest::Contains("it is of another version than 1; use another --state file"),
-                         UserError);
+                         doctest::Contains("it is of another version than 1; use another --state file"), UserError);
     std::filesystem::create_directory(scratch / "folder");
-    CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"),
-                         UserError);
+    CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"), UserError);
     CHECK_FALSE(std::filesystem::exists(scratch / "folder.journal"));
     auto nowhere = (scratch / "none" / "state").string();
     CHECK_THROWS_WITH_AS(
         StateStore{nowhere},
-        fmt::format("--state {0}: {0}.journal: cannot be opened: No such file or directory", nowhere).c_str(), UserError);
+        fmt::format("--state {0}: {0}.journal: cannot be opened: No such file or directory", nowhere).c_str(),
+        UserError);
 }
 
 TEST_CASE("files that do not fit are refused by name") {
@@ -213,8 +212,7 @@ TEST_CASE("files that do not fit are refused by name") {
     Diagnoses diagnoses = none();
     run(scratch, diagnoses, 3);
     auto refused = [&](Diagnoses&& others, const char* because) {
-        CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(others), doctest::Contains(because),
-                             UserError);
+        CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(others), doctest::Contains(because), UserError);
     };
     refused({DiagnosisSettings{}, 2, 10}, "--seed 1");
     DiagnosisSettings small;
