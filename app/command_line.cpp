@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace placedpar {
 
@@ -61,6 +63,33 @@ ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
     return chosen ? chosen() : parsed;
 }
 
+ExitCode report_defect(const char* what) {
+    fmt::print(stderr,
+               "placedpar: defect of PlacedPar: {}\n"
+               "please report it, with the command and the files that it was given\n",
+               what);
+    return ExitCode::defect;
+}
+
+/// Reports the exception that is being handled. Nobody is to blame for what the system refuses, such as memory or a
+/// file; what is neither that nor a UserError should not have happened.
+ExitCode report_error() {
+    try {
+        throw;
+    } catch (const RefusedInput& refused) {
+        fmt::print(stderr, "{}", refused.what());
+    } catch (const UserError& error) {
+        fmt::print(stderr, "placedpar: {}\n", error.what());
+    } catch (const std::system_error& error) {
+        fmt::print(stderr, "placedpar: {}\n", error.what());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "placedpar: there is not enough memory\n");
+    } catch (const std::exception& error) {
+        return report_defect(error.what());
+    }
+    return ExitCode::bad_input;
+}
+
 } // namespace
 
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
@@ -72,15 +101,12 @@ int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** arg
     app.require_subcommand(1);
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
-        "            130 interrupted");
+        "            70 a defect of PlacedPar, 130 interrupted");
     try {
         return static_cast<int>(execute(app, chosen, argc, argv));
-    } catch (const RefusedInput& refused) {
-        fmt::print(stderr, "{}", refused.what());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "placedpar: {}\n", error.what());
+    } catch (...) {
+        return static_cast<int>(report_error());
     }
-    return static_cast<int>(ExitCode::bad_input);
 }
 
 } // namespace placedpar

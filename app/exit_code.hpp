@@ -10,6 +10,7 @@ enum class ExitCode {
     bad_input = 1,        ///< wrong use, or input that is refused
     deadlock = 2,         ///< processes were left that nothing would ever wake
     missed_tolerance = 3, ///< a cell of a comparison is further from the thesis than it may be
+    defect = 70,          ///< of PlacedPar itself; the number that sysexits.h has for it
     interrupted = 130     ///< by a signal, as shells count it; what was measured so far is printed
 };
 

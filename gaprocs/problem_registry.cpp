@@ -1,5 +1,7 @@
 #include "gaprocs/problem_registry.hpp"
 
+#include "text/user_error.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -57,8 +59,7 @@ void ProblemRegistry::add_to_make(std::string name, std::shared_ptr<const Search
 const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
     auto found = problems_.find(name);
     if (found == problems_.end())
-        throw std::invalid_argument(
-            fmt::format("there is no search problem '{}'; known: {}", name, fmt::join(names(), ", ")));
+        throw UserError(fmt::format("there is no search problem '{}'; known: {}", name, fmt::join(names(), ", ")));
     return found->second;
 }
 

@@ -29,8 +29,8 @@ public:
     const std::shared_ptr<const SearchProblem>& problem() const { return problem_; }
     /// The length of the record, which need not be made for it.
     std::size_t samples() const { return samples_; }
-    /// In order of time. The first call makes it where it is to be made; it then throws std::invalid_argument as the
-    /// constructor, or std::logic_error when there are not as many samples as promised.
+    /// In order of time. The first call makes the record if it was added by add_to_make(); it then throws
+    /// std::invalid_argument as the constructor, or std::logic_error when there are not as many samples as promised.
     const std::vector<Sample>& record() const;
 
 private:
@@ -51,8 +51,7 @@ public:
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
-    /// Throws std::invalid_argument, naming the problems there are. The reference lives as long as the
-    /// registry.
+    /// Throws UserError, naming the problems there are. The reference lives as long as the registry.
     const RecordedProblem& find(std::string_view name) const;
 
     /// In alphabetical order.

@@ -38,7 +38,7 @@ std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size
 /// While the window stays, the best fitness never falls.
 class Search {
 public:
-    /// Draws the first population. Throws std::invalid_argument: 0 bits, or SearchSettings::validate().
+    /// Draws the first population. Throws std::invalid_argument for 0 bits, and as SearchSettings::validate().
     Search(std::size_t bits, const SearchSettings& settings, RandomStream random);
     /// Starts from a given population. Throws std::invalid_argument also when it is not settings.population
     /// strings of one length.

@@ -4,12 +4,12 @@
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/genome.hpp"
 #include "gaprocs/population_fitness.hpp"
+#include "text/user_error.hpp"
 
 #include <concepts>
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -60,7 +60,7 @@ public:
     virtual std::vector<double> true_parameters() const { return {}; }
 
     /// How the fields of the string are read, and the same problem with its fields read another way.
-    /// Throws std::invalid_argument when the problem does not read its string by fields.
+    /// Throws UserError when the problem does not read its string by fields.
     virtual Coding coding() const = 0;
     virtual std::shared_ptr<const SearchProblem> coded(Coding) const = 0;
 };
@@ -109,8 +109,9 @@ public:
         if constexpr (Searchable<P, GrayCoded<Genome>>)
             return std::make_shared<SearchProblemOf<P, Coding::gray>>(problem_);
         else
-            throw std::invalid_argument("this problem does not read its binary string by fields, so that a Gray code "
-                                        "has no meaning for it");
+            throw UserError(
+                "this problem does not read its binary string by fields, so that a Gray code has no meaning for "
+                "it");
     }
 
 private:

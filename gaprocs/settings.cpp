@@ -1,10 +1,10 @@
 #include "gaprocs/settings.hpp"
 
 #include "gaprocs/fitness.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <string_view>
 
 namespace placedpar {
@@ -13,44 +13,41 @@ namespace {
 
 void require_probability(std::string_view name, double value) {
     if (!(value >= 0 && value <= 1))
-        throw std::invalid_argument(fmt::format("{} is {}, expected 0 to 1", name, value));
+        throw UserError(fmt::format("{} is {}, expected 0 to 1", name, value));
 }
 
 } // namespace
 
 void WindowSettings::validate() const {
     if (length == 0)
-        throw std::invalid_argument("the window holds 0 samples, expected at least 1");
+        throw UserError("the window holds 0 samples, expected at least 1");
     if (length > exact_fitness_terms)
-        throw std::invalid_argument(
-            fmt::format("the window holds {} samples, expected at most {}", length, exact_fitness_terms));
+        throw UserError(fmt::format("the window holds {} samples, expected at most {}", length, exact_fitness_terms));
     if (first == 0)
-        throw std::invalid_argument("the first generation waits for 0 samples, expected at least 1");
+        throw UserError("the first generation waits for 0 samples, expected at least 1");
     if (trials == 0)
-        throw std::invalid_argument("0 generations per sample, expected at least 1");
+        throw UserError("0 generations per sample, expected at least 1");
     if (!(bias > 0 && bias <= fitness_term_limit))
-        throw std::invalid_argument(
+        throw UserError(
             fmt::format("the fitness bias is {}, expected above 0 and at most {}", bias, fitness_term_limit));
 }
 
 void WindowSettings::validate_for(std::size_t record_length) const {
     validate();
     if (length > record_length)
-        throw std::invalid_argument(
-            fmt::format("the window holds {} samples, the record only {}", length, record_length));
+        throw UserError(fmt::format("the window holds {} samples, the record only {}", length, record_length));
 }
 
 void SearchSettings::validate() const {
     if (population < 2)
-        throw std::invalid_argument(
+        throw UserError(
             fmt::format("the population is {}, expected at least 2: crossover needs two parents", population));
     if (population > largest_population)
-        throw std::invalid_argument(
-            fmt::format("the population is {}, expected at most {}", population, largest_population));
+        throw UserError(fmt::format("the population is {}, expected at most {}", population, largest_population));
     if (elite > population - 2)
-        throw std::invalid_argument(fmt::format("an elite of {} in a population of {}, expected at most {}: crossover "
-                                                "needs two parents",
-                                                elite, population, population - 2));
+        throw UserError(fmt::format("an elite of {} in a population of {}, expected at most {}: crossover "
+                                    "needs two parents",
+                                    elite, population, population - 2));
     require_probability("the crossover probability", crossover_probability);
     require_probability("the mutation probability", mutation_probability);
     window.validate();

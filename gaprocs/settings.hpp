@@ -13,8 +13,7 @@ struct WindowSettings {
     std::size_t trials = 5; ///< generations per new sample
     double bias = 400;      ///< B of eq. 3.9, in the unit of the problem's error squared
 
-    /// Throws std::invalid_argument: a zero, a length beyond exact_fitness_terms, a bias that is not
-    /// positive.
+    /// Throws UserError: a zero, a length beyond exact_fitness_terms, a bias that is not positive.
     void validate() const;
     /// As validate(), and when the window is longer than the record.
     void validate_for(std::size_t record_length) const;
@@ -35,7 +34,7 @@ struct SearchSettings {
     Reproduction reproduction = Reproduction::roulette;
     WindowSettings window;
 
-    /// Throws std::invalid_argument: population < 2 or > largest_population, an elite that leaves no pair to be bred, a
+    /// Throws UserError: population < 2 or > largest_population, an elite that leaves no pair to be bred, a
     /// probability outside 0 ... 1, or as the window's.
     void validate() const;
 };

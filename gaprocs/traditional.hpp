@@ -30,7 +30,7 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
 
 /// The traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1): no processes, no machine, no
 /// time. This is the reference that algorithm A must reproduce bit for bit.
-/// Throws std::invalid_argument: SearchSettings::validate(), or a window longer than the record.
+/// Throws as SearchSettings::validate(), and UserError for a window longer than the record.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random);
 

@@ -58,8 +58,8 @@ void flag_uncertainty(LinkIdentified& link) {
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
     if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
-        link.flags.push_back("inconsistent: the valve reads the same in every sample, but the pressure is that of one "
-                             "that opens");
+        link.flags.push_back("inconsistent: the valve reading never changes, but the pressure changes as if the valve "
+                             "moved");
 }
 
 void flag_searches(LinkIdentified& link) {

@@ -36,7 +36,7 @@ IdentificationWay rising_way();
 /// gate, 21 searches.
 IdentificationWay service_way();
 
-/// The number with which the search begins, or the length of the window if that is less.
+/// Samples needed before the first generation.
 std::size_t samples_for_first_generation(const IdentificationWay&);
 
 } // namespace placedpar::identification

@@ -31,14 +31,11 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
     refuse(process.declared, fmt::format("process {} ({}): {}", process.name, process.kind, why));
 }
 
-/// Runs a process's program. What it refuses to work with is reported with the process, its kind and its place; an
-/// algorithm below it may take a parameter of the netlist for an invalid argument.
+/// Runs a process's program. What it refuses to work with is reported with the process, its kind and its place.
 void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
               ProcessEnvironment& environment) {
     try {
         body(environment);
-    } catch (const std::invalid_argument& refused) {
-        refuse(process, refused.what());
     } catch (const UserError& refused) {
         refuse(process, refused.what());
     }
@@ -118,10 +115,11 @@ hardware::Multiplexer& Machine::make_multiplexer(std::size_t index) {
 void Machine::make_channels(const Catalogue& catalogue) {
     for (const NetworkChannel& channel : network_.channels) {
         if (channel.placement.kind == ChannelPlacement::Kind::edge)
-            refuse(channel.connected,
-                   fmt::format("channel {} leads to an edge, where nobody is: to run it, place a process there on a "
-                               "workstation",
-                               channel.name));
+            refuse(
+                channel.connected,
+                fmt::format("channel {} leads to an edge, where no process runs: to run it, place a process there on a "
+                            "workstation",
+                            channel.name));
         const ProcessInstance& sender = network_.processes[channel.from.process];
         channels_.push_back(port_of(sender, channel.from.port, catalogue).make_channel(channel.name));
         if (channel.placement.kind == ChannelPlacement::Kind::link)

@@ -23,7 +23,8 @@ public:
     /// program that PlacedPar does not have, or if a channel leads to an edge, where no process is.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
-    /// Throws what Simulation::run() throws; what a process refuses to work with is a UserError with its place.
+    /// Throws UserError when a process refuses to work with what it was given, with its place, and when the run would
+    /// pass the end of virtual time.
     RunReport run(Time limit = Time::max());
     void interrupt() { simulation_.interrupt(); }
     /// REQUIRES: before run(); the sink outlives it.

@@ -1,14 +1,22 @@
 #include "netlist/machine.hpp"
+#include "text/user_error.hpp"
+
+#include <stdexcept>
 
 namespace placedpar {
 
 RunReport Machine::run(Time limit) {
     RunReport report;
-    report.result = simulation_.run(limit, [&] {
+    auto count_work = [&] {
         report.processors = processor_uses();
         report.links = link_uses();
         report.processes = process_uses();
-    });
+    };
+    try {
+        report.result = simulation_.run(limit, count_work);
+    } catch (const std::overflow_error& beyond_the_end_of_time) {
+        throw UserError(beyond_the_end_of_time.what());
+    }
     report.result.fingerprint = fingerprint_with(report.result.fingerprint, measurements_);
     report.measurements = measurements_;
     return report;

@@ -1,10 +1,11 @@
 #include "netlist/run_report.hpp"
 
+#include "text/user_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -28,7 +29,7 @@ const Measurement& find_measurement(const RunReport& report, std::string_view pr
     auto found = std::ranges::find_if(report.measurements,
                                       [&](const Measurement& m) { return m.process == process && m.name == name; });
     if (found == report.measurements.end())
-        throw std::out_of_range(fmt::format("process {} measured no {}", process, name));
+        throw UserError(fmt::format("process {} measured no {}", process, name));
     return *found;
 }
 

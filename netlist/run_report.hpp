@@ -41,7 +41,7 @@ struct RunReport {
     /// The part of the run that took so long. None in a deadlock, which lasts for ever.
     std::optional<double> share(Time) const;
 
-    /// The measurement of that name by that process; throws std::out_of_range if there is none.
+    /// The measurement of that name by that process; throws UserError if there is none.
     double measured(std::string_view process, std::string_view name) const;
     const std::string& measured_text(std::string_view process, std::string_view name) const;
 };

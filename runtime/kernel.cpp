@@ -27,11 +27,11 @@ std::string beyond_the_end_of_time(const std::vector<const Process*>& living) {
     auto late = std::ranges::find_if(living, [](const Process* p) {
         return p->activity() == Activity::ready || p->activity() == Activity::delayed;
     });
-    return fmt::format("virtual time lasts for {} days, and {} would go on after that: {}",
+    return fmt::format("virtual time lasts for {} days, and {} would pass that end: {}",
                        std::chrono::floor<std::chrono::days>(Time::max()).count(),
                        late == living.end() ? "a message on a link" : "process " + (*late)->path(),
                        late == living.end() ? "give the link more speed, or send less"
-                                            : "let it compute and wait for less");
+                                            : "shorten its computation or delay");
 }
 
 } // namespace

@@ -8,7 +8,8 @@ namespace placedpar {
 /// says what is wrong, and what would be right where that can be said, in one line without its end.
 ///
 /// Throw it, or a class derived from it, wherever a user can be the cause, however deep in a room; the program prints
-/// it and ends with its exit code for wrong use. A defect of the program itself is a std::logic_error.
+/// it and ends with its exit code for wrong use. A defect of the program itself is a std::logic_error, such as
+/// std::invalid_argument: the program calls it a defect, with an exit code of its own.
 class UserError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -16,7 +16,6 @@
 #include <cstring>
 #include <future>
 #include <memory>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -36,7 +35,7 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_of(const std::string& scrip
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
     if (!file || std::fwrite(script.data(), 1, script.size(), file.get()) != script.size() ||
         std::fflush(file.get()) != 0)
-        throw std::runtime_error(fmt::format("no room for what gnuplot is to draw: {}", std::strerror(errno)));
+        throw UserError(fmt::format("cannot store the script for gnuplot: {}", std::strerror(errno)));
     std::rewind(file.get());
     return file;
 }
@@ -54,7 +53,7 @@ std::string run_gnuplot(const std::string& script) {
     context.run();
     gnuplot.wait();
     if (gnuplot.exit_code() != 0)
-        throw std::runtime_error(fmt::format("gnuplot does not draw the plot: {}", complaint.get()));
+        throw UserError(fmt::format("gnuplot does not draw the plot: {}", complaint.get()));
     return drawing.get();
 }
 

@@ -1,9 +1,15 @@
 #include "workbench/kinds_report.hpp"
 
 #include "netlist/kinds/catalogue.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <vector>
 
 namespace placedpar {
 
@@ -31,13 +37,16 @@ const char* type_name(ParameterType type) {
     return type == ParameterType::integer ? "int" : type == ParameterType::real ? "double" : "string";
 }
 
+std::string print_parameter(const ParameterDescription& p, const std::optional<Value>& by_default) {
+    return fmt::format("  {:<28} {:<7} default {:<14} {:<28} {}\n", p.name, type_name(p.type),
+                       by_default ? print_value(*by_default) : "none", print_range(p), p.unit) +
+           fmt::format("  {:<28} {}\n", "", p.about);
+}
+
 std::string print_parameters(const ProcessKind& kind) {
     std::string out = "\nparameters\n";
-    for (const ParameterDescription& p : kind.parameters) {
-        out += fmt::format("  {:<28} {:<7} default {:<14} {:<28} {}\n", p.name, type_name(p.type),
-                           p.default_value ? print_value(*p.default_value) : "none", print_range(p), p.unit);
-        out += fmt::format("  {:<28} {}\n", "", p.about);
-    }
+    for (const ParameterDescription& parameter : kind.parameters)
+        out += print_parameter(parameter, parameter.default_value);
     return out;
 }
 
@@ -57,19 +66,110 @@ std::string print_measures(const ProcessKind& kind) {
     return out;
 }
 
-} // namespace
-
-std::string print_kinds(const Catalogue& catalogue) {
-    std::string out;
-    for (const auto& [name, kind] : catalogue.kinds())
-        out += fmt::format("{:<16} {}\n", name, kind.about);
-    return out;
-}
-
-std::string print_kind(const ProcessKind& kind) {
+std::string print_process(const ProcessKind& kind) {
     return fmt::format("{}\n{}\n", kind.name, kind.about) + print_ports(kind) +
            (kind.parameters.empty() ? "" : print_parameters(kind)) +
            (kind.measurements.empty() ? "" : print_measures(kind));
+}
+
+/// Whether it is only another spelling: t800 for T800.
+bool is_alias(const DeviceModel& model) {
+    auto upper = [](unsigned char c) { return std::toupper(c); };
+    return model.name != model.type && std::ranges::equal(model.name, model.type, {}, upper, upper);
+}
+
+/// What nodes of the kind are declared by, but for what stands for all of them, and for aliases.
+std::vector<std::string> model_names(const DeviceKind& kind) {
+    std::vector<std::string> names;
+    for (const DeviceModel& model : kind.models)
+        if (!model.needs_type && !is_alias(model))
+            names.push_back(model.name);
+    return names;
+}
+
+std::string print_line(const std::string& name, const std::string& about) {
+    return fmt::format("  {:<16} {}\n", name, about);
+}
+
+/// The kind by its only model, or by its own name with the models below.
+std::string print_device_lines(const DeviceKind& kind) {
+    auto names = model_names(kind);
+    std::string about = kind.about + (kind.refusal.empty() ? "" : " Cannot be declared yet.");
+    if (names.size() == 1)
+        return print_line(names.front(), about);
+    return print_line(kind.name, about) + print_line("", fmt::format("{}", fmt::join(names, " ")));
+}
+
+std::string print_process_lines(const Catalogue& catalogue) {
+    std::string out;
+    for (const auto& [name, kind] : catalogue.kinds())
+        out += print_line(name, kind.about);
+    return out;
+}
+
+const char* moment_of_acknowledge(const NodeType& type) {
+    return type.preset.overlapped_acknowledge ? "; a byte is acknowledged while it comes in"
+                                              : "; a byte is acknowledged when it has come in";
+}
+
+std::string print_link_count(const NodeType& type) {
+    if (type.links == 0 || type.needs_type)
+        return "";
+    bool acknowledges = type.preset.kind->links == LinkRole::ends;
+    return fmt::format("links: {}{}\n", type.links, acknowledges ? moment_of_acknowledge(type) : "");
+}
+
+std::string print_needed_type(const DeviceKind& kind) {
+    return fmt::format("  {:<28} string  must be given: one of\n  {:<28} {}\n", "type", "",
+                       fmt::join(model_names(kind), " "));
+}
+
+std::string print_kept(const DeviceKind& kind) {
+    return fmt::format("  {}\n  {:<28} read and printed, without effect on a run\n", fmt::join(kind.kept, ", "), "");
+}
+
+/// What the model says itself takes the place of the kind's default.
+std::string print_attributes(const NodeType& type) {
+    const DeviceKind& kind = *type.preset.kind;
+    std::string out = "\nattributes\n" + (type.needs_type ? print_needed_type(kind) : "");
+    for (const AttributeDescription& attribute : kind.attributes)
+        out += print_parameter(attribute.value, type.preset.attributes.find(attribute.value.name)->second);
+    return kind.kept.empty() ? out : out + print_kept(kind);
+}
+
+/// "B404 (T800)" for a module, which carries one.
+std::string print_name(const std::string& name, const NodeType& type) {
+    bool carries = !type.needs_type && type.preset.type != name;
+    return carries ? fmt::format("{} ({})", name, type.preset.type) : name;
+}
+
+/// What nodes can be declared with by this name.
+std::string print_device(const std::string& name, const NodeType& type) {
+    const DeviceKind& kind = *type.preset.kind;
+    std::string head = fmt::format("{}\n{}\n", print_name(name, type), kind.about);
+    if (!kind.refusal.empty())
+        return head + fmt::format("cannot be declared: {}\n", kind.refusal);
+    return head + print_link_count(type) +
+           fmt::format("processes: {}\n", kind.runs_processes ? "can be placed on it" : "none can be placed on it") +
+           (kind.has_attributes() ? print_attributes(type) : "");
+}
+
+} // namespace
+
+std::string print_kinds(const Catalogue& catalogue) {
+    std::string out = "processes\n" + print_process_lines(catalogue) + "\ndevices\n";
+    for (const auto& [name, kind] : catalogue.devices())
+        out += print_device_lines(*kind);
+    return out;
+}
+
+std::string print_kind(const Catalogue& catalogue, const std::string& name) {
+    if (const ProcessKind* kind = catalogue.find(name))
+        return print_process(*kind);
+    if (auto type = catalogue.node_types().find(name); type != catalogue.node_types().end())
+        return print_device(name, type->second);
+    throw UserError(
+        fmt::format("there is no process kind and no device \"{}\"; say placedpar kinds for those there are", name));
 }
 
 } // namespace placedpar

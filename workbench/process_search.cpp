@@ -90,7 +90,8 @@ std::optional<Difference> first_difference(const Network& network, const Setting
                                      expression(process->parameters.at(name)), process->name, expression(ours));
     auto place = process->given.find(name);
     diagnostic.location = place == process->given.end() ? process->declared : place->second;
-    diagnostic.hint = "let both say the same: here, by --set where a val is behind it, or by the option of identify";
+    diagnostic.hint =
+        "use the same value in both: change the netlist, or --set its val, or give identify the matching option";
     throw RefusedInput(render(diagnostic));
 }
 
@@ -122,7 +123,7 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared, const Ide
     auto frozen = std::ranges::find(native.estimates, true, &TransientEstimate::frozen);
     if (std::any_of(frozen, native.estimates.end(), live))
         throw UserError(fmt::format("--on: the gate freezes the search for a while at {:.3f} s, and processes "
-                                    "know no gate; --samples, --rising or --way thesis search without a rest",
+                                    "know no gate; --samples, --rising or --way thesis search without pausing",
                                     frozen->time_s));
     std::size_t last = std::prev(frozen)->index;
     std::vector<Sample> record;

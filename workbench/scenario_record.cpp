@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace placedpar {
@@ -27,6 +28,18 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
         "or far too small",
         scenario.name, name_of(reading->link), name_of(reading->sensor), value,
         units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
+}
+
+/// Parameters that make the pressures run away may do so within a step, before there is a reading.
+Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                 RandomStream noise) {
+    try {
+        return scenario.make(parameters, moving, [&] { return noise.uniform(); });
+    } catch (const std::domain_error&) { // of Boost's solver: the flows at its ends are of one sign
+        throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the flows; one "
+                                    "of them is far too large or far too small",
+                                    scenario.name));
+    }
 }
 
 /// The options of `placedpar record` that say so.
@@ -88,8 +101,7 @@ std::string description_of(const RecordScenario& scenario, const LinksInMotion& 
 
 Record scenario_record(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
                        std::uint64_t seed) {
-    RandomStream noise(seed, "sensors");
-    Record record = scenario.make(parameters, moving, [&] { return noise.uniform(); });
+    Record record = simulated(scenario, moving, parameters, RandomStream(seed, "sensors"));
     require_measurable(record, scenario);
     record.description = description_of(scenario, moving, parameters, seed);
     return record;

@@ -27,7 +27,7 @@ double number_of(const Parameter& parameter, const std::string& text) {
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || !std::isfinite(number))
         refuse(parameter, text,
-               fmt::format("it takes a number, of {} where no unit is named",
+               fmt::format("it takes a number, in {} unless a unit follows",
                            parameter.unit.empty() ? "no unit" : parameter.unit));
     std::string_view rest(end, text.data() + text.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));

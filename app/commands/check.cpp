@@ -15,7 +15,7 @@ namespace {
 ExitCode check(const NetlistOptions& options) {
     Network network = load_network(options);
     print_out(fmt::format("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n",
-                          network.source_path, count_nodes(network, "processor"), network.connections.size(),
+                          network.source_path, count_processors(network), network.connections.size(),
                           network.processes.size(), network.channels.size(), network.hash));
     return ExitCode::success;
 }

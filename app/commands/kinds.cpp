@@ -1,12 +1,9 @@
 #include "app/command.hpp"
 #include "text/output_file.hpp"
-#include "text/user_error.hpp"
 #include "workbench/kinds_report.hpp"
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <memory>
 
 namespace placedpar {
@@ -14,20 +11,14 @@ namespace placedpar {
 namespace {
 
 std::string list_kinds(const Catalogue& catalogue) {
-    return print_kinds(catalogue) + "\nsay placedpar kinds NAME for ports, parameters and measures\n";
-}
-
-std::string describe_kind(const Catalogue& catalogue, const std::string& name) {
-    const ProcessKind* kind = catalogue.find(name);
-    if (!kind)
-        throw UserError(fmt::format("there is no process kind \"{}\"; say placedpar kinds for those there are", name));
-    return print_kind(*kind);
+    return print_kinds(catalogue) +
+           "\nsay placedpar kinds NAME for ports, parameters and measures, or a device's attributes\n";
 }
 
 ExitCode kinds(const std::string& name) {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
-    print_out(name.empty() ? list_kinds(catalogue) : describe_kind(catalogue, name));
+    print_out(name.empty() ? list_kinds(catalogue) : print_kind(catalogue, name));
     return ExitCode::success;
 }
 
@@ -41,7 +32,7 @@ Action declare_kinds(CLI::App& command, const std::string&) {
 
 extern const Command kinds_command{
     .name = "kinds",
-    .about = "Lists the process kinds that a netlist can use",
+    .about = "Lists the kinds of processes and devices that a netlist can use",
     .place = 4,
     .declare = declare_kinds,
 };

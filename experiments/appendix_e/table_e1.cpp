@@ -1,12 +1,12 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/experiment_runs.hpp"
+#include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -128,6 +128,13 @@ Comparison run_way(const Interpretation& interpretation, const ReplayContext& co
     return comparison;
 }
 
+const ProcessInstance& master_of(const Network& network) {
+    for (const ProcessInstance& process : network.processes)
+        if (process.name == "master" && process.kind == "ga.master")
+            return process;
+    throw UserError(fmt::format("{}: there is no process \"master\" of the kind ga.master", network.source_path));
+}
+
 /// Which constant is what, with the values that the netlist gave.
 std::string print_constants(const ReplayContext& context) {
     auto load = [&](const Overrides& overrides) {
@@ -135,10 +142,7 @@ std::string print_constants(const ReplayContext& context) {
     };
     Network at_120 = load({}), at_30 = load({{"reading", "30"}});
     auto value = [](const Network& network, const char* parameter) {
-        for (const ProcessInstance& process : network.processes)
-            if (process.name == "master")
-                return std::get<std::int64_t>(process.parameters.at(parameter));
-        throw std::logic_error("the netlist has no process master");
+        return std::get<std::int64_t>(master_of(network).parameters.at(parameter));
     };
     return fmt::format(
         "w  workload: {} cycles an error evaluation ({} under the reading 30) and {} ({}) cycles of genetic operators\n"
@@ -151,7 +155,7 @@ std::string print_constants(const ReplayContext& context) {
         "!  an outcome further from the thesis than 3 %; its own T_exe is off its T_sr + S_time2 by up to 0.9 %\n",
         value(at_120, "cycles_per_error"), value(at_30, "cycles_per_error"), value(at_120, "cycles_per_individual"),
         value(at_30, "cycles_per_individual"), value(at_120, "measurement_bytes"),
-        value(at_120, "cycles_per_measurement_word"), at_120.nodes.front().integer("channelcall"));
+        value(at_120, "cycles_per_measurement_word"), at_120.nodes[master_of(at_120).node].integer("channelcall"));
 }
 
 Replay replay_table_e1(const ReplayContext& context) {

@@ -7,13 +7,13 @@
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
 #include "identification/statistics.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -71,7 +71,7 @@ SpoolOffset calibrate(const BoomData& motion, const FlowConstants& flow) {
     auto found =
         calibrate_spool_offset(motion.record, calibrations_of(motion, model_of(motion, AreasFrom::spool)), flow);
     if (!found)
-        throw std::runtime_error("the record has no second of steady motion");
+        throw UserError("the record has no second of steady motion");
     return *found;
 }
 

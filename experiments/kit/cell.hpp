@@ -48,9 +48,9 @@ Cell cell_of(std::string row, std::string column, std::string unit, std::optiona
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
 
-/// How far two samples' shares, each of so many records, may differ, in percent, where one is known: three deviations
-/// of the difference, sqrt(2 p (1 - p) / n); p by Agresti and Coull's two successes and two failures more, so that a
-/// share of 0 or 100 % scatters too. A figure known from 50 to 300 seeds counts as if it were known from as many.
+/// Three standard deviations, in percent, of the difference of two shares (n records each): sqrt(2 p (1 - p) / n); p
+/// by Agresti and Coull's two successes and two failures more, so that a share of 0 or 100 % scatters too. A known
+/// share from 50 to 300 seeds counts as n.
 double share_tolerance(double known_percent, std::size_t records);
 /// How far the standard deviation of n Gaussian values may be from a known one that was rounded by up to `rounding`:
 /// three times known / sqrt(n - 1), and the rounding.

@@ -6,11 +6,11 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/parallel.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -19,8 +19,8 @@ namespace {
 std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t recorded) {
     auto wanted = static_cast<std::size_t>(environment.integer("samples"));
     if (wanted > recorded)
-        throw std::invalid_argument(fmt::format("samples = {}, but the record of \"{}\" has {}", wanted,
-                                                environment.text("problem"), recorded));
+        throw UserError(fmt::format("samples = {}, but the record of \"{}\" has {}", wanted,
+                                    environment.text("problem"), recorded));
     return wanted == 0 ? recorded : wanted;
 }
 

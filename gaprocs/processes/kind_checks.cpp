@@ -3,11 +3,11 @@
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/processes/slave_chain.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -22,7 +22,7 @@ public:
         : network_(network), process_(process), problems_(problems) {
         try {
             recorded_ = &problems.find(text("problem"));
-        } catch (const std::invalid_argument& unknown) {
+        } catch (const UserError& unknown) {
             refuse("problem", unknown.what());
         }
     }
@@ -84,12 +84,12 @@ private:
             return;
         try {
             recorded_->problem()->coded(coding_named(text("coding")).value());
-        } catch (const std::invalid_argument& refused) {
+        } catch (const UserError& refused) {
             refuse("coding", refused.what());
         }
     }
 
-    /// An unknown one is its own process's complaint.
+    /// An unknown problem is reported by the process that names it.
     void check_problem(std::size_t process, std::size_t other) {
         auto known = problems_.names();
         if (text_of(process, "problem") != text_of(other, "problem") &&
@@ -123,7 +123,7 @@ private:
         try {
             message_bytes(individuals, static_cast<std::uint32_t>(integer_of(process, bytes_each)),
                           static_cast<std::uint32_t>(others));
-        } catch (const std::invalid_argument& too_long) {
+        } catch (const UserError& too_long) {
             refuse_of(process, bytes_each, too_long.what());
         }
     }

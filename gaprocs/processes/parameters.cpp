@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 namespace placedpar {
 
 namespace {
@@ -73,10 +71,10 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
-        throw std::invalid_argument(fmt::format("slaves = {}, but a population of {} has work for {} "
-                                                "slaves at the most, the master being an evaluator too",
-                                                settings.slaves, environment.integer("population"),
-                                                environment.integer("population") - 1));
+        throw UserError(fmt::format("slaves = {}, but a population of {} has work for {} "
+                                    "slaves at the most, the master being an evaluator too",
+                                    settings.slaves, environment.integer("population"),
+                                    environment.integer("population") - 1));
     return settings;
 }
 

@@ -89,7 +89,8 @@ Parameters search_parameters() {
 
 std::vector<MeasurementDescription> search_measurements() {
     return {
-        {"T_exe", "ms", "one generation; like all times a mean over those with a full window, not there without one"},
+        {"T_exe", "ms",
+         "one generation: mean over the generations with a full window; absent if there were none (as for every time)"},
         {"T_sr", "ms", "from the first send to the last receive"},
         {"P_time2", "ms", "the process's own share of the error evaluations"},
         {"C_time2", "ms", "the communication of a generation with new measurements and nothing to evaluate"},
@@ -113,8 +114,8 @@ Parameters farm_parameters() {
         integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
                 "slaves in the chain, where one is connected: as many as there are"),
         text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
-             "how the evaluations are dealt out: whole individuals, individuals to whoever is idle, or single error "
-             "evaluations"),
+             "how the evaluations are dealt out: whole individuals, individuals one by one to the next idle "
+             "evaluator, or single error evaluations"),
         text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
              "when the slaves are sent the measurements: with each new sample, or in every generation"),
         text("results", {.by_default = "chain", .choices = {"chain", "ready"}},

@@ -73,7 +73,7 @@ private:
     bool pass_round_on() {
         for (bool last = false; !last;) {
             Fitnesses result = from_next_.input();
-            last = result.end || result.hops == 0; // the next slave's own is the last of a round
+            last = result.end || result.hops == 0; // a round ends with the next slave's own result
             pass_on(std::move(result));
         }
         return send(own_results_.in().input().message);

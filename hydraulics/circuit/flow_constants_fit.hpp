@@ -20,7 +20,7 @@ std::span<const SteadyFlowPoint> table_2_6();
 /// Constants fitted to a table, with what is left.
 struct FlowConstantsFit {
     FlowConstants constants;
-    FlowConstants deviation;          ///< standard deviation of each as the residuals let it be known
+    FlowConstants deviation;          ///< standard deviation of each, from the residuals
     std::vector<double> residuals_in; ///< spool by the model minus spool in the table, for each entry
     double rms_in;
 };

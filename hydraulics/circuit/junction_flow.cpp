@@ -93,7 +93,7 @@ private:
             balance(junction, outlets, most);
     }
 
-    /// For a junction that no flow reaches even at the lowest pressure that it can have.
+    /// Junction without inflow at its lowest pressure.
     void leave_unreached(std::size_t junction, const Outlets& outlets) const {
         double before = -infinity;
         for (std::size_t i = 0; i < junction; ++i)
@@ -114,7 +114,7 @@ private:
         flows_[junction] = {psi, in, by, relieving ? rest : 0};
     }
 
-    /// The unknown is u, of lowest + u^2: flows are smooth in it where they begin. At the greatest u the lowest
+    /// Solve for u, pressure = lowest + u^2: flows are smooth in u where they begin. At the greatest u the lowest
     /// outlet alone takes all that comes, or the relief pressure is reached.
     double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
         double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;

@@ -20,11 +20,13 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// The classical Runge-Kutta method of order 4 (Boost.Odeint) that steps up to each event and starts anew
 /// after it, so that the order of convergence survives events.
 ///
-/// A step is clean when all its stages and its end see the mode of its beginning. An unclean one is cut down,
-/// by bisection, to a long clean one; from there another is tried. When a step of the resolution is not clean,
-/// the event is less than that away, and a hop of the resolution crosses it. Hops double until a step is clean
-/// again, so that even events without end let time pass; and where there are too many of them, as when a valve
-/// chatters, steps cross them as they come.
+/// A step is clean when all its stages and its end see the mode of its beginning.
+/// 1. Try the step to the end.
+/// 2. Unclean: bisect to the longest clean one, and go on from there.
+/// 3. A step of the resolution unclean: the event is less than that away, so hop across; hops double until a step is
+///    clean again, so that even events without end let time pass.
+/// 4. Past the limit of pieces, as when a valve chatters: step to the end, whatever events lie on the way.
+///
 /// Events that undo each other between the stages of one step are not seen: choose the step accordingly.
 template <ModalSystem System>
 class EventStepper {

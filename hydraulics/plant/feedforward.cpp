@@ -46,7 +46,7 @@ std::vector<JunctionOpening> openings_for(const Circuit& circuit, std::span<cons
         double comes = circuit[j].pumps * constants.pump_in3_per_s + passed_on[j];
         double in = circuit[j].through == Through::nowhere ? comes : targets[j].inlet_in3_per_s;
         if (in > comes)
-            throw UnfitScenario(fmt::format("the {} is to get {} in^3/s, {:.1f} come to its junction",
+            throw UnfitScenario(fmt::format("the {} needs {} in^3/s, but only {:.1f} reach its junction",
                                             name_of(circuit[j].link), in, comes));
         if (circuit[j].through == Through::junction)
             passed_on[circuit[j].next] += comes - in;

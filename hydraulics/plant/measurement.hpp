@@ -42,8 +42,8 @@ inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
 inline constexpr double area_resolution_in2 = 0x1p-30;
 
-/// The reading of a value in such steps. REQUIRES: resolution is a power of two, so that nothing but the rounding to it
-/// rounds.
+/// The reading of a value in such steps. REQUIRES: resolution is a power of two, so that dividing and
+/// multiplying are exact.
 double reading(double value, double resolution);
 
 /// The step of a motion that is noted at equal steps. Throws UnfitScenario for fewer than two states.

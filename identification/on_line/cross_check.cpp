@@ -49,8 +49,8 @@ std::string percent(double ratio) { return fmt::format("{:+.0f} %", 100 * (ratio
 
 Alarm alone_off(Link link, double ratio, bool others_known) {
     std::string where =
-        others_known ? "the rest of its branch is not"
-                     : "of the rest of its branch nothing is known, so that it may be that branch's pump or spool";
+        others_known ? "the other link of its branch is not off"
+                     : "the rest of its branch is not yet known: the branch's pump or spool may be at fault instead";
     bool leak = ratio > 1 && ratio <= 1 + most_of_a_leak;
     return {leak ? AlarmKind::leak : AlarmKind::link_fault,
             {link},

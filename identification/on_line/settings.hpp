@@ -29,7 +29,7 @@ struct DiagnosisSettings {
 
     /// The resolution of a compliance.
     double step_in3_per_psi() const;
-    /// Throws UserError or std::invalid_argument, saying which setting is out of range and what would be right.
+    /// Throws UserError, saying which setting is out of range and what would be right.
     void validate() const;
 };
 

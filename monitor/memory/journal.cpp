@@ -15,7 +15,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 
 namespace placedpar::monitor {
 
@@ -87,7 +86,7 @@ Journal::Journal(std::filesystem::path path) : path_(std::move(path)) {
 Journal::~Journal() { ::close(file_); }
 
 void Journal::fail(const char* what) const {
-    throw std::runtime_error(fmt::format("{}: {}: {}", path_.string(), what, std::strerror(errno)));
+    throw UserError(fmt::format("{}: {}: {}", path_.string(), what, std::strerror(errno)));
 }
 
 JournalContent Journal::read() const {

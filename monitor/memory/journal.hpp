@@ -25,8 +25,8 @@ struct JournalContent {
 /// 2. A loss of power loses what was appended since the last sync().
 class Journal {
 public:
-    /// Opens or makes the file and takes its lock. Throws std::runtime_error naming the file and the reason, a
-    /// UserError when another program has it.
+    /// Opens or makes the file and takes its lock. Throws UserError naming the file and the reason, such as that
+    /// another program has it.
     explicit Journal(std::filesystem::path path);
     ~Journal();
     Journal(const Journal&) = delete;
@@ -38,10 +38,10 @@ public:
     /// Empties it: from now on, records come after the state file of this epoch.
     void begin(std::uint64_t epoch);
 
-    /// REQUIRES: no newline in the record. Throws std::runtime_error, having appended nothing.
+    /// REQUIRES: no newline in the record. Throws UserError, having appended nothing.
     void append(std::string_view record);
     std::size_t bytes() const { return bytes_; }
-    /// To the disk itself. Safe to call from another thread. Throws std::runtime_error.
+    /// To the disk itself. Safe to call from another thread. Throws UserError.
     void sync() const;
 
 private:

@@ -42,9 +42,18 @@ fs::path beside(const fs::path& path, const char* ending) {
 /// Throws, before a journal is made beside it, when the path is something other than a file.
 fs::path path_of_file(fs::path path) {
     if (fs::exists(path) && !fs::is_regular_file(path))
-        throw UserError(fmt::format("{}: it is {}, no state file; say the name of a file, there or not", path.string(),
+        throw UserError(fmt::format("{}: it is {}, no state file; name a file, it need not exist yet", path.string(),
                                     fs::is_directory(path) ? "a folder" : "a device"));
     return path;
+}
+
+/// Its errors name the state file, too: the journal is nothing that a user asked for.
+Journal journal_of(const fs::path& path) {
+    try {
+        return Journal(beside(path, ".journal"));
+    } catch (const UserError& error) {
+        throw UserError(fmt::format("--state {}: {}", path.string(), error.what()));
+    }
 }
 
 std::string text_of_file(const fs::path& path) {
@@ -73,8 +82,7 @@ void sync_path(const fs::path& path) {
         int reason = errno;
         if (file >= 0)
             ::close(file);
-        throw std::runtime_error(
-            fmt::format("{}: cannot be brought to the disk: {}", path.string(), std::strerror(reason)));
+        throw UserError(fmt::format("{}: cannot be brought to the disk: {}", path.string(), std::strerror(reason)));
     }
     ::close(file);
 }
@@ -92,13 +100,13 @@ void take_again(Diagnoses& diagnoses, const std::string& record, const std::stri
     try {
         diagnoses.replay(record.substr(0, blank), std::string_view(record).substr(blank + 1));
     } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("{} cannot be taken again: {}", where, error.what()));
+        throw UserError(fmt::format("{} cannot be taken again: {}", where, error.what()));
     }
 }
 
 } // namespace
 
-StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(beside(path_, ".journal")) {}
+StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(journal_of(path_)) {}
 
 std::string StateStore::restore(Diagnoses& diagnoses) {
     read_state_file(diagnoses);
@@ -113,10 +121,11 @@ std::string StateStore::restore(Diagnoses& diagnoses) {
 
 void StateStore::take_state(const json::value& state, Diagnoses& diagnoses) {
     if (state.at("placedpar_monitor_state").to_number<int>() != file_version)
-        throw OtherState(fmt::format("it is of another version than {}; say another file", file_version));
+        throw OtherState(fmt::format("it is of another version than {}; use another --state file", file_version));
     if (std::string was(state.at("settings").as_string()); was != settings_text(diagnoses))
-        throw OtherState(fmt::format("it was written with {}, this is {}; say the same, or another file", was,
-                                     settings_text(diagnoses)));
+        throw OtherState(
+            fmt::format("it was written with {}, this is {}; use the same options, or another --state file", was,
+                        settings_text(diagnoses)));
     epoch_ = state.at("epoch").to_number<std::uint64_t>();
     for (const json::value& diagnosis : state.at("machines").as_array())
         diagnoses.add(state_from(diagnosis, diagnoses.settings()));

@@ -24,16 +24,16 @@ public:
     static constexpr std::size_t most_journal_bytes = 8u << 20;
     static constexpr std::uint64_t most_generations = 20000; ///< one to five seconds of work
 
-    /// Takes the lock. Throws UserError when the path is no file or another program has it, std::runtime_error when it
-    /// cannot be opened.
+    /// Takes the lock. Throws UserError, naming the path, when it is no file, cannot be opened, or another program has
+    /// it.
     explicit StateStore(std::filesystem::path path);
 
     /// Reads what there is, and writes it as a new epoch. Gives a sentence for people, empty when there was nothing.
     /// Throws UserError naming the file when it is no state file, or was written with other settings.
     std::string restore(Diagnoses& diagnoses);
 
-    /// To be called before the message is answered. `generations` is what it cost. Throws std::runtime_error when it
-    /// cannot be appended. From then on, until write() has succeeded, does nothing: the journal has a hole.
+    /// To be called before the message is answered. `generations` is what it cost. Throws UserError when it cannot be
+    /// appended. From then on, until write() has succeeded, does nothing: the journal has a hole.
     void record(const std::string& machine, std::string_view message, std::size_t generations);
     /// The journal has lost something on its way to the disk: it has a hole, as if a message had not been appended.
     void journal_failed() { complete_ = false; }
@@ -41,8 +41,8 @@ public:
     bool complete() const { return complete_; }
     /// Is it time to write()? The journal is long, or has a hole.
     bool due() const { return !complete_ || journal_.bytes() > most_journal_bytes || generations_ > most_generations; }
-    /// Brings the whole state file to the disk and empties the journal. Throws std::runtime_error; then state file and
-    /// journal are as before, or the state file is the new one.
+    /// Brings the whole state file to the disk and empties the journal. Throws UserError, or what std::filesystem does;
+    /// then state file and journal are as before, or the state file is the new one.
     void write(const Diagnoses& diagnoses);
     /// The journal to the disk; safe from another thread.
     void sync() const { journal_.sync(); }

@@ -23,7 +23,7 @@ BadMessage in_words_of_protocol(const LinkNotRead& missing) {
 
 BadMessage in_words_of_protocol(const TimeNotLater& time) {
     return {"time_s", fmt::format("it is {}, not after the last sample's", time.time_s),
-            fmt::format("more than {}; after another hello time may begin anew", time.last_time_s)};
+            fmt::format("more than {}; send hello again to restart time", time.last_time_s)};
 }
 
 } // namespace

@@ -36,9 +36,11 @@ tcp::acceptor listen(asio::io_context& io, const std::string& address, std::uint
     if (error)
         throw UserError(fmt::format("--address {}: it is no address, expected one such as 127.0.0.1 or ::1", address));
     tcp::acceptor acceptor(io);
-    acceptor.open(tcp::endpoint(parsed, port).protocol());
-    acceptor.set_option(tcp::acceptor::reuse_address(true));
-    acceptor.bind({parsed, port}, error);
+    acceptor.open(tcp::endpoint(parsed, port).protocol(), error);
+    if (!error)
+        acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error)
+        acceptor.bind({parsed, port}, error);
     if (!error)
         acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error)

@@ -33,7 +33,7 @@ public:
     /// From now on SIGINT and SIGTERM call stop() instead of ending the program.
     void stop_at_signals();
     /// Serves until stop(), which may have been called before; then tells the clients and writes the state. Throws
-    /// std::runtime_error when the state cannot be written.
+    /// as StateStore::write().
     void run();
     /// From any thread.
     void stop();

@@ -70,7 +70,7 @@ private:
     };
 
     /// What the netlist says about the wire: by one of the ends, or by `place c1 on c2`. Nothing where it says nothing.
-    /// Throws StatementRefused where what it says was refused, and reported.
+    /// Throws StatementRefused after reporting an unusable placement.
     std::optional<Told> told(std::size_t index) {
         auto by_end = told_by_ends(c_.network.channels[index]);
         auto by_connection = told_by_connection(index);

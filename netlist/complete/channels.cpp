@@ -212,7 +212,7 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Not where a refused connect was about this channel, or about one that the process has not.
+    /// No report if a refused connect already named this channel, or one the process lacks.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;

@@ -87,7 +87,7 @@ private:
                 fmt::format("two links of the same processor \"{}\" are connected through a switch",
                             c_.draft.nodes[connection.a.node].name));
         if (connection.a.at_edge() && connection.b.at_edge())
-            return c_.reporter.error(connection.connected, "two edges cannot be connected, through a switch neither");
+            return c_.reporter.error(connection.connected, "two edges cannot be connected, not even through a switch");
         std::optional<std::int64_t> speed;
         for (auto piece : pieces)
             if (auto named = c_.draft.wires[piece].connection; named != nowhere)

@@ -75,7 +75,8 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
     if (declared.kind->links != LinkRole::edge)
         return {node, link_number(reference, declared, draft_.links[node])};
     if (!reference.field.empty())
-        refuse(reference.field_at, fmt::format("the edge \"{}\" has no links: it is one itself", declared.name));
+        refuse(reference.field_at,
+               fmt::format("the edge \"{}\" has no links: connect to the edge itself", declared.name));
     return {node, -1};
 }
 

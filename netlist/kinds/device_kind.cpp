@@ -9,9 +9,9 @@ const AttributeDescription* DeviceKind::attribute(std::string_view wanted) const
     return found == attributes.end() ? nullptr : &*found;
 }
 
-std::size_t count_nodes(const Network& network, std::string_view kind) {
-    auto is_one = [&](const Node& node) { return node.kind->name == kind; };
-    return static_cast<std::size_t>(std::ranges::count_if(network.nodes, is_one));
+std::size_t count_processors(const Network& network) {
+    auto executes = [](const Node& node) { return node.kind->make_executive != nullptr; };
+    return static_cast<std::size_t>(std::ranges::count_if(network.nodes, executes));
 }
 
 NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceModel& model) {

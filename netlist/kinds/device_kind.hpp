@@ -79,8 +79,8 @@ struct DeviceKind {
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
 };
 
-/// How many nodes of the network are of the device kind of this name.
-std::size_t count_nodes(const Network& network, std::string_view kind);
+/// How many nodes of the network execute processes in virtual time; those of a workstation take none.
+std::size_t count_processors(const Network& network);
 
 /// A type that nodes can be declared with: a model of a kind, or what a `define` made of one.
 struct NodeType {

@@ -18,8 +18,8 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
 
 /// Memory: on the chip. The M212 has two links for the network; two of its four lead to its disk ports.
 ///
-/// The databook names the T800, T805 and T425 as overlapping acknowledges, the T414 as not. Taken from there: the T801,
-/// T400, T222 and T225 are of the former's generation, the T212 and M212 of the T414's.
+/// The databook names the T800, T805 and T425 as overlapping acknowledges, the T414 as not. By generation we
+/// assume the T801, T400, T222, T225 overlap, the T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),

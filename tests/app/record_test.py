@@ -160,6 +160,7 @@ class Records(unittest.TestCase):
         path = self.folder / "record.csv"
         for scenario, setting, where in (("scenario-a", "boom.inlet_compliance=1e-12", r"inlet_pressure .* at 0\.\d+ s"),
                                          ("excavator", "fault.leak=1e9", r"inlet_pressure would be nan psi at 0\.\d+ s"),
+                                         ("links", "boom.inlet_compliance=1e-12", "no pressure balances the flows"),
                                          ("scenario-a", "noise.pressure=1e308", r"inlet_pressure would be -?inf psi at 0"),
                                          ("scenario-a", "noise.spool=1e200", r"boom\.spool .* at 0\.000 s")):
             said = self.refused("record", scenario, "--set", setting, "--out", path)

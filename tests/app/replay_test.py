@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
@@ -40,6 +41,15 @@ class Replay(unittest.TestCase):
                 self.assertAlmostEqual(cell["error_percent"], error)
                 self.assertLessEqual(abs(error), 10 if cell["row"] == "C_BOi" else 3)
         self.assertEqual([c["row"] for c in document["cells"] if c["origin"] == "calibrated"], ["C_time2"])
+
+    def test_examples_that_were_changed_are_refused_not_called_a_defect(self):
+        examples = pathlib.Path(self.folder) / "examples"
+        shutil.copytree(EXAMPLES, examples)
+        renamed = re.sub(r"(?<!\.)\bmaster\b", "chief", CLUSTER.read_text(encoding="utf-8"))
+        (examples / "03-table-e1" / "cluster.cfs").write_text(renamed, encoding="utf-8")
+        run = placedpar("replay", "table-e1", environment={"PLACEDPAR_EXAMPLES": str(examples)})
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertIn("process master measured no T_exe", run.stderr)
 
     def test_a_slave_more_is_a_column_of_its_own_and_not_a_copy(self):
         _, document = replay("table-e1", self.folder)

@@ -2,6 +2,7 @@
 #include "gaprocs/genome.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -94,5 +95,5 @@ TEST_CASE("a problem that does not read fields refuses the Gray code") {
     auto ones = make_search_problem(OnesProblem{});
     CHECK(ones->coded(Coding::natural)->decode(Genome::from_string("01100001")).at(0) == 3);
     CHECK_THROWS_WITH_AS(ones->coded(Coding::gray), doctest::Contains("does not read its binary string by fields"),
-                         std::invalid_argument);
+                         UserError);
 }

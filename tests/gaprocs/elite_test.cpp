@@ -2,6 +2,7 @@
 #include "gaprocs/window.hpp"
 #include "tests/gaprocs/line_problem.hpp"
 #include "tests/gaprocs/strings.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -107,6 +108,6 @@ TEST_CASE("when the window moves the elite is evaluated again") {
 TEST_CASE("an elite that leaves no pair is refused") {
     CHECK_THROWS_WITH_AS(Search(4, with_elite(3, 4), RandomStream(1, "no pair")),
                          "an elite of 3 in a population of 4, expected at most 2: crossover needs two parents",
-                         std::invalid_argument);
+                         UserError);
     CHECK_NOTHROW(Search(4, with_elite(2, 4), RandomStream(1, "one pair")));
 }

@@ -161,7 +161,7 @@ TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
     says(render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics),
          "farm.cfs:7:29: error: a message for 32768 individuals would have 2147483648 bytes");
     CHECK(message_bytes(32767, 65536, 65535) == 0x7fffffff);
-    CHECK_THROWS_AS(message_bytes(32767, 65536, 65536), std::invalid_argument);
+    CHECK_THROWS_AS(message_bytes(32767, 65536, 65536), UserError);
 }
 
 TEST_CASE("what is refused only when it runs names the process, its kind and its line") {

@@ -1,5 +1,6 @@
 #include "gaprocs/problem_registry.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -18,8 +19,7 @@ TEST_CASE("a problem is found by its name, with its record") {
     CHECK(registry.find("line").problem()->bits() == 8);
     CHECK(registry.find("line").problem()->true_parameters().empty());
     CHECK(registry.names() == std::vector<std::string>{"another", "line"});
-    CHECK_THROWS_WITH_AS(registry.find("lime"), "there is no search problem 'lime'; known: another, line",
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(registry.find("lime"), "there is no search problem 'lime'; known: another, line", UserError);
 }
 
 TEST_CASE("what cannot be registered is refused with a reason") {

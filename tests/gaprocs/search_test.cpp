@@ -1,4 +1,5 @@
 #include "gaprocs/search.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -189,19 +190,17 @@ TEST_CASE("when nobody has positive fitness the whole population is drawn anew")
 TEST_CASE("settings that make no sense are refused with a reason") {
     RandomStream random(1, "refused");
     CHECK_THROWS_WITH_AS(Search(10, small(1), random),
-                         "the population is 1, expected at least 2: crossover needs two parents",
-                         std::invalid_argument);
+                         "the population is 1, expected at least 2: crossover needs two parents", UserError);
     CHECK_THROWS_WITH_AS(Search(10, small(1'000'001), random), "the population is 1000001, expected at most 1000000",
-                         std::invalid_argument);
+                         UserError);
     CHECK_THROWS_WITH_AS(Search(0, small(2), random), "the binary string has 0 bits, expected at least 1",
                          std::invalid_argument);
     SearchSettings settings;
     settings.mutation_probability = 1.5;
-    CHECK_THROWS_WITH_AS(Search(10, settings, random), "the mutation probability is 1.5, expected 0 to 1",
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(Search(10, settings, random), "the mutation probability is 1.5, expected 0 to 1", UserError);
     settings = {};
     settings.crossover_probability = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_AS(Search(10, settings, random), std::invalid_argument);
+    CHECK_THROWS_AS(Search(10, settings, random), UserError);
     CHECK_THROWS_AS(Search({Genome(3), Genome(4)}, small(2), random), std::invalid_argument);
     CHECK_THROWS_AS(Search({Genome(3), Genome(3)}, small(3), random), std::invalid_argument);
 }

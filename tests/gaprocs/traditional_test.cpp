@@ -1,6 +1,7 @@
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -85,8 +86,7 @@ TEST_CASE("odd and smallest populations run") {
 TEST_CASE("a search that cannot be run says why") {
     auto record = line_record(8);
     auto message = [&](const SearchSettings& settings, const char* expected) {
-        CHECK_THROWS_WITH_AS(run_traditional(*line, record, settings, RandomStream(1, "why")), expected,
-                             std::invalid_argument);
+        CHECK_THROWS_WITH_AS(run_traditional(*line, record, settings, RandomStream(1, "why")), expected, UserError);
     };
     message({}, "the window holds 10 samples, the record only 8");
     SearchSettings settings;

@@ -1,4 +1,5 @@
 #include "gaprocs/window.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -43,7 +44,7 @@ TEST_CASE("a window shorter than the first generation's samples starts when it i
 
 TEST_CASE("windows that make no sense are refused with a reason") {
     auto message = [](WindowSettings settings, const char* expected) {
-        CHECK_THROWS_WITH_AS(settings.validate_for(20), expected, std::invalid_argument);
+        CHECK_THROWS_WITH_AS(settings.validate_for(20), expected, UserError);
     };
     message(window_of(0, 5), "the window holds 0 samples, expected at least 1");
     message(window_of(1025, 5), "the window holds 1025 samples, expected at most 1024");

@@ -65,7 +65,23 @@ TEST_CASE("what can be shown but not run says where it is") {
               .starts_with("m.cfs:3:15: channel p.out -> o leads to an edge"));
 }
 
+TEST_CASE("what a process refuses is the user's error at its place; its defects stay defects") {
+    auto run = [](std::function<void()> body) {
+        Catalogue catalogue;
+        catalogue.add({.name = "mine", .about = "", .body = [body](ProcessEnvironment&) { body(); }});
+        ReadResult read =
+            read_netlist_text("T800 a; process p; use \"mine\" for p; place p on a;", catalogue, {}, "m.cfs");
+        REQUIRE(read.network);
+        Machine(*read.network, catalogue, 1).run();
+    };
+    CHECK_THROWS_WITH_AS(run([] { throw UserError("no such record"); }), "m.cfs:1:17: process p (mine): no such record",
+                         UserError);
+    CHECK_THROWS_WITH_AS(run([] { throw std::invalid_argument("a population of -1"); }), "a population of -1",
+                         std::invalid_argument);
+    CHECK_THROWS_AS(run([] { throw std::out_of_range("at"); }), std::out_of_range);
+}
+
 TEST_CASE("a machine that would compute for longer than virtual time lasts says so and ends") {
-    CHECK_THROWS_AS(run_pair("T800 (clock = 1)", "T800 (clock = 1)", "count = 10, cycles = 1000000000000"),
-                    std::overflow_error);
+    CHECK_THROWS_WITH_AS(run_pair("T800 (clock = 1)", "T800 (clock = 1)", "count = 10, cycles = 1000000000000"),
+                         doctest::Contains("would pass that end: shorten its computation or delay"), UserError);
 }

@@ -45,8 +45,8 @@ TEST_CASE("a computation that goes beyond the end of time ends the run, and name
                 compute(Cycles{5'000'000});
         },
         &slow);
-    CHECK(error_of(simulation) == "virtual time lasts for 106 days, and process patient would go on after that: "
-                                  "let it compute and wait for less");
+    CHECK(error_of(simulation) == "virtual time lasts for 106 days, and process patient would pass that end: "
+                                  "shorten its computation or delay");
     CHECK(rounds == 1);
 }
 

@@ -10,7 +10,7 @@ import re
 
 BELOW = {
     "text": [],
-    "runtime": ["text"],
+    "runtime": [],
     "runtime/hardware": ["runtime"],
     "netlist/network": ["text"],
     "netlist/kinds": ["netlist/network", "runtime/hardware"],
@@ -20,7 +20,7 @@ BELOW = {
     "netlist/print": ["netlist/kinds"],
     "netlist": ["netlist/complete", "netlist/print"],
     "classics": ["netlist"],
-    "gaprocs": ["runtime"],
+    "gaprocs": ["runtime", "text"],
     "gaprocs/processes": ["gaprocs", "netlist"],
     "hydraulics/data": ["text"],
     "hydraulics/circuit": ["hydraulics/data"],
@@ -35,6 +35,9 @@ BELOW = {
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit"],
     "experiments/chapter_3": ["experiments/chapter_3/kit"],
+    "experiments/chapter_4": ["experiments/kit"],
+    "experiments/chapter_5": ["experiments/kit"],
+    "experiments/chapter_6": ["experiments/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "app": ["workbench"],
     "app/options": ["app"],

@@ -18,7 +18,7 @@ struct BoomIdentified {
     bool at_lower_bound;                 ///< flagged so
 };
 
-/// Throws std::invalid_argument as identify().
+/// Throws as identify().
 BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identification::IdentificationWay&,
                              std::uint64_t seed);
 

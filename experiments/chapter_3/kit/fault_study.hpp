@@ -20,8 +20,7 @@ struct Fault {
 
 Fault no_fault();
 Fault doubled_compliance();
-/// Of k_l across the boom's piston, from the moment the valve opens; of the steady 50 in^3/s it takes the percents that
-/// the name says.
+/// A leak k_l across the boom's piston from valve opening; its name gives its share of the steady 50 in^3/s.
 Fault leak_of(const char* name, double leak_in3_per_s_psi);
 /// The servo-valve's spool goes where another voltage would send it.
 Fault drift_of(double bias_v);

@@ -2,10 +2,10 @@
 
 #include "hydraulics/circuit/replay_pressure.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
+#include "text/user_error.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -50,7 +50,7 @@ PressureCheck check_pressure(const BoomData& data, const BoomModel& model, doubl
     auto samples = samples_of(data, model);
     auto opened = usable_samples(samples, boom_circuit(), data.flow);
     if (opened.empty())
-        throw std::invalid_argument("the record has no transient in which the inlet opens");
+        throw UserError("the record has no transient in which the inlet opens");
     PressureCheck check{};
     for (const CircuitSample& sample : samples) {
         check.time_s.push_back(sample.time_s);

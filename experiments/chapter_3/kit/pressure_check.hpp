@@ -16,7 +16,7 @@ struct PressureCheck {
 };
 
 /// Simulates from the record's first slope on, spool and offset by the model, velocity from the angle. Throws
-/// std::invalid_argument when the inlet never opens, or as replay_pressure().
+/// UserError when the inlet never opens, and as replay_pressure().
 PressureCheck check_pressure(const BoomData&, const BoomModel&, double compliance_in3_per_psi);
 
 } // namespace placedpar

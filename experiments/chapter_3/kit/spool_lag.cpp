@@ -1,9 +1,9 @@
 #include "experiments/chapter_3/kit/spool_lag.hpp"
 
+#include "text/user_error.hpp"
+
 #include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
-
-#include <stdexcept>
 
 namespace placedpar {
 
@@ -25,12 +25,11 @@ double solve(double compliance_in3_per_psi, double low, double high, double prec
     auto beyond = [&](double x) {
         auto value = found(x);
         if (!value)
-            throw std::runtime_error(fmt::format("no usable samples at {}", x));
+            throw UserError(fmt::format("no usable samples at {}", x));
         return *value - compliance_in3_per_psi;
     };
     if (beyond(low) > 0 || beyond(high) < 0)
-        throw std::runtime_error(
-            fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
+        throw UserError(fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
     // The usable samples change with x, which makes the function jump: bisection minds least.
     auto [below, above] =
         boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
@@ -54,7 +53,7 @@ double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
 }
 
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data) {
-    // What is not taken off a reading that is too low is as good as taken off a right one.
+    // Leaving an offset of -d in equals subtracting d from a correct reading.
     return solve(compliance_in3_per_psi, -0.015, 0, 1e-6, [&](double offset) {
         BoomModel model = model_of(data, AreasFrom::spool);
         model.spool_offset_in = -offset;

@@ -9,11 +9,11 @@ namespace placedpar {
 /// reads too low.
 
 /// The a_0 with which least squares over the rising samples, areas from the voltage, finds a compliance.
-/// Throws std::runtime_error when none between half and four times the machine's does.
+/// Throws UserError when none between half and four times the machine's does.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// The offset of the spool, below 0, that left in its readings makes least squares over the rising samples find a
-/// compliance. Throws std::runtime_error when none down to -.015 in does.
+/// compliance. Throws UserError when none down to -.015 in does.
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// The compliance found over the a_0 believed in, for two machines, with the thesis's two compliances.

@@ -49,7 +49,7 @@ TEST_CASE("a program in its build folder finds the examples that the build names
 TEST_CASE("without examples it says where it looked") {
     Scratch scratch;
     fs::path program = scratch.folder / "bin" / "placedpar";
-    std::string said = "the examples are not to be found; looked in\n  " + (scratch.folder / "mine").string() + "\n  " +
+    std::string said = "cannot find the examples; looked in\n  " + (scratch.folder / "mine").string() + "\n  " +
                        (scratch.folder / "share/placedpar/examples").string() +
                        "\nset PLACEDPAR_EXAMPLES to their folder";
     CHECK_THROWS_WITH_AS(examples_folder(program, (scratch.folder / "mine").c_str()), said.c_str(), std::runtime_error);

@@ -40,7 +40,7 @@ TEST_CASE("the feedforward of bucket and boom, by hand") {
 TEST_CASE("what no areas can give is refused") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{1900, 100}, {1700, 100}}}, flow, 25, 175),
-                         "the boom is to get 100 in^3/s, 75.0 come to its junction", UnfitScenario);
+                         "the boom needs 100 in^3/s, but only 75.0 reach its junction", UnfitScenario);
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{4490, 50}, {1700, 50}}}, flow, 25, 175),
                          "the bucket needs 4515 psi at its junction, the relief valve opens at 4500", UnfitScenario);
 }

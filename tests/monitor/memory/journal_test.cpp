@@ -1,5 +1,6 @@
 #include "monitor/memory/journal.hpp"
 #include "scratch.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -97,6 +98,6 @@ TEST_CASE("a cut journal can be gone on with") {
 TEST_CASE("one at a time") {
     Scratch scratch;
     Journal journal(scratch / "j");
-    CHECK_THROWS_WITH_AS(Journal(scratch / "j"), doctest::Contains("another placedpar monitor"), std::runtime_error);
-    CHECK_THROWS_WITH_AS(Journal(scratch / "none" / "j"), doctest::Contains("cannot be opened"), std::runtime_error);
+    CHECK_THROWS_WITH_AS(Journal(scratch / "j"), doctest::Contains("another placedpar monitor"), UserError);
+    CHECK_THROWS_WITH_AS(Journal(scratch / "none" / "j"), doctest::Contains("cannot be opened"), UserError);
 }

@@ -1,6 +1,7 @@
 #include "monitor/memory/diagnosis_json.hpp"
 #include "monitor/memory/state_store.hpp"
 #include "scratch.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
@@ -111,8 +112,8 @@ TEST_CASE("nothing is appended behind what a full disk lost") {
         {
             FullDisk disk(scratch.read("state.journal").size() + 20);
             CHECK_THROWS_WITH_AS(take(diagnoses, store, configuration), doctest::Contains("cannot be appended to"),
-                                 std::runtime_error);
-            CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("cannot be written"), std::runtime_error);
+                                 UserError);
+            CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("cannot be written"), UserError);
         }
         CHECK_FALSE(store.complete());
         CHECK(store.due());
@@ -145,7 +146,7 @@ TEST_CASE("a state file that cannot be written leaves the journal as it was") {
         take(diagnoses, store, configuration);
         {
             FullDisk disk(100);
-            CHECK_THROWS_AS(store.write(diagnoses), std::runtime_error);
+            CHECK_THROWS_AS(store.write(diagnoses), UserError);
         }
         CHECK(store.complete());
         take(diagnoses, store, sample(0));
@@ -163,7 +164,7 @@ TEST_CASE("what does not come to the disk does not take the state file's name") 
     take(diagnoses, store, hello);
     std::filesystem::create_symlink("/dev/null", scratch / "state.next"); // which takes all and syncs nothing
     CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("state.next: cannot be brought to the disk"),
-                         std::runtime_error);
+                         UserError);
     CHECK(scratch.read("state") == state);
     CHECK(store.complete());
 }
@@ -176,7 +177,7 @@ TEST_CASE("no state file: what it is instead, and what to do") {
         std::string said;
         try {
             StateStore(scratch / "state").restore(diagnoses);
-        } catch (const std::runtime_error& error) {
+        } catch (const UserError& error) {
             said = error.what();
         }
         CAPTURE(text);
@@ -195,11 +196,15 @@ TEST_CASE("no state file: what it is instead, and what to do") {
     scratch.write("state", "{\"placedpar_monitor_state\":7}");
     Diagnoses diagnoses = none();
     CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(diagnoses),
-                         doctest::Contains("it is of another version than 1; say another file"), std::runtime_error);
+                         doctest::Contains("it is of another version than 1; use another --state file"), UserError);
     std::filesystem::create_directory(scratch / "folder");
-    CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"),
-                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"), UserError);
     CHECK_FALSE(std::filesystem::exists(scratch / "folder.journal"));
+    auto nowhere = (scratch / "none" / "state").string();
+    CHECK_THROWS_WITH_AS(
+        StateStore{nowhere},
+        fmt::format("--state {0}: {0}.journal: cannot be opened: No such file or directory", nowhere).c_str(),
+        UserError);
 }
 
 TEST_CASE("files that do not fit are refused by name") {
@@ -207,8 +212,7 @@ TEST_CASE("files that do not fit are refused by name") {
     Diagnoses diagnoses = none();
     run(scratch, diagnoses, 3);
     auto refused = [&](Diagnoses&& others, const char* because) {
-        CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(others), doctest::Contains(because),
-                             std::runtime_error);
+        CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(others), doctest::Contains(because), UserError);
     };
     refused({DiagnosisSettings{}, 2, 10}, "--seed 1");
     DiagnosisSettings small;

@@ -27,5 +27,5 @@ TEST_CASE("a sample that cannot be taken is refused in the words of the protocol
     check(LinkNotRead{hydraulics::Link::boom}, "links.BO", "it is missing, and the link is active",
           "a reading of each active link, or a configuration without it");
     check(TimeNotLater{3, 4.5}, "time_s", "it is 3, not after the last sample's",
-          "more than 4.5; after another hello time may begin anew");
+          "more than 4.5; send hello again to restart time");
 }

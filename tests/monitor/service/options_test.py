@@ -38,6 +38,10 @@ class Options(ServiceTest):
         self.assertIn(f"{folder}: it is a folder", self.refusal("--state", folder))
         self.assertEqual(list(self.folder.iterdir()), [folder])
 
+    def test_a_state_file_in_no_folder_is_refused_by_its_name(self):
+        state = self.folder / "none" / "known"
+        self.assertIn(f"--state {state}: ", self.refusal("--state", state))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,4 +1,5 @@
 #include "experiments/chapter_3/kit/pressure_check.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,5 +32,5 @@ TEST_CASE("a record in which nothing opens is refused") {
     still.spool_desired_in = 0.15; // within the dead band
     BoomData data = measure(still, 1);
     CHECK_THROWS_WITH_AS(check_pressure(data, model_of(data, AreasFrom::spool), 0.0086),
-                         "the record has no transient in which the inlet opens", std::invalid_argument);
+                         "the record has no transient in which the inlet opens", UserError);
 }

@@ -1,4 +1,5 @@
 #include "experiments/chapter_3/kit/spool_lag.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,6 +38,6 @@ TEST_CASE("the lag and the offset that find a compliance do find it") {
 
 TEST_CASE("a compliance that no lag finds is refused") {
     BoomData data = measure({BoomPlant::simple}, 1);
-    CHECK_THROWS_AS(lag_that_finds(0.09, data), std::runtime_error);
-    CHECK_THROWS_AS(offset_that_finds(0.02, data), std::runtime_error);
+    CHECK_THROWS_AS(lag_that_finds(0.09, data), UserError);
+    CHECK_THROWS_AS(offset_that_finds(0.02, data), UserError);
 }

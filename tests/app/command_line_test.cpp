@@ -1,0 +1,92 @@
+// Exit codes of what goes wrong, by commands that fail as they are told.
+
+#include "app/command_line.hpp"
+#include "text/user_error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+using namespace placedpar;
+
+namespace {
+
+std::function<void()> to_do;
+
+Action declare_failing(CLI::App&, const std::string&) {
+    return [] {
+        to_do();
+        return ExitCode::success;
+    };
+}
+
+/// Standard error goes to a file without a name as long as this lives.
+class Listener {
+public:
+    Listener() { ::dup2(::fileno(file_.get()), STDERR_FILENO); }
+    ~Listener() {
+        std::fflush(stderr);
+        ::dup2(before_, STDERR_FILENO);
+        ::close(before_);
+    }
+    std::string said() {
+        std::fflush(stderr);
+        std::rewind(file_.get());
+        std::string text(1000, '\0');
+        text.resize(std::fread(text.data(), 1, text.size(), file_.get()));
+        return text;
+    }
+
+private:
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{std::tmpfile(), std::fclose};
+    int before_ = ::dup(STDERR_FILENO);
+};
+
+struct Outcome {
+    int code;
+    std::string said;
+    bool operator==(const Outcome&) const = default;
+};
+
+Outcome outcome_of(std::function<void()> what) {
+    to_do = std::move(what);
+    std::string program = "placedpar", command = "fail";
+    char* arguments[] = {program.data(), command.data()};
+    CLI::App app;
+    Listener listener;
+    int code = carry_out(app, {{.name = "fail", .about = "", .place = 1, .declare = declare_failing}}, 2, arguments);
+    return {code, listener.said()};
+}
+
+} // namespace
+
+TEST_CASE("what a user can cause is reported with exit code 1") {
+    CHECK(outcome_of([] { throw UserError("no such record"); }) == Outcome{1, "placedpar: no such record\n"});
+    CHECK(outcome_of([] { throw RefusedInput("a.cfs:1:1: error\n"); }) == Outcome{1, "a.cfs:1:1: error\n"});
+}
+
+TEST_CASE("what the system refuses is no defect") {
+    CHECK(outcome_of([] { throw std::bad_alloc(); }) == Outcome{1, "placedpar: there is not enough memory\n"});
+    Outcome refused = outcome_of([] { static_cast<void>(std::filesystem::file_size("/no/such/file")); });
+    CHECK(refused.code == 1);
+    CHECK(refused.said.find("No such file or directory") != std::string::npos);
+}
+
+TEST_CASE("any other exception is a defect, with an exit code of its own and the wish that it be reported") {
+    Outcome defect{70, "placedpar: defect of PlacedPar: a link in a knot\n"
+                       "please report it, with the command and the files that it was given\n"};
+    CHECK(outcome_of([] { throw std::logic_error("a link in a knot"); }) == defect);
+    CHECK(outcome_of([] { throw std::invalid_argument("a link in a knot"); }) == defect);
+    CHECK(outcome_of([] { throw std::runtime_error("a link in a knot"); }) == defect);
+    CHECK(outcome_of([] {}) == Outcome{0, ""});
+}

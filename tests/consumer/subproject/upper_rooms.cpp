@@ -1,0 +1,9 @@
+#include "placedpar/identification/identification.hpp"
+#include "placedpar/monitor/service/service.hpp"
+#include "placedpar/workbench/load.hpp"
+
+/// What a program of its own would begin with.
+std::size_t samples_needed(const placedpar::monitor::ServiceSettings& service) {
+    return service.diagnosis.search.window.length +
+           placedpar::identification::samples_for_first_generation(placedpar::identification::service_way());
+}
