@@ -37,8 +37,8 @@ public:
 private:
     /// A task, if there is somebody to give it to; then each worker's result.
     std::vector<Guard> guards() const {
-        std::vector<Guard> guards{{left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never,
-                                   &in_.channel()}};
+        std::vector<Guard> guards{
+            {left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never, &in_.channel()}};
         for (const auto& from_worker : from_workers_)
             guards.push_back({Guard::input, &from_worker.channel()});
         return guards;
@@ -101,29 +101,32 @@ void work_on_tasks(ProcessEnvironment& environment) {
     environment.measure("tasks", static_cast<double>(tasks));
 }
 
+ProcessKind balancer() {
+    using namespace description;
+    return {.name = "csp.balancer",
+            .about = "Deals out tasks to workers, passes on their results as they come, and ends the workers.",
+            .ports = {packets_in("in", "tasks"), packets_out("out", "results"),
+                      packets_out("to_worker", "an array: tasks, then an end"),
+                      packets_in("from_worker", "an array: results")},
+            .parameters = {packet_count("tasks"), text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
+                                                       "to a worker that is idle, or to each in turn")},
+            .body = balance};
+}
+
+ProcessKind worker() {
+    using namespace description;
+    return {.name = "csp.worker",
+            .about = "Computes for each task, and returns it as its result, until the end comes.",
+            .ports = {packets_in("in", "tasks"), packets_out("out", "results")},
+            .parameters = {packet_cycles("workload: a task, in the mean"),
+                           real("spread", {.by_default = 0, .least = 0, .most = 1},
+                                "tasks take between 1 - spread and 1 + spread times as long")},
+            .measurements = {{"tasks", "", "that it has done"}},
+            .body = work_on_tasks};
+}
+
 } // namespace
 
-std::vector<ProcessKind> farm_kinds() {
-    using namespace description;
-    ProcessKind balancer{
-        .name = "csp.balancer",
-        .about = "Deals out tasks to workers, passes on their results as they come, and ends the workers.",
-        .ports = {packets_in("in", "tasks"), packets_out("out", "results"),
-                  packets_out("to_worker", "an array: tasks, then an end"),
-                  packets_in("from_worker", "an array: results")},
-        .parameters = {packet_count("tasks"),
-                       text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
-                            "to a worker that is idle, or to each in turn")},
-        .body = balance};
-    ProcessKind worker{.name = "csp.worker",
-                       .about = "Computes for each task, and returns it as its result, until the end comes.",
-                       .ports = {packets_in("in", "tasks"), packets_out("out", "results")},
-                       .parameters = {packet_cycles("workload: a task, in the mean"),
-                                      real("spread", {.by_default = 0, .least = 0, .most = 1},
-                                           "tasks take between 1 - spread and 1 + spread times as long")},
-                       .measurements = {{"tasks", "", "that it has done"}},
-                       .body = work_on_tasks};
-    return {balancer, worker};
-}
+std::vector<ProcessKind> farm_kinds() { return {balancer(), worker()}; }
 
 } // namespace placedpar

@@ -53,33 +53,46 @@ ParameterDescription element(std::string name, std::string about) {
     return description::real(std::move(name), {.by_default = 0}, std::move(about));
 }
 
+PortDescription from(std::string name, std::string about) {
+    return description::input<double>(std::move(name), "real", std::move(about));
+}
+
+PortDescription to(std::string name, std::string about) {
+    return description::output<double>(std::move(name), "real", std::move(about));
+}
+
+ProcessKind vector_source() {
+    return {.name = "csp.vector",
+            .about = "Outputs one element of each vector: first, first + step, and so on.",
+            .ports = {to("out", "elements")},
+            .parameters = {rows(), element("first", "element"), element("step", "from one to the next")},
+            .body = output_vector};
+}
+
+ProcessKind cell() {
+    using namespace description;
+    return {.name = "csp.cell",
+            .about = "Adds its element of the matrix times what comes from the west to what comes from the "
+                     "north, and sends the sum south; what came from the west goes on to the east.",
+            .ports = {from("west", "elements of vectors"), from("north", "sums"), to("south", "sums"),
+                      optional(to("east", "elements of vectors"))},
+            .parameters = {rows(), element("element", "of the matrix"),
+                           integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
+                                   "workload: a multiplication and an addition")},
+            .body = multiply};
+}
+
+ProcessKind column() {
+    return {.name = "csp.column",
+            .about = "Takes in a column of the product and measures it.",
+            .ports = {from("in", "sums")},
+            .parameters = {rows()},
+            .measurements = {{"row[0] and so on", "", "the elements of the column"}},
+            .body = collect_column};
+}
+
 } // namespace
 
-std::vector<ProcessKind> matrix_kinds() {
-    using namespace description;
-    auto from = [](std::string name, std::string about) { return input<double>(name, "real", about); };
-    auto to = [](std::string name, std::string about) { return output<double>(name, "real", about); };
-    ProcessKind vector{.name = "csp.vector",
-                       .about = "Outputs one element of each vector: first, first + step, and so on.",
-                       .ports = {to("out", "elements")},
-                       .parameters = {rows(), element("first", "element"), element("step", "from one to the next")},
-                       .body = output_vector};
-    ProcessKind cell{.name = "csp.cell",
-                     .about = "Adds its element of the matrix times what comes from the west to what comes from the "
-                              "north, and sends the sum south; what came from the west goes on to the east.",
-                     .ports = {from("west", "elements of vectors"), from("north", "sums"), to("south", "sums"),
-                               optional(to("east", "elements of vectors"))},
-                     .parameters = {rows(), element("element", "of the matrix"),
-                                    integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
-                                            "workload: a multiplication and an addition")},
-                     .body = multiply};
-    ProcessKind column{.name = "csp.column",
-                       .about = "Takes in a column of the product and measures it.",
-                       .ports = {from("in", "sums")},
-                       .parameters = {rows()},
-                       .measurements = {{"row[0] and so on", "", "the elements of the column"}},
-                       .body = collect_column};
-    return {vector, cell, column};
-}
+std::vector<ProcessKind> matrix_kinds() { return {vector_source(), cell(), column()}; }
 
 } // namespace placedpar

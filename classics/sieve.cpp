@@ -57,24 +57,28 @@ void sieve(ProcessEnvironment& environment) {
     environment.measure("passed", static_cast<double>(onwards.passed()));
 }
 
+ProcessKind numbers() {
+    using namespace description;
+    return {.name = "csp.numbers",
+            .about = "Outputs 2, 3, 4 and so on, then an end.",
+            .ports = {packets_out("out", "numbers")},
+            .parameters = {integer("last", {.by_default = 100, .least = 2, .most = 1e9}, "number")},
+            .body = count_up};
+}
+
+ProcessKind sieve_process() {
+    using namespace description;
+    return {.name = "csp.sieve",
+            .about = "Keeps the first number, a prime, and passes on those that it does not divide.",
+            .ports = {packets_in("in", "numbers"), optional(packets_out("out", "numbers"))},
+            .parameters = {integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
+                                   "workload: a division by the prime")},
+            .measurements = {{"prime", "", "0: no number came"}, {"passed", "", "numbers that it let through"}},
+            .body = sieve};
+}
+
 } // namespace
 
-std::vector<ProcessKind> sieve_kinds() {
-    using namespace description;
-    ProcessKind numbers{.name = "csp.numbers",
-                        .about = "Outputs 2, 3, 4 and so on, then an end.",
-                        .ports = {packets_out("out", "numbers")},
-                        .parameters = {integer("last", {.by_default = 100, .least = 2, .most = 1e9}, "number")},
-                        .body = count_up};
-    ProcessKind sieve_kind{
-        .name = "csp.sieve",
-        .about = "Keeps the first number, a prime, and passes on those that it does not divide.",
-        .ports = {packets_in("in", "numbers"), optional(packets_out("out", "numbers"))},
-        .parameters = {integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
-                               "workload: a division by the prime")},
-        .measurements = {{"prime", "", "0: no number came"}, {"passed", "", "numbers that it let through"}},
-        .body = sieve};
-    return {numbers, sieve_kind};
-}
+std::vector<ProcessKind> sieve_kinds() { return {numbers(), sieve_process()}; }
 
 } // namespace placedpar

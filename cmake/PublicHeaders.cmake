@@ -11,6 +11,7 @@ foreach(room ${rooms})
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.hpp)
     list(APPEND room_headers ${headers})
 endforeach()
+list(APPEND room_headers ${PROJECT_SOURCE_DIR}/app/program.hpp)
 set(door_list ${PROJECT_BINARY_DIR}/public_headers.cmake)
 file(CONFIGURE OUTPUT ${door_list} CONTENT "set(doors @doors@)\n" @ONLY) # written only when they are others
 

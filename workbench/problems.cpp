@@ -9,6 +9,9 @@
 #include "netlist/kinds/csp_kinds.hpp"
 #include "runtime/random.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace placedpar {
 
 using namespace hydraulics;
@@ -37,7 +40,14 @@ void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
     problems.add_to_make("boom", make_search_problem(std::move(boom)), {usable.count, make});
 }
 
+std::vector<ProcessKind>& own_kinds() {
+    static std::vector<ProcessKind> kinds;
+    return kinds;
+}
+
 } // namespace
+
+void add_own_kinds(std::vector<ProcessKind> kinds) { std::ranges::move(kinds, std::back_inserter(own_kinds())); }
 
 ProblemRegistry known_problems(std::uint64_t seed) {
     ProblemRegistry problems;
@@ -47,6 +57,8 @@ ProblemRegistry known_problems(std::uint64_t seed) {
 
 Catalogue known_kinds(const ProblemRegistry& problems) {
     Catalogue catalogue;
+    for (const ProcessKind& kind : own_kinds())
+        catalogue.add(kind);
     add_csp_kinds(catalogue);
     add_classical_kinds(catalogue);
     add_genetic_algorithm_kinds(catalogue, problems);

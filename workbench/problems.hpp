@@ -4,6 +4,7 @@
 #include "netlist/kinds/catalogue.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace placedpar {
 
@@ -13,5 +14,9 @@ ProblemRegistry known_problems(std::uint64_t seed);
 
 /// Every process kind that this program knows. `problems` must outlive every run.
 Catalogue known_kinds(const ProblemRegistry& problems);
+
+/// From now on these are among the known kinds: those of a program that is built on PlacedPar. REQUIRES: called before
+/// anything else here, by one thread.
+void add_own_kinds(std::vector<ProcessKind>);
 
 } // namespace placedpar

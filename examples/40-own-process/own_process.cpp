@@ -26,12 +26,12 @@ void thin_out(ProcessEnvironment& environment) {
 
 int main(int argc, char** argv) {
     using namespace description;
-    ProcessKind thinner{.name = "own.thinner",
-                        .about = "Passes on every n-th packet.",
-                        .ports = {packets_in(), packets_out()},
-                        .parameters = {packet_count(), packet_cycles(),
-                                       integer("every", {.by_default = 10, .least = 1}, "n")},
-                        .measurements = {{"passed", "packets", "how many it passed on"}},
-                        .body = thin_out};
+    ProcessKind thinner{
+        .name = "own.thinner",
+        .about = "Passes on every n-th packet.",
+        .ports = {packets_in(), packets_out()},
+        .parameters = {packet_count(), packet_cycles(), integer("every", {.by_default = 10, .least = 1}, "n")},
+        .measurements = {{"passed", "packets", "how many it passed on"}},
+        .body = thin_out};
     return run_program(argc, argv, {thinner});
 }

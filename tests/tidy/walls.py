@@ -46,7 +46,7 @@ BELOW = {
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
 # What may include everything; no room includes them. Tests mirror the rooms.
-OUTSIDE = ("bench", "tests")
+OUTSIDE = ("bench", "examples", "tests")
 TEST_PROJECTS = "tests/consumer"
 
 # A header and its source are one piece, and no pieces include each other in a circle, but for these, which are one idea

@@ -11,6 +11,13 @@ must(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build
 must(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 must(${SCRATCH}/build/consumer)
 
+# The program of docs/own-processes.md, as the page says.
+must(${CMAKE_COMMAND} -G Ninja -S ${SCRATCH}/installed/share/placedpar/examples/40-own-process -B ${SCRATCH}/own
+     -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+     -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+must(${CMAKE_COMMAND} --build ${SCRATCH}/own)
+must(${SCRATCH}/own/own_process run ${SCRATCH}/installed/share/placedpar/examples/40-own-process/thin.cfs)
+
 unset(ENV{PLACEDPAR_EXAMPLES})
 must(${SCRATCH}/installed/bin/placedpar kinds)
 must(${SCRATCH}/installed/bin/placedpar replay table-e1) # of the installed examples

@@ -1,0 +1,20 @@
+#include "app/program.hpp"
+
+#include "app/command.hpp"
+#include "workbench/problems.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace placedpar {
+
+extern const Command run_command, check_command, show_command, kinds_command;
+
+int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds) {
+    add_own_kinds(std::move(own_kinds));
+    CLI::App app{"Runs, checks and shows netlists."};
+    return carry_out(app, {run_command, check_command, show_command, kinds_command}, argc, argv);
+}
+
+} // namespace placedpar
