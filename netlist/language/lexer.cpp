@@ -121,6 +121,8 @@ Token Lexer::next() {
 Token Lexer::read_name() {
     Token token{TokenKind::name, "", {}, 0, here()};
     token.text = take_while(in_name);
+    if (token.text.size() > longest_name)
+        reporter_.error(token.at, fmt::format("the name is too long: {} characters are allowed", longest_name));
     return token;
 }
 
@@ -134,8 +136,8 @@ Token Lexer::read_directive() {
 }
 
 Token Lexer::read_symbol() {
-    static constexpr std::array two_characters{"==", "!=", "<=", ">=", "&&", "||"};
-    static constexpr std::string_view one_character = "(){}[],;.=+-*/%<>!";
+    static constexpr std::array two_characters{"==", "!=", "<=", ">=", "&&", "||", "<<", ">>"};
+    static constexpr std::string_view one_character = "(){}[],;.=+-*/%<>!~&|^?:";
     Token token{TokenKind::symbol, "", {}, 0, here()};
     for (std::string_view symbol : two_characters)
         if (peek() == symbol[0] && peek(1) == symbol[1]) {
