@@ -128,9 +128,13 @@ private:
     /// Reports the value where the declared type cannot hold it.
     bool fits(const Setting& setting, const ParameterDeclaration& declared, const Value& value) {
         auto problem = misfit(declared, value);
-        if (problem)
-            c_.reporter.error(setting.at, problem->message, problem->hint, {{"declared here", declared.at}});
-        return !problem;
+        if (!problem)
+            return true;
+        std::vector<SecondPlace> others;
+        if (setting.at != declared.at) // else it is the default
+            others.push_back({"declared here", declared.at});
+        c_.reporter.error(setting.at, problem->message, problem->hint, std::move(others));
+        return false;
     }
 
     void take_for_stand_in(const Setting& setting, const ParameterDeclaration& declared) {

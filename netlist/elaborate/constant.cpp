@@ -52,7 +52,7 @@ Constant integer_arithmetic(const std::string& symbol, const Integer& a, const I
     if ((symbol == "/" || symbol == "%") && b.value == 0)
         throw NoResult{"division by zero", ""};
     if ((symbol == "<<" || symbol == ">>") && (b.value < 0 || b.value > 63))
-        throw NoResult{fmt::format("an integer cannot be shifted by {} bits", b.value), "it has 64 bits"};
+        throw NoResult{fmt::format("an integer cannot be shifted by {} bits", b.value), "it can be shifted by 0 to 63"};
     if (!integer_operation(symbol[0], a.value, b.value, result.value))
         throw NoResult{fmt::format("{} {} {} is beyond 64 bits", a.value, symbol, b.value), ""};
     if (!integer_operation(symbol[0], a.decimal, b.decimal, result.decimal))

@@ -1,5 +1,6 @@
 #include "netlist/elaborate/attribute_value.hpp"
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/language/lexer.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +19,9 @@ std::string Elaborator::claim_name(const std::string& name) {
     auto claimed = name;
     auto& number = copies_[name];
     number = std::max(number, 1);
+    constexpr std::size_t longest_number = std::string_view("_250000").size();
     while (!claimed_.insert(claimed).second)
-        claimed = fmt::format("{}_{}", name, ++number);
+        claimed = fmt::format("{}_{}", name.substr(0, longest_name - longest_number), ++number);
     return claimed;
 }
 

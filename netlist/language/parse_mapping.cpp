@@ -79,10 +79,11 @@ Statement Parser::parse_rep() {
     expect("=", "behind the replicator's name");
     RepStatement statement{name.text, name.at, parse_expression(), nullptr, nullptr, nullptr};
     bool to = tokens_.peek().is_word("to");
-    if (to)
-        tokens_.take();
-    else
-        expect_word("for", "in rep");
+    if (!to && !tokens_.peek().is_word("for"))
+        refuse(tokens_.peek().at,
+               fmt::format("\"for\" or \"to\" is missing in rep: {} stands here", describe(tokens_.peek())),
+               fmt::format("rep {0} = first for count, or rep {0} = first to last", name.text));
+    tokens_.take();
     (to ? statement.last : statement.count) = parse_expression();
     if (parenthesis)
         expect(")", "behind the replicator");

@@ -39,7 +39,7 @@ TEST_CASE("names live to the end of their block") {
 
 TEST_CASE("expressions") {
     auto integer = [](const std::string& expression) {
-        auto network = good_text("val a {1, 2, {3}[0]}; T800 t; process (interface (int n)) p; place p on t; "
+        auto network = good_text("val a {1, 2, {3}[0]}; T800 t; process (interface (long n)) p; place p on t; "
                                  "use \"p.lku\" for p; p (n = " +
                                  expression + ");");
         return std::get<std::int64_t>(network.processes[0].parameters.at("n"));
