@@ -29,8 +29,8 @@ void check_size(std::string printed, const Location& at, Reporter& reporter) {
         reporter.give_up(at, fmt::format("the network is too large: written out it would have {} bytes, {} are allowed",
                                          bytes, largest_source_bytes));
     if (bytes > most_tokens && count_words(std::move(printed)) > most_tokens)
-        reporter.give_up(at, fmt::format("the network is too large: written out it would have more than {} words",
-                                         most_tokens));
+        reporter.give_up(
+            at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,

@@ -38,9 +38,8 @@ std::optional<Misfit> integer_misfit(const ParameterDeclaration& parameter, std:
     const auto* range = std::ranges::find(integer_ranges, parameter.type, &IntegerRange::type);
     if (range == integer_ranges.end() || (number >= range->least && number <= range->most))
         return std::nullopt;
-    return Misfit{
-        out_of_range(parameter, fmt::format("{}", number)),
-        fmt::format("{} {} goes from {} to {}", range->article, range->type, range->least, range->most)};
+    return Misfit{out_of_range(parameter, fmt::format("{}", number)),
+                  fmt::format("{} {} goes from {} to {}", range->article, range->type, range->least, range->most)};
 }
 
 std::optional<Misfit> real_misfit(const ParameterDeclaration& parameter, double number) {

@@ -192,9 +192,7 @@ private:
                 refuse_missing(parameter.name);
     }
 
-    bool was_given(const std::string& name) const {
-        return set_.contains(name);
-    }
+    bool was_given(const std::string& name) const { return set_.contains(name); }
 
     void refuse_missing(const std::string& name) {
         c_.reporter.error(draft_.declared, fmt::format("the parameter \"{}\" of \"{}\" is missing", name, draft_.name),

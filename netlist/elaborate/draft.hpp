@@ -23,7 +23,7 @@ struct DraftConnection {
     Location declared;
     std::optional<std::int64_t> bits_per_second;
     std::optional<double> metres;
-    std::optional<Location> used;           ///< by this connect
+    std::optional<Location> used;             ///< by this connect
     std::map<std::string, Location> settings; ///< by statements of their own, `c (length = 0.3);`
 };
 
@@ -73,7 +73,7 @@ struct DraftProcess {
     bool high_priority = false;
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null where the netlist gives none
-    std::vector<SharedSettings> settings; ///< statement by statement
+    std::vector<SharedSettings> settings;       ///< statement by statement
     std::string kind;
     std::optional<Location> used; ///< by this `use`
     std::size_t node = nowhere;

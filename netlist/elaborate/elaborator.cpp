@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace placedpar {
 
@@ -74,10 +75,9 @@ void Elaborator::perform(const ValStatement& form, const Location& at) {
 
 std::int64_t Elaborator::behind_last(const Expression& expression) {
     auto last = evaluator_.integer(expression, "the last value of a replicator").value;
-    std::int64_t end = 0;
-    if (__builtin_add_overflow(last, 1, &end))
+    if (last == std::numeric_limits<std::int64_t>::max())
         refuse(expression.at, fmt::format("a replicator cannot count to {}", last));
-    return end;
+    return last + 1;
 }
 
 std::int64_t Elaborator::behind_count(std::int64_t first, const Expression& expression) {

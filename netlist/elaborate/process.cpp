@@ -20,7 +20,7 @@ void check_unique(const Entries& entries, const Declarator& declarator, Reporter
 }
 
 /// "input", "output", "int" ...
-std::string word(const EntryType& type) {
+std::string word_for(const EntryType& type) {
     const auto* direction = std::get_if<Direction>(&type);
     return direction != nullptr ? word(*direction) : std::get<std::string>(type);
 }
@@ -48,7 +48,7 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
         check_unique(result->ports, entry.declarator, reporter_);
         check_unique(result->parameters, entry.declarator, reporter_);
         auto sizes = dimensions(entry.declarator);
-        result->entries.push_back({word(entry.type), entry.declarator.name, sizes});
+        result->entries.push_back({word_for(entry.type), entry.declarator.name, sizes});
         if (const auto* direction = std::get_if<Direction>(&entry.type)) {
             result->ports.push_back({entry.declarator.name, *direction, std::move(sizes), entry.declarator.at});
             continue;
@@ -129,7 +129,8 @@ void Elaborator::set_processes(const Elements& range, const std::vector<Setting>
 }
 
 void Elaborator::perform(const ParameterSetting& form, const Location&) {
-    if (const auto* symbol = scopes_.find(form.process.name))
+    bool whole = form.process.subscripts.empty() && form.process.field.empty();
+    if (const auto* symbol = scopes_.find(form.process.name); symbol != nullptr && whole)
         if (const auto* type = std::get_if<ProcessType>(&symbol->meaning))
             return set_type(*type, form);
     auto found = find(form.process);

@@ -23,7 +23,7 @@ struct DeclaredThings {
 
 /// A type that processes can be declared with: `process`, or what a `define` made.
 struct ProcessType {
-    std::vector<Setting> settings; ///< in order: a later one goes before an earlier one
+    std::vector<Setting> settings;              ///< in order: a later one goes before an earlier one
     std::shared_ptr<const Interface> interface; ///< null where the type says none
 };
 

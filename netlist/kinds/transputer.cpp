@@ -47,14 +47,14 @@ struct Module {
 /// INMOS part numbers, as the toolset's `boards.inc` and `trams.inc` name them; the memory is the module's. They ran at
 /// 20 MHz, the kind's default.
 std::vector<Module> modules() {
-    return {{"B002", "T414", 2 * megabyte},  {"B003", "T414", 256 * kilobyte},  {"B004", "T414", 2 * megabyte},
-            {"B006", "T212", 8 * kilobyte},  {"B010", "T414", 1 * megabyte},    {"B011", "T800", 2 * megabyte},
-            {"B401", "T800", 32 * kilobyte}, {"B402", "T212", 8 * kilobyte},    {"B403", "T800", 1 * megabyte},
-            {"B404", "T800", 2 * megabyte},  {"B405", "T800", 8 * megabyte},    {"B407", "T222", 64 * kilobyte},
-            {"B408", "T800", 1280 * kilobyte},  {"B410", "T801", 160 * kilobyte},  {"B411", "T800", 1 * megabyte},
-            {"B416", "T222", 64 * kilobyte}, {"B417", "T800", 4 * megabyte},    {"B419", "T800", 2 * megabyte},
-            {"B422", "T222", 64 * kilobyte}, {"B426", "T800", 4 * megabyte},    {"B427", "T805", 8 * megabyte},
-            {"B428", "T805", 2 * megabyte},  {"B430", "T222", 64 * kilobyte}};
+    return {{"B002", "T414", 2 * megabyte},    {"B003", "T414", 256 * kilobyte}, {"B004", "T414", 2 * megabyte},
+            {"B006", "T212", 8 * kilobyte},    {"B010", "T414", 1 * megabyte},   {"B011", "T800", 2 * megabyte},
+            {"B401", "T800", 32 * kilobyte},   {"B402", "T212", 8 * kilobyte},   {"B403", "T800", 1 * megabyte},
+            {"B404", "T800", 2 * megabyte},    {"B405", "T800", 8 * megabyte},   {"B407", "T222", 64 * kilobyte},
+            {"B408", "T800", 1280 * kilobyte}, {"B410", "T801", 160 * kilobyte}, {"B411", "T800", 1 * megabyte},
+            {"B416", "T222", 64 * kilobyte},   {"B417", "T800", 4 * megabyte},   {"B419", "T800", 2 * megabyte},
+            {"B422", "T222", 64 * kilobyte},   {"B426", "T800", 4 * megabyte},   {"B427", "T805", 8 * megabyte},
+            {"B428", "T805", 2 * megabyte},    {"B430", "T222", 64 * kilobyte}};
 }
 
 DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel chip) {

@@ -45,8 +45,9 @@ Token Lexer::read_octal(std::string_view digits, Token token) {
     auto significant = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
     auto at = token.at;
     at.column += illegal;
-    reporter_.error(at, fmt::format("{} is no digit of an octal number", digits[illegal]),
-                    fmt::format("a leading 0 makes a number octal; the decimal number is {}", significant.substr(0, 60)));
+    reporter_.error(
+        at, fmt::format("{} is no digit of an octal number", digits[illegal]),
+        fmt::format("a leading 0 makes a number octal; the decimal number is {}", significant.substr(0, 60)));
     apply_suffix(token);
     return token;
 }

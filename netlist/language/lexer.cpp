@@ -118,11 +118,15 @@ Token Lexer::next() {
     }
 }
 
+void Lexer::check_length(const Token& name) {
+    if (name.text.size() > longest_name)
+        reporter_.error(name.at, fmt::format("the name is too long: {} characters are allowed", longest_name));
+}
+
 Token Lexer::read_name() {
     Token token{TokenKind::name, "", {}, 0, here()};
     token.text = take_while(in_name);
-    if (token.text.size() > longest_name)
-        reporter_.error(token.at, fmt::format("the name is too long: {} characters are allowed", longest_name));
+    check_length(token);
     return token;
 }
 

@@ -26,6 +26,7 @@ private:
     void skip_comment();
     void skip_line_comment();
     Token read_name();
+    void check_length(const Token& name);
     Token read_symbol();
     Token read_directive();
 

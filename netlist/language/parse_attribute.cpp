@@ -83,8 +83,9 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
 void Parser::parse_interface_once(DeclarationAttributes& attributes) {
     auto word = tokens_.take();
     if (attributes.interface) {
-        reporter_.error(word.at, "the attribute \"interface\" is given twice", "",
-                        {{fmt::format("given first at line {}", attributes.interface_at.line), attributes.interface_at}});
+        reporter_.error(
+            word.at, "the attribute \"interface\" is given twice", "",
+            {{fmt::format("given first at line {}", attributes.interface_at.line), attributes.interface_at}});
         throw StatementRefused{};
     }
     attributes.interface_at = word.at;

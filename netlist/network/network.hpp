@@ -83,7 +83,8 @@ struct ProcessInstance {
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
         given; ///< where the netlist gives a parameter; those left to their default are not listed
-    /// In the order of the netlist, since a program may fetch parameters by position. Null where the netlist gives none.
+    /// In the order of the netlist, since a program may fetch parameters by position. Null where the netlist gives
+    /// none.
     std::shared_ptr<const std::vector<DeclaredEntry>> interface;
     bool high_priority = false;
     std::size_t node = nowhere;

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using namespace placedpar;
 
 namespace {
@@ -37,11 +39,11 @@ TEST_CASE("boards and modules carry what they were sold with") {
         std::int64_t kilobytes;
     };
     for (const auto& [name, type, kilobytes] :
-         {Board{"B003", "T414", 256}, Board{"B004", "T414", 2048}, Board{"B401", "T800", 32},
-          Board{"B402", "T212", 8}, Board{"B403", "T800", 1024}, Board{"B404", "T800", 2048},
-          Board{"B405", "T800", 8192}, Board{"B411", "T800", 1024}, Board{"B416", "T222", 64},
-          Board{"B417", "T800", 4096}, Board{"B426", "T800", 4096}, Board{"B403_T414", "T414", 1024},
-          Board{"B411_T425", "T425", 1024}, Board{"B404_T805", "T805", 2048}, Board{"B416_T225", "T225", 64}}) {
+         {Board{"B003", "T414", 256}, Board{"B004", "T414", 2048}, Board{"B401", "T800", 32}, Board{"B402", "T212", 8},
+          Board{"B403", "T800", 1024}, Board{"B404", "T800", 2048}, Board{"B405", "T800", 8192},
+          Board{"B411", "T800", 1024}, Board{"B416", "T222", 64}, Board{"B417", "T800", 4096},
+          Board{"B426", "T800", 4096}, Board{"B403_T414", "T414", 1024}, Board{"B411_T425", "T425", 1024},
+          Board{"B404_T805", "T805", 2048}, Board{"B416_T225", "T225", 64}}) {
         CAPTURE(name);
         auto node = declared(name);
         CHECK(node.type == type);

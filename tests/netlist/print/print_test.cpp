@@ -111,9 +111,9 @@ TEST_CASE("an interface is printed in its order, with its types and sizes") {
     REQUIRE(result.network);
     auto printed = print_cfs(*result.network);
     std::size_t at = printed.find("process (interface (");
-    for (const char* entry : {"int first", "input in", "char name[5]", "char all[4][5]", "output out[2]",
-                              "unsigned mask", "short table[2][2]", "float gain", "double exact", "long large",
-                              "char initial", "char raw[3]"}) {
+    for (const char* entry :
+         {"int first", "input in", "char name[5]", "char all[4][5]", "output out[2]", "unsigned mask",
+          "short table[2][2]", "float gain", "double exact", "long large", "char initial", "char raw[3]"}) {
         CAPTURE(entry);
         at = printed.find(entry, at);
         REQUIRE(at != std::string::npos);

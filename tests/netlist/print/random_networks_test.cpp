@@ -50,11 +50,11 @@ private:
 
     void declare_processor(std::size_t i) {
         auto type = one_of({"T800", "t805", "B404", "B403_T414", "processor (type = \"t425\")", "T225"});
-        std::string attributes = type.find('(') != std::string::npos || chance(2)
-                                     ? ""
-                                     : fmt::format(" (clock = {}M, memory = {}k, channelcall = {}, reserved = 0{})",
-                                                   1 + numbers_.below(40), 1 + numbers_.below(4000), numbers_.below(200),
-                                                   numbers_.below(8));
+        std::string attributes =
+            type.find('(') != std::string::npos || chance(2)
+                ? ""
+                : fmt::format(" (clock = {}M, memory = {}k, channelcall = {}, reserved = 0{})", 1 + numbers_.below(40),
+                              1 + numbers_.below(4000), numbers_.below(200), numbers_.below(8));
         write("{}{} t{};\n", type, attributes, i);
     }
 
@@ -64,7 +64,8 @@ private:
                   "connect s{0}.link[31] to t{1}.link[1] by wire[{0}];\n",
                   i, i + 1);
         else
-            write("connect t{0}.link[2] to t{1}.link[1]{2};\n", i, i + 1, chance(2) ? fmt::format(" by wire[{}]", i) : "");
+            write("connect t{0}.link[2] to t{1}.link[1]{2};\n", i, i + 1,
+                  chance(2) ? fmt::format(" by wire[{}]", i) : "");
         if (chance(4))
             write("wire[{}] (linkspeed = {}M);\n", i, 5 * (1 + numbers_.below(4)));
     }
@@ -107,17 +108,20 @@ private:
         }
     }
 
-    /// All on one processor, or all on any: channels lead to neighbours only.
+    /// The first on t0, each of the others on the same processor as the one before or on the next: channels lead to
+    /// neighbours only.
     std::size_t place() {
-        auto here = std::min(processors_ - 1, placed_ + (chance(3) ? 1 : 0));
-        return placed_ = here;
+        placed_ = first_ ? 0 : std::min(processors_ - 1, placed_ + (chance(3) ? 1 : 0));
+        first_ = false;
+        return placed_;
     }
 
     void add_parameter(const std::string& name) {
         auto type = one_of({"int", "char", "short", "long", "unsigned", "float", "double", "int [3]", "char [6]",
                             "char [2][6]", "short [2][2]", "double [1][2][2]"});
         auto space = type.find(' ');
-        auto declaration = type.substr(0, space) + " " + name + (space == std::string::npos ? "" : type.substr(space + 1));
+        auto declaration =
+            type.substr(0, space) + " " + name + (space == std::string::npos ? "" : type.substr(space + 1));
         if (chance(3)) {
             entries_.push_back(declaration + " = " + value(type));
             return;
@@ -168,19 +172,21 @@ private:
             for (std::size_t i = 0; i < array.count(); ++i)
                 ring.push_back(array.element(i));
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            write("connect {0}.in[0] to {0}.out[1]{1};\n", ring[i], i < 20 && chance(3) ? fmt::format(" by channel[0][{}]", i) : "");
+            write("connect {0}.in[0] to {0}.out[1]{1};\n", ring[i],
+                  i < 20 && chance(3) ? fmt::format(" by channel[0][{}]", i) : "");
             if (i + 1 < ring.size())
                 write("connect {}.out[0] to {}.in[1];\n", ring[i], ring[i + 1]);
         }
         write("input first_in; output last_out; edge front, back;\n"
               "connect first_in, {}.in[1]; connect {}.out[0], last_out; connect t0.link[0] to front;\n"
               "connect t{}.link[{}] to back; place first_in on front; place last_out on back;\n",
-              ring.front(), ring.back(), placed_, placed_ == 0 ? 1 + processors_ % 2 * 1 : 0);
+              ring.front(), ring.back(), placed_, placed_ == 0 ? 1 : 0);
     }
 
     Numbers numbers_;
     std::string text_;
     std::size_t processors_ = 0, placed_ = 0;
+    bool first_ = true;
     std::vector<std::string> entries_, common_;
     std::vector<std::pair<std::string, std::string>> individual_; ///< name and type
     std::vector<Array> arrays_;
