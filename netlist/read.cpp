@@ -5,11 +5,33 @@
 #include "netlist/language/parser.hpp"
 #include "netlist/print/print.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace placedpar {
 
 namespace {
+
+std::size_t count_words(std::string text) {
+    Reporter reporter;
+    Lexer lexer(std::make_shared<const SourceFile>("", std::move(text)), reporter);
+    std::size_t count = 0;
+    while (lexer.next().kind != TokenKind::end)
+        ++count;
+    return count;
+}
+
+/// What is printed of a network that loads must load, too: replicated, a network can be larger than its text.
+void check_size(std::string printed, const Location& at, Reporter& reporter) {
+    auto bytes = printed.size();
+    if (bytes > largest_source_bytes)
+        reporter.give_up(at, fmt::format("the network is too large: written out it would have {} bytes, {} are allowed",
+                                         bytes, largest_source_bytes));
+    if (bytes > most_tokens && count_words(std::move(printed)) > most_tokens)
+        reporter.give_up(
+            at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
+}
 
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
                                    const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter) {
@@ -31,7 +53,9 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
         return std::nullopt;
     network.source_path = source.file->path();
     network.included_paths = tokens.take_included();
-    network.hash = network_hash(network);
+    auto printed = print_cfs(network);
+    network.hash = network_hash(printed);
+    check_size(std::move(printed), {source.file, 0, 0}, reporter);
     return network;
 }
 

@@ -1,4 +1,5 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/complete/declared_type.hpp"
 #include "netlist/elaborate/attributes.hpp"
 #include "netlist/network/names.hpp"
 #include "text/nearest.hpp"
@@ -23,8 +24,9 @@ public:
             for (const auto& parameter : draft_.interface->parameters)
                 if (parameter.default_value)
                     take({parameter.name, *parameter.default_value, parameter.at});
-        for (const auto& setting : draft_.settings)
-            take(setting);
+        for (const auto& settings : draft_.settings)
+            for (const auto& setting : *settings)
+                take_once(setting);
         if (kind_ != nullptr)
             fill_in_defaults();
         else if (draft_.interface)
@@ -32,11 +34,20 @@ public:
     }
 
 private:
+    /// A default may be replaced, once.
+    void take_once(const Setting& setting) {
+        auto [known, is_new] = set_.emplace(setting.name, setting.at);
+        if (is_new)
+            return take(setting);
+        bool attribute = declaration(setting.name) == nullptr && is_process_attribute(setting.name);
+        refuse_given_twice(c_.reporter, setting, attribute ? "attribute" : "parameter", draft_.name, known->second);
+    }
+
     void take(const Setting& setting) {
         const auto* known = kind_ == nullptr ? nullptr : kind_->parameter(setting.name);
         const auto* declared = declaration(setting.name);
         if (known != nullptr)
-            take_for_kind(setting, *known);
+            take_for_kind(setting, *known, declared);
         else if (declared != nullptr && kind_ == nullptr)
             take_for_stand_in(setting, *declared);
         else if (declared == nullptr && is_process_attribute(setting.name))
@@ -62,9 +73,10 @@ private:
                           did_you_mean(setting.name, known_names()));
     }
 
-    void take_for_kind(const Setting& setting, const ParameterDescription& known) {
+    void take_for_kind(const Setting& setting, const ParameterDescription& known,
+                       const ParameterDeclaration* declared) {
         auto value = convert(setting, known.type);
-        if (!value)
+        if (!value || (declared != nullptr && !fits(setting, *declared, *value)))
             return;
         if (const auto* text = std::get_if<std::string>(&*value))
             check_choice(setting, known, *text);
@@ -113,36 +125,54 @@ private:
         return std::nullopt;
     }
 
+    /// Reports the value where the declared type cannot hold it.
+    bool fits(const Setting& setting, const ParameterDeclaration& declared, const Value& value) {
+        auto problem = misfit(declared, value);
+        if (!problem)
+            return true;
+        std::vector<SecondPlace> others;
+        if (setting.at != declared.at) // else it is the default
+            others.push_back({"declared here", declared.at});
+        c_.reporter.error(setting.at, problem->message, problem->hint, std::move(others));
+        return false;
+    }
+
     void take_for_stand_in(const Setting& setting, const ParameterDeclaration& declared) {
-        if (declared.type == "char" && declared.dimensions.size() == 1 && setting.value.text() != nullptr)
-            result_[declared.name] = *setting.value.text();
-        else
-            flatten(setting, declared.is_real() ? ParameterType::real : ParameterType::integer, declared, {});
+        std::erase_if(result_, [&](const auto& known) { return base_name(known.first) == declared.name; });
+        flatten(setting, declared, {});
     }
 
     /// An array becomes one parameter for each element: "a[0]", "a[1]".
-    void flatten(const Setting& setting, ParameterType type, const ParameterDeclaration& declared,
-                 std::vector<std::int64_t> subscripts) {
+    void flatten(const Setting& setting, const ParameterDeclaration& declared, std::vector<std::int64_t> subscripts) {
+        bool text_in_numbers = setting.value.array() != nullptr && element_type(declared) == ParameterType::text;
         auto level = subscripts.size();
-        if (level == declared.dimensions.size()) {
-            if (auto value = convert(setting, type))
-                result_[element_name(declared.name, subscripts)] = *value;
-            return;
-        }
+        if (level == declared.dimensions.size() || (level == element_dimensions(declared) && !text_in_numbers))
+            return take_element(setting, declared, subscripts);
         const auto* array = setting.value.array();
-        if (array == nullptr || static_cast<std::int64_t>((*array)->size()) != declared.dimensions[level]) {
-            auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
-                                          : fmt::format("an array of {} elements", (*array)->size());
-            c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
-                              fmt::format("it takes an array of {} elements", declared.dimensions[level]),
-                              {{"declared here", declared.at}});
-            return;
-        }
+        if (array == nullptr || static_cast<std::int64_t>((*array)->size()) != declared.dimensions[level])
+            return refuse_array(setting, declared, declared.dimensions[level]);
         subscripts.push_back(0);
         for (const auto& element : **array) {
-            flatten({setting.name, element, setting.at}, type, declared, subscripts);
+            flatten({setting.name, element, setting.at}, declared, subscripts);
             ++subscripts.back();
         }
+    }
+
+    /// The characters of a text may be given one by one.
+    void take_element(const Setting& setting, const ParameterDeclaration& declared,
+                      const std::vector<std::int64_t>& subscripts) {
+        bool whole = subscripts.size() == element_dimensions(declared);
+        auto value = convert(setting, whole ? element_type(declared) : ParameterType::integer);
+        if (value && fits(setting, declared, *value))
+            result_[element_name(declared.name, subscripts)] = *value;
+    }
+
+    void refuse_array(const Setting& setting, const ParameterDeclaration& declared, std::int64_t size) {
+        const auto* array = setting.value.array();
+        auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
+                                      : fmt::format("an array of {} elements", (*array)->size());
+        c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
+                          fmt::format("it takes an array of {} elements", size), {{"declared here", declared.at}});
     }
 
     void fill_in_defaults() {
@@ -162,10 +192,7 @@ private:
                 refuse_missing(parameter.name);
     }
 
-    bool was_given(const std::string& name) const {
-        return std::any_of(draft_.settings.begin(), draft_.settings.end(),
-                           [&](const Setting& setting) { return setting.name == name; });
-    }
+    bool was_given(const std::string& name) const { return set_.contains(name); }
 
     void refuse_missing(const std::string& name) {
         c_.reporter.error(draft_.declared, fmt::format("the parameter \"{}\" of \"{}\" is missing", name, draft_.name),
@@ -177,6 +204,7 @@ private:
     const ProcessKind* kind_;
     std::map<std::string, Value>& result_;
     std::map<std::string, Location>& given_;
+    std::map<std::string_view, Location> set_; ///< by statements
 };
 
 } // namespace

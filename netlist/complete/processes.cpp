@@ -1,4 +1,5 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/complete/declared_type.hpp"
 #include "netlist/network/names.hpp"
 #include "text/nearest.hpp"
 
@@ -56,12 +57,6 @@ void check_port(Completion& c, const DraftProcess& process, const PortDeclaratio
     }
 }
 
-ParameterType type_of(const ParameterDeclaration& parameter) {
-    if (parameter.type == "char" && !parameter.dimensions.empty())
-        return ParameterType::text;
-    return parameter.is_real() ? ParameterType::real : ParameterType::integer;
-}
-
 const char* word(ParameterType type) {
     return type == ParameterType::integer ? "an integer (int)"
            : type == ParameterType::real  ? "real (double)"
@@ -76,7 +71,7 @@ void check_parameter(Completion& c, const DraftProcess& process, const Parameter
         c.reporter.error(parameter.at,
                          fmt::format("the kind \"{}\" has no parameter \"{}\"", kind.name, parameter.name),
                          did_you_mean(parameter.name, names_in(kind.parameters)), std::move(others));
-    } else if (known->type != type_of(parameter)) {
+    } else if (known->type != element_type(parameter) || element_dimensions(parameter) != 0) {
         c.reporter.error(
             parameter.at,
             fmt::format("the parameter \"{}\" of the kind \"{}\" is {}", parameter.name, kind.name, word(known->type)),
@@ -111,6 +106,8 @@ void take_over(ProcessInstance& process, const DraftProcess& draft) {
     process.name = draft.name;
     process.kind = draft.kind;
     process.high_priority = draft.high_priority;
+    if (draft.interface) // shares ownership of the whole
+        process.interface = {draft.interface, &draft.interface->entries};
     process.node = draft.node;
     process.other = draft.other;
     process.declared = draft.declared;

@@ -25,7 +25,7 @@ void refuse_repeated(const std::vector<Setting>& settings, Reporter& reporter) {
         if (is_new)
             continue;
         reporter.error(setting.at, fmt::format("the attribute \"{}\" is given twice", setting.name), "",
-                       {{"first given here", known->second}});
+                       {first_given(known->second)});
         throw StatementRefused{};
     }
 }
@@ -60,11 +60,20 @@ void apply_connection_attribute(DraftConnection& connection, const Setting& sett
 bool is_high(const Setting& setting, const AttributeValue& value) {
     const auto* integer = setting.value.integer();
     if (integer == nullptr || (integer->value != 0 && integer->value != 1))
-        value.illegal(shown(setting.value), "a priority is HIGH or LOW");
-    return integer->value == 1;
+        value.illegal(shown(setting.value), "a priority is HIGH, which is 0, or LOW, which is 1");
+    return integer->value == 0;
 }
 
 } // namespace
+
+SecondPlace first_given(const Location& at) { return {fmt::format("given first at line {}", at.line), at}; }
+
+void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what, const std::string& whose,
+                        const Location& first) {
+    reporter.error(second.at, fmt::format("the {} \"{}\" of \"{}\" is given twice", what, second.name, whose), "",
+                   {first_given(first)});
+    throw StatementRefused{};
+}
 
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes) {

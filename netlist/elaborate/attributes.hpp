@@ -11,6 +11,12 @@ namespace placedpar {
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 
+/// The note to something given twice.
+SecondPlace first_given(const Location& at);
+/// `the parameter "n" of "p" is given twice`. Throws StatementRefused.
+[[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,
+                                     const std::string& whose, const Location& first);
+
 /// `scopes` knows the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);

@@ -15,12 +15,30 @@ double as_real(const Constant& constant) {
     return integer != nullptr ? static_cast<double>(integer->value) : *constant.real();
 }
 
+/// By -1 or by 64 bits there is nothing to shift; a bit that is shifted out to the left is an overflow.
+bool shift_left(std::int64_t a, std::int64_t b, std::int64_t& result) {
+    return b >= 0 && b < 63 && !__builtin_mul_overflow(a, std::int64_t{1} << b, &result);
+}
+
+/// As on every machine of today, the sign is kept.
+bool shift_right(std::int64_t a, std::int64_t b, std::int64_t& result) {
+    if (b < 0 || b > 63)
+        return false;
+    result = a >> b;
+    return true;
+}
+
 /// One reading of an integer operation; false where 64 bits do not hold the result.
 bool integer_operation(char symbol, std::int64_t a, std::int64_t b, std::int64_t& result) {
     switch (symbol) {
     case '+': return !__builtin_add_overflow(a, b, &result);
     case '-': return !__builtin_sub_overflow(a, b, &result);
     case '*': return !__builtin_mul_overflow(a, b, &result);
+    case '&': result = a & b; return true;
+    case '|': result = a | b; return true;
+    case '^': result = a ^ b; return true;
+    case '<': return shift_left(a, b, result);
+    case '>': return shift_right(a, b, result);
     default: break;
     }
     if (b == 0 || (a == std::numeric_limits<std::int64_t>::min() && b == -1))
@@ -33,6 +51,8 @@ Constant integer_arithmetic(const std::string& symbol, const Integer& a, const I
     Integer result;
     if ((symbol == "/" || symbol == "%") && b.value == 0)
         throw NoResult{"division by zero", ""};
+    if ((symbol == "<<" || symbol == ">>") && (b.value < 0 || b.value > 63))
+        throw NoResult{fmt::format("an integer cannot be shifted by {} bits", b.value), "it can be shifted by 0 to 63"};
     if (!integer_operation(symbol[0], a.value, b.value, result.value))
         throw NoResult{fmt::format("{} {} {} is beyond 64 bits", a.value, symbol, b.value), ""};
     if (!integer_operation(symbol[0], a.decimal, b.decimal, result.decimal))
@@ -40,9 +60,13 @@ Constant integer_arithmetic(const std::string& symbol, const Integer& a, const I
     return {result};
 }
 
+bool takes_only_integers(std::string_view symbol) {
+    return symbol == "<<" || symbol == ">>" || std::string_view("%&|^~!").find(symbol) != std::string_view::npos;
+}
+
 Constant real_arithmetic(const std::string& symbol, double a, double b) {
-    if (symbol == "%")
-        throw NoResult{"wrong type for the operator %: it takes integers", ""};
+    if (takes_only_integers(symbol))
+        throw NoResult{fmt::format("wrong type for the operator {}: it takes integers", symbol), ""};
     if (symbol == "/" && b == 0)
         throw NoResult{"division by zero", ""};
     auto result = symbol == "+" ? a + b : symbol == "-" ? a - b : symbol == "*" ? a * b : a / b;
@@ -65,7 +89,7 @@ bool compare(const std::string& symbol, const T& a, const T& b) {
 }
 
 bool is_comparison(const std::string& symbol) {
-    return symbol == "==" || symbol == "!=" || symbol[0] == '<' || symbol[0] == '>';
+    return symbol == "==" || symbol == "!=" || symbol == "<" || symbol == ">" || symbol == "<=" || symbol == ">=";
 }
 
 [[noreturn]] void wrong_type(const std::string& symbol, const std::string& operands) {
@@ -95,9 +119,11 @@ Constant apply_unary(const std::string& symbol, const Constant& operand) {
     if (const auto* integer = operand.integer()) {
         if (symbol == "!")
             return integer_constant(integer->value == 0 ? 1 : 0);
+        if (symbol == "~")
+            return {Integer{~integer->value, ~integer->decimal}};
         return symbol == "+" ? operand : integer_arithmetic("-", Integer{}, *integer);
     }
-    if (const auto* real = operand.real(); real != nullptr && symbol != "!")
+    if (const auto* real = operand.real(); real != nullptr && !takes_only_integers(symbol))
         return {symbol == "+" ? *real : -*real};
     wrong_type(symbol, "the operand is " + type_name(operand));
 }
@@ -137,7 +163,9 @@ Constant apply_cast(const std::string& type, const Constant& operand) {
     if (type == "char" && (v < -128 || v > 255))
         throw NoResult{fmt::format("{} is no character", v), "a character has a code from 0 to 255"};
     if (type == "short" && (v < -32768 || v > 32767))
-        throw NoResult{fmt::format("{} does not fit into a short", v), ""};
+        throw NoResult{fmt::format("{} does not fit into a short", v), "a short goes from -32768 to 32767"};
+    if (type == "int" && (v < -0x80000000LL || v > 0x7fffffffLL))
+        throw NoResult{fmt::format("{} does not fit into an int", v), "an int goes from -2147483648 to 2147483647"};
     return {result};
 }
 
@@ -156,6 +184,22 @@ Constant apply_subscript(const Constant& array, const Constant& subscript) {
     if (array.text() != nullptr)
         return integer_constant(static_cast<unsigned char>((*array.text())[place]));
     return (**array.array())[place];
+}
+
+Constant apply_size(const Constant& array) {
+    if (array.text() != nullptr)
+        return integer_constant(static_cast<std::int64_t>(array.text()->size()));
+    if (array.array() == nullptr)
+        throw NoResult{fmt::format("wrong type for size: {} is {}", shown(array), type_name(array)),
+                       "it takes an array or a string"};
+    return integer_constant(static_cast<std::int64_t>((*array.array())->size()));
+}
+
+bool have_same_shape(const Constant& left, const Constant& right) {
+    if (left.array() == nullptr || right.array() == nullptr)
+        return left.value.index() == right.value.index() || (left.is_number() && right.is_number());
+    const auto &rows = **left.array(), &others = **right.array();
+    return rows.size() == others.size() && have_same_shape(rows.front(), others.front());
 }
 
 } // namespace placedpar

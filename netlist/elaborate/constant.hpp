@@ -44,8 +44,13 @@ struct NoResult {
 /// the evaluator's.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
-/// char and short take only what fits them; a real is cut off towards zero.
+/// char, short and int take only what fits them; a real is cut off towards zero.
 Constant apply_cast(const std::string& type, const Constant& operand);
 Constant apply_subscript(const Constant& array, const Constant& subscript);
+/// The number of elements of an array, or of characters of a string.
+Constant apply_size(const Constant& array);
+
+/// Whether both have the same type and, for arrays, the same dimensions. REQUIRES: no array is ragged.
+bool have_same_shape(const Constant& left, const Constant& right);
 
 } // namespace placedpar

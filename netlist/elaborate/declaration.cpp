@@ -1,4 +1,6 @@
+#include "netlist/elaborate/attribute_value.hpp"
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/language/lexer.hpp"
 
 #include <fmt/format.h>
 
@@ -17,8 +19,9 @@ std::string Elaborator::claim_name(const std::string& name) {
     auto claimed = name;
     auto& number = copies_[name];
     number = std::max(number, 1);
+    constexpr std::size_t longest_number = std::string_view("_250000").size();
     while (!claimed_.insert(claimed).second)
-        claimed = fmt::format("{}_{}", name, ++number);
+        claimed = fmt::format("{}_{}", name.substr(0, longest_name - longest_number), ++number);
     return claimed;
 }
 
@@ -63,10 +66,14 @@ void Elaborator::declare(const Declarator& declarator, Category category, std::s
     scopes_.declare(declarator.name, {DeclaredThings{category, first, sizes}, declarator.at});
 }
 
-NodeType Elaborator::node_type(const std::string& name, const Location& at) {
+Type Elaborator::base_type(const std::string& name, const Location& at, std::vector<Setting>& settings) {
     const auto* symbol = scopes_.find(name);
     if (symbol == nullptr)
         refuse_undefined(reporter_, scopes_, name, at);
+    if (std::holds_alternative<AnyElement>(symbol->meaning))
+        return type_of_element(at, settings);
+    if (const auto* type = std::get_if<ProcessType>(&symbol->meaning))
+        return *type;
     const auto* type = std::get_if<NodeType>(&symbol->meaning);
     if (type == nullptr)
         refuse(at, fmt::format("\"{}\" is {}, not a node type", name, describe(*symbol)));
@@ -75,18 +82,55 @@ NodeType Elaborator::node_type(const std::string& name, const Location& at) {
     return *type;
 }
 
+Type Elaborator::type_of_element(const Location& at, std::vector<Setting>& settings) {
+    auto found = std::ranges::find(settings, "element", &Setting::name);
+    if (found == settings.end())
+        refuse(at, "the element of the node is missing", "node (element = \"processor\") or \"process\"");
+    AttributeValue value(*found, reporter_);
+    auto element = value.text();
+    if (element != "processor" && element != "process")
+        value.illegal(fmt::format("\"{}\"", element), "it is \"processor\" or \"process\"");
+    settings.erase(found);
+    if (element == "process")
+        return ProcessType{};
+    return catalogue_.node_types().find(element)->second;
+}
+
+Type Elaborator::derived_type(const std::string& name, const Location& at, const DeclarationAttributes& attributes) {
+    auto settings = evaluate_attributes(evaluator_, reporter_, attributes.attributes);
+    auto type = base_type(name, at, settings);
+    if (auto* processes = std::get_if<ProcessType>(&type)) {
+        extend(*processes, settings, attributes);
+        return type;
+    }
+    if (attributes.interface)
+        refuse(attributes.interface_at, "a node has no attribute \"interface\"", "an interface belongs to a process");
+    apply_node_attributes(std::get<NodeType>(type), settings, scopes_, reporter_);
+    return type;
+}
+
 void Elaborator::perform(const DefineStatement& form, const Location&) {
-    auto type = node_type(form.base, form.base_at);
-    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_, reporter_);
+    auto type = derived_type(form.base, form.base_at, form.attributes);
     for (const auto& name : form.names) {
         check_free(name.name, name.at);
-        scopes_.declare(name.name, {type, name.at});
+        scopes_.declare(name.name, std::visit([&](auto& each) { return Symbol{each, name.at}; }, type));
     }
 }
 
-void Elaborator::perform(const NodeDeclaration& form, const Location&) {
-    auto type = node_type(form.type, form.type_at);
-    apply_node_attributes(type, evaluate_attributes(evaluator_, reporter_, form.attributes), scopes_, reporter_);
+void Elaborator::perform(const Declaration& form, const Location&) {
+    auto type = derived_type(form.type, form.type_at, form.attributes);
+    if (auto* nodes = std::get_if<NodeType>(&type))
+        return declare_nodes(*nodes, form);
+    auto& processes = std::get<ProcessType>(type);
+    if (!form.names.empty())
+        return declare_processes(processes, form.names);
+    auto& defaults = process_defaults_.settings;
+    defaults.insert(defaults.end(), processes.settings.begin(), processes.settings.end());
+    if (processes.interface)
+        process_defaults_.interface = processes.interface;
+}
+
+void Elaborator::declare_nodes(const NodeType& type, const Declaration& form) {
     if (type.needs_type)
         refuse(form.type_at, "the type of the processor is missing", "processor (type = \"T800\") name;");
     for (const auto& name : form.names)

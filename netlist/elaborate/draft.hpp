@@ -23,7 +23,8 @@ struct DraftConnection {
     Location declared;
     std::optional<std::int64_t> bits_per_second;
     std::optional<double> metres;
-    std::optional<Location> used; ///< by this connect
+    std::optional<Location> used;             ///< by this connect
+    std::map<std::string, Location> settings; ///< by statements of their own, `c (length = 0.3);`
 };
 
 struct DraftEdgeChannel {
@@ -54,6 +55,7 @@ struct ParameterDeclaration {
 struct Interface {
     std::vector<PortDeclaration> ports;
     std::vector<ParameterDeclaration> parameters;
+    std::vector<DeclaredEntry> entries; ///< both, in their order
 };
 
 /// `name (n = 4);`
@@ -62,6 +64,8 @@ struct Setting {
     Constant value;
     Location at;
 };
+/// Those of one statement, shared by all elements of an array that it names.
+using SharedSettings = std::shared_ptr<const std::vector<Setting>>;
 
 struct DraftProcess {
     std::string name;
@@ -69,7 +73,7 @@ struct DraftProcess {
     bool high_priority = false;
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null where the netlist gives none
-    std::vector<Setting> settings;
+    std::vector<SharedSettings> settings;       ///< statement by statement
     std::string kind;
     std::optional<Location> used; ///< by this `use`
     std::size_t node = nowhere;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace placedpar {
 
@@ -32,8 +33,10 @@ std::vector<std::string> declared_names(const Statement& statement) {
 Elaborator::Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter)
     : catalogue_(catalogue), overrides_(overrides), reporter_(reporter), scopes_(catalogue),
       evaluator_(scopes_, reporter) {
-    for (const auto& name : scopes_.names())
-        claimed_.insert(name);
+    // what a printed network says by a predefined name must mean that again when it is read
+    claimed_.insert("HIGH");
+    for (const auto& [name, type] : catalogue.node_types())
+        claimed_.insert(type.preset.type);
     scopes_.declare_predefined("host", {DeclaredThings{Category::node, nowhere, {}}, {}});
 }
 
@@ -70,16 +73,28 @@ void Elaborator::perform(const ValStatement& form, const Location& at) {
     scopes_.declare(form.name, {value, at});
 }
 
+std::int64_t Elaborator::behind_last(const Expression& expression) {
+    auto last = evaluator_.integer(expression, "the last value of a replicator").value;
+    if (last == std::numeric_limits<std::int64_t>::max())
+        refuse(expression.at, fmt::format("a replicator cannot count to {}", last));
+    return last + 1;
+}
+
+std::int64_t Elaborator::behind_count(std::int64_t first, const Expression& expression) {
+    auto count = evaluator_.integer(expression, "a replicator's count").value;
+    std::int64_t end = 0;
+    if (count < 0)
+        refuse(expression.at, fmt::format("a replicator cannot count {} times", count), "the count is 0 or more");
+    if (__builtin_add_overflow(first, count, &end))
+        refuse(expression.at, fmt::format("{} + {} is beyond 64 bits", first, count));
+    return end;
+}
+
 void Elaborator::perform(const RepStatement& form, const Location& at) {
     auto first = evaluator_.integer(*form.first, "a replicator").value;
-    auto count = evaluator_.integer(*form.count, "a replicator's count").value;
-    std::int64_t last = 0;
-    if (count < 0)
-        refuse(form.count->at, fmt::format("a replicator cannot count {} times", count), "the count is 0 or more");
-    if (__builtin_add_overflow(first, count, &last))
-        refuse(form.count->at, fmt::format("{} + {} is beyond 64 bits", first, count));
+    auto end = form.last ? behind_last(*form.last) : behind_count(first, *form.count);
     std::size_t rounds_in_vain = 0;
-    for (auto i = first; i < last; ++i) {
+    for (auto i = first; i < end; ++i) {
         if (reporter_.failed() && ++rounds_in_vain > most_repeated)
             return; // the netlist is refused, and what else there is to say has been said
         evaluator_.step(at);

@@ -30,12 +30,19 @@ public:
 
 private:
     using Category = DeclaredThings::Category;
+    /// Consecutive elements of one array in the draft.
+    struct Elements {
+        std::size_t first = 0, count = 0;
+    };
 
     // elaborator.cpp
     void execute(const Statement& statement);
     void execute_all(const Statements& statements);
     void perform(const ValStatement& form, const Location& at);
     void perform(const RepStatement& form, const Location& at);
+    /// The first value that a replicator does not take.
+    std::int64_t behind_last(const Expression& last);
+    std::int64_t behind_count(std::int64_t first, const Expression& count);
     void perform(const IfStatement& form, const Location& at);
     void perform(const BlockStatement& form, const Location& at);
 
@@ -44,23 +51,34 @@ private:
 
     // declaration.cpp
     void perform(const DefineStatement& form, const Location& at);
-    void perform(const NodeDeclaration& form, const Location& at);
+    void perform(const Declaration& form, const Location& at);
+    void declare_nodes(const NodeType& type, const Declaration& form);
     void perform(const ConnectionDeclaration& form, const Location& at);
     void perform(const EdgeChannelDeclaration& form, const Location& at);
     std::vector<std::int64_t> dimensions(const Declarator& declarator);
     void check_free(const std::string& name, const Location& at);
     std::string claim_name(const std::string& name);
     void count_things(std::size_t count, const Location& at);
-    NodeType node_type(const std::string& name, const Location& at);
+    /// The type of that name with the attributes added.
+    Type derived_type(const std::string& name, const Location& at, const DeclarationAttributes& attributes);
+    /// For `node` the attribute `element` decides, and is taken out.
+    Type base_type(const std::string& name, const Location& at, std::vector<Setting>& settings);
+    Type type_of_element(const Location& at, std::vector<Setting>& settings);
     /// Declares the elements of one declarator; `add` writes one of them, by its name, into the draft.
     void declare(const Declarator& declarator, Category category, std::size_t first,
                  const std::function<void(std::string)>& add, std::size_t weight = 1);
 
     // process.cpp
-    void perform(const ProcessDeclaration& form, const Location& at);
     void perform(const ParameterSetting& form, const Location& at);
     void perform(const UseStatement& form, const Location& at);
+    void use_for_all(const std::string& program, const Location& at);
+    void extend(ProcessType& type, const std::vector<Setting>& settings, const DeclarationAttributes& attributes);
+    /// `name (stacksize = 4k);` for a type of processes.
+    void set_type(const ProcessType& type, const ParameterSetting& form);
+    void set_connections(const Elements& range, const std::vector<Setting>& settings);
+    void set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at);
     void apply_process_attributes(DraftProcess& pattern, const std::vector<Setting>& settings);
+    void declare_processes(const ProcessType& type, const std::vector<Declarator>& names);
     void declare_process(const Declarator& name, const DraftProcess& pattern);
     std::shared_ptr<const Interface> interface(const std::vector<InterfaceEntry>& entries);
 
@@ -79,9 +97,6 @@ private:
     void place_connection(const PlaceStatement& form);
 
     // reference.cpp: what a reference names
-    struct Elements {
-        std::size_t first = 0, count = 0;
-    };
     struct Found {
         Category category;
         std::vector<std::int64_t> dimensions;
@@ -110,8 +125,7 @@ private:
     Scopes scopes_;
     Evaluator evaluator_;
     Draft draft_;
-    std::vector<Setting> process_defaults_;
-    std::shared_ptr<const Interface> default_interface_;
+    ProcessType process_defaults_; ///< of all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;      ///< names that the network has, without subscripts

@@ -59,13 +59,24 @@ Constant Evaluator::value_of(const ArrayConstant& array, const Location& at) {
         elements->push_back(evaluate(*element));
         const auto &first = elements->front(), &last = elements->back();
         depth = std::max(depth, last.depth + 1);
-        if (first.value.index() != last.value.index() && !(first.is_number() && last.is_number()))
-            refuse(at, fmt::format("an array holds values of one type: here are {} and {}", type_name(first),
-                                   type_name(last)));
+        check_shape(first, last, at, element->at);
     }
     if (depth > deepest_array)
         refuse(at, fmt::format("the array has too many dimensions: {} are allowed", deepest_array));
     return {ConstantArray(std::move(elements)), depth};
+}
+
+void Evaluator::check_shape(const Constant& first, const Constant& element, const Location& array, const Location& at) {
+    if (have_same_shape(first, element))
+        return;
+    if (first.array() == nullptr || element.array() == nullptr)
+        refuse(array, fmt::format("an array holds values of one type: here are {} and {}", type_name(first),
+                                  type_name(element)));
+    auto size = [](const Constant& row) { return (*row.array())->size(); };
+    if (size(first) != size(element))
+        refuse(at, fmt::format("the array is ragged: this row has {} elements", size(element)),
+               fmt::format("its first row has {}", size(first)));
+    refuse(at, "the array is ragged: the elements of this row differ from those of its first in size or type");
 }
 
 Constant Evaluator::evaluate(const Expression& expression) try {
@@ -84,6 +95,14 @@ Constant Evaluator::value_of(const BinaryOperation& operation, const Location& a
 
 Constant Evaluator::value_of(const UnaryOperation& operation, const Location&) {
     return apply_unary(operation.symbol, evaluate(*operation.operand));
+}
+
+Constant Evaluator::value_of(const ConditionalOperation& operation, const Location&) {
+    return evaluate(condition(*operation.condition) ? *operation.then : *operation.otherwise);
+}
+
+Constant Evaluator::value_of(const SizeOperation& operation, const Location&) {
+    return apply_size(evaluate(*operation.array));
 }
 
 Constant Evaluator::value_of(const CastOperation& operation, const Location&) {

@@ -34,9 +34,12 @@ private:
     Constant value_of(const NameUse& use, const Location& at);
     Constant value_of(const UnaryOperation& operation, const Location& at);
     Constant value_of(const BinaryOperation& operation, const Location& at);
+    Constant value_of(const ConditionalOperation& operation, const Location& at);
+    Constant value_of(const SizeOperation& operation, const Location& at);
     Constant value_of(const CastOperation& operation, const Location& at);
     Constant value_of(const SubscriptOperation& operation, const Location& at);
     Constant value_of(const ArrayConstant& array, const Location& at);
+    void check_shape(const Constant& first, const Constant& element, const Location& array, const Location& at);
     Constant evaluate_logical(const BinaryOperation& operation, const Location& at);
     [[noreturn]] void wrong_type(const Expression& expression, const Constant& value, std::string_view whose,
                                  std::string hint);

@@ -4,27 +4,53 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace placedpar {
 
 namespace {
+
+std::string in_upper_case(std::string text) {
+    for (char& c : text)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// The type of that name; in either case for one that is predefined. Null where there is none.
+const NodeType* find_type(const Scopes& scopes, const std::string& name) {
+    for (const auto& each : {name, in_upper_case(name)})
+        if (const auto* symbol = scopes.find(each))
+            if (const auto* type = std::get_if<NodeType>(&symbol->meaning))
+                return type;
+    return nullptr;
+}
+
+/// What the attributes of a processor without a type have said so far goes before what the type says.
+NodeType with_attributes_of(NodeType type, const Node& untyped) {
+    for (const auto& attribute : untyped.kind->attributes)
+        if (const auto& value = untyped.attributes.at(attribute.value.name); value != attribute.value.default_value)
+            type.preset.attributes[attribute.value.name] = value;
+    for (const auto& [name, value] : untyped.other)
+        type.preset.other[name] = value;
+    return type;
+}
 
 /// `processor (type = "T800")`: another model of the same kind takes its place.
 void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Reporter& reporter) {
     AttributeValue value(setting, reporter);
     auto name = value.text();
-    const auto* symbol = scopes.find(name);
-    const auto* known = symbol == nullptr ? nullptr : std::get_if<NodeType>(&symbol->meaning);
+    const auto* known = find_type(scopes, name);
     if (known == nullptr || known->preset.kind != type.preset.kind || known->needs_type) {
         auto guess = did_you_mean(name, scopes.predefined_node_types());
         value.illegal(fmt::format("\"{}\"", name),
                       guess.empty() ? "it names a type of processor, such as \"T800\"" : guess);
     }
-    type = *known;
+    type = with_attributes_of(*known, type.preset);
 }
 
 /// Elsewhere it may only repeat what the declaration's first word says.
 void check_type(const NodeType& type, const AttributeValue& value) {
-    if (auto name = value.text(); name != type.preset.type && !type.needs_type)
+    if (auto name = value.text(); in_upper_case(name) != in_upper_case(type.preset.type))
         value.illegal(fmt::format("\"{}\"", name), fmt::format("the type is {} already", type.preset.type));
 }
 
@@ -61,11 +87,13 @@ void apply_attribute(NodeType& type, const Setting& setting, Reporter& reporter)
 
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter) {
+    bool untyped = type.needs_type;
     for (const auto& setting : settings)
-        if (setting.name == "type" && type.needs_type)
+        if (setting.name == "type" && untyped)
             apply_type(type, setting, scopes, reporter);
     for (const auto& setting : settings)
-        apply_attribute(type, setting, reporter);
+        if (setting.name != "type" || !untyped)
+            apply_attribute(type, setting, reporter);
 }
 
 } // namespace placedpar

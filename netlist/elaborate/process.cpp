@@ -19,6 +19,12 @@ void check_unique(const Entries& entries, const Declarator& declarator, Reporter
     throw StatementRefused{};
 }
 
+/// "input", "output", "int" ...
+std::string word_for(const EntryType& type) {
+    const auto* direction = std::get_if<Direction>(&type);
+    return direction != nullptr ? word(*direction) : std::get<std::string>(type);
+}
+
 /// Channel ends and parameters, elements of arrays one by one.
 std::size_t entry_count(const Interface* interface) {
     std::size_t count = 0;
@@ -42,6 +48,7 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
         check_unique(result->ports, entry.declarator, reporter_);
         check_unique(result->parameters, entry.declarator, reporter_);
         auto sizes = dimensions(entry.declarator);
+        result->entries.push_back({word_for(entry.type), entry.declarator.name, sizes});
         if (const auto* direction = std::get_if<Direction>(&entry.type)) {
             result->ports.push_back({entry.declarator.name, *direction, std::move(sizes), entry.declarator.at});
             continue;
@@ -55,19 +62,22 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
     return result;
 }
 
-void Elaborator::perform(const ProcessDeclaration& form, const Location&) {
-    auto settings = evaluate_attributes(evaluator_, reporter_, form.attributes.attributes);
+/// Checks what is added, so that a type is refused where it is defined.
+void Elaborator::extend(ProcessType& type, const std::vector<Setting>& settings,
+                        const DeclarationAttributes& attributes) {
+    DraftProcess scratch;
+    apply_process_attributes(scratch, settings);
+    type.settings.insert(type.settings.end(), settings.begin(), settings.end());
+    if (attributes.interface)
+        type.interface = interface(*attributes.interface);
+}
+
+void Elaborator::declare_processes(const ProcessType& type, const std::vector<Declarator>& names) {
     DraftProcess pattern;
-    pattern.interface = default_interface_;
-    if (form.attributes.interface)
-        pattern.interface = interface(*form.attributes.interface);
-    for (const auto* list : {&process_defaults_, &settings})
-        apply_process_attributes(pattern, *list);
-    if (form.names.empty()) {
-        process_defaults_.insert(process_defaults_.end(), settings.begin(), settings.end());
-        default_interface_ = pattern.interface;
-    }
-    for (const auto& name : form.names)
+    pattern.interface = type.interface ? type.interface : process_defaults_.interface;
+    apply_process_attributes(pattern, process_defaults_.settings);
+    apply_process_attributes(pattern, type.settings);
+    for (const auto& name : names)
         declare_process(name, pattern);
 }
 
@@ -91,37 +101,65 @@ void Elaborator::declare_process(const Declarator& name, const DraftProcess& pat
     declare(name, Category::process, draft_.processes.size(), add, weight);
 }
 
+void Elaborator::set_type(const ProcessType& type, const ParameterSetting& form) {
+    auto changed = type;
+    extend(changed, evaluate_attributes(evaluator_, reporter_, form.values), {});
+    scopes_.declare(form.process.name, {std::move(changed), form.process.at});
+}
+
+void Elaborator::set_connections(const Elements& range, const std::vector<Setting>& settings) {
+    for (std::size_t i = 0; i < range.count; ++i) {
+        auto& connection = draft_.connections[range.first + i];
+        for (const auto& setting : settings)
+            if (auto [known, is_new] = connection.settings.emplace(setting.name, setting.at); !is_new)
+                refuse_given_twice(reporter_, setting, "attribute", connection.name, known->second);
+        apply_connection_attributes(connection, settings, reporter_);
+    }
+}
+
+/// The settings themselves are kept once; whether one is given twice is seen when all are known.
+void Elaborator::set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at) {
+    auto is_attribute = [](const Setting& setting) { return is_process_attribute(setting.name); };
+    count_things(range.count * static_cast<std::size_t>(std::ranges::count_if(settings, is_attribute)), at);
+    auto shared = std::make_shared<const std::vector<Setting>>(settings);
+    for (std::size_t i = 0; i < range.count; ++i) {
+        evaluator_.step(at);
+        draft_.processes[range.first + i].settings.push_back(shared);
+    }
+}
+
 void Elaborator::perform(const ParameterSetting& form, const Location&) {
+    bool whole = form.process.subscripts.empty() && form.process.field.empty();
+    if (const auto* symbol = scopes_.find(form.process.name); symbol != nullptr && whole)
+        if (const auto* type = std::get_if<ProcessType>(&symbol->meaning))
+            return set_type(*type, form);
     auto found = find(form.process);
     if (!form.process.field.empty())
         refuse(form.process.field_at, "attributes belong to a whole process", "name (parameter = value);");
     auto range = elements(form.process, found);
     auto settings = evaluate_attributes(evaluator_, reporter_, form.values);
-    if (found.category == Category::connection) {
-        for (std::size_t i = 0; i < range.count; ++i)
-            apply_connection_attributes(draft_.connections[range.first + i], settings, reporter_);
-        return;
-    }
+    if (found.category == Category::connection)
+        return set_connections(range, settings);
     if (found.category != Category::process)
         refuse(form.process.at, fmt::format("\"{}\" is no process and no connection: its attributes stand where it is "
                                             "declared",
                                             form.process.name));
-    count_things(range.count * settings.size(), form.process.at);
-    for (std::size_t i = 0; i < range.count; ++i) {
-        auto& process = draft_.processes[range.first + i];
-        process.settings.insert(process.settings.end(), settings.begin(), settings.end());
-    }
+    set_processes(range, settings, form.process.at);
+}
+
+void Elaborator::use_for_all(const std::string& program, const Location& at) {
+    if (!draft_.default_kind.empty())
+        refuse(at, "the program for all processes is given twice", "", {first_given(draft_.default_used)});
+    draft_.default_kind = program;
+    draft_.default_used = at;
 }
 
 void Elaborator::perform(const UseStatement& form, const Location& at) {
     auto program = evaluator_.text(*form.program, "the program in use");
     if (program.empty())
         refuse(form.program->at, "the name of the program is empty");
-    if (!form.process) {
-        draft_.default_kind = program;
-        draft_.default_used = at;
-        return;
-    }
+    if (!form.process)
+        return use_for_all(program, at);
     auto found = find(*form.process);
     if (found.category != Category::process)
         refuse(form.process->at, fmt::format("\"{}\" is no process", form.process->name),
@@ -131,7 +169,7 @@ void Elaborator::perform(const UseStatement& form, const Location& at) {
         auto& process = draft_.processes[range.first + i];
         if (process.used)
             refuse(form.process->at, fmt::format("the process \"{}\" is given a program twice", process.name), "",
-                   {{"first given here", *process.used}});
+                   {first_given(*process.used)});
         process.kind = program;
         process.used = at;
     }

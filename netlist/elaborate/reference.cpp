@@ -23,6 +23,7 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
 std::size_t Elaborator::host(const Location& used) {
     if (host_ != nowhere)
         return host_;
+    count_things(1, used);
     host_ = draft_.nodes.size();
     auto node = catalogue_.node_types().find("edge")->second.preset;
     node.name = claim_name("host");
@@ -112,11 +113,10 @@ DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& fo
                fmt::format("such as {}.out", process.name));
     auto given = subscripts(reference.field_subscripts);
     DraftChannelEnd end{index, nowhere, element_name(reference.field, given), reference.field_at};
-    if (!process.interface) {
+    if (process.interface)
+        check_subscripts(declared_port(process, reference), reference, given);
+    else if (!used_ports_.contains({index, end.port}))
         count_things(1, reference.field_at);
-        return end;
-    }
-    check_subscripts(declared_port(process, reference), reference, given);
     return end;
 }
 

@@ -7,8 +7,10 @@ namespace placedpar {
 std::string describe(const Symbol& symbol) {
     if (std::holds_alternative<Constant>(symbol.meaning))
         return "a val";
-    if (std::holds_alternative<NodeType>(symbol.meaning))
+    if (std::holds_alternative<NodeType>(symbol.meaning) || std::holds_alternative<AnyElement>(symbol.meaning))
         return "a node type";
+    if (std::holds_alternative<ProcessType>(symbol.meaning))
+        return "a process type";
     const auto& things = std::get<DeclaredThings>(symbol.meaning);
     std::string array = things.dimensions.empty() ? "a" : "an array of";
     std::string plural = things.dimensions.empty() ? "" : "s";
@@ -22,13 +24,28 @@ std::string describe(const Symbol& symbol) {
     return array + " process" + (plural.empty() ? "" : "es");
 }
 
+namespace {
+
+ProcessType process_type_of_priority(std::int64_t priority) {
+    return {{{"priority", integer_constant(priority), {}}}, nullptr};
+}
+
+} // namespace
+
 Scopes::Scopes(const Catalogue& catalogue) : scopes_(2) {
-    for (const auto* name : {"TRUE", "true", "HIGH", "high"})
+    for (const auto* name : {"TRUE", "true", "LOW", "low"})
         declare_predefined(name, {integer_constant(1), {}});
-    for (const auto* name : {"FALSE", "false", "LOW", "low"})
+    for (const auto* name : {"FALSE", "false", "HIGH", "high"})
         declare_predefined(name, {integer_constant(0), {}});
     for (const auto& [name, type] : catalogue.node_types())
         declare_predefined(name, {type, {}});
+    declare_predefined("node", {AnyElement{}, {}});
+    for (const auto* name : {"process", "PROCESS"})
+        declare_predefined(name, {ProcessType{}, {}});
+    for (const auto* name : {"highprocess", "HIGHPROCESS"})
+        declare_predefined(name, {process_type_of_priority(0), {}});
+    for (const auto* name : {"lowprocess", "LOWPROCESS"})
+        declare_predefined(name, {process_type_of_priority(1), {}});
 }
 
 const Symbol* Scopes::find(std::string_view name) const {

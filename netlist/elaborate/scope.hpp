@@ -1,6 +1,6 @@
 #pragma once
 
-#include "netlist/elaborate/constant.hpp"
+#include "netlist/elaborate/draft.hpp"
 #include "netlist/kinds/catalogue.hpp"
 
 #include <map>
@@ -21,9 +21,20 @@ struct DeclaredThings {
     std::vector<std::int64_t> dimensions; ///< none: a single one
 };
 
+/// A type that processes can be declared with: `process`, or what a `define` made.
+struct ProcessType {
+    std::vector<Setting> settings;              ///< in order: a later one goes before an earlier one
+    std::shared_ptr<const Interface> interface; ///< null where the type says none
+};
+
+using Type = std::variant<NodeType, ProcessType>;
+
+/// The type `node`: its attribute `element` says whether it is one of processors or of processes.
+struct AnyElement {};
+
 /// What a name stands for.
 struct Symbol {
-    std::variant<Constant, NodeType, DeclaredThings> meaning;
+    std::variant<Constant, NodeType, ProcessType, AnyElement, DeclaredThings> meaning;
     Location declared; ///< no place for what is predefined
 };
 

@@ -3,7 +3,9 @@
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 
 namespace placedpar {
 
@@ -36,34 +38,56 @@ DeviceModel in_lower_case(DeviceModel model) {
     return model;
 }
 
+/// A TRAM, or each of the transputers on an evaluation board.
 struct Module {
     std::string name, chip;
     std::int64_t memory_bytes;
 };
 
-/// TRAMs: INMOS part numbers, as `trams.inc` names them; the memory is the module's.
+/// INMOS part numbers, as the toolset's `boards.inc` and `trams.inc` name them; the memory is the module's. They ran at
+/// 20 MHz, the kind's default.
 std::vector<Module> modules() {
-    return {{"B401", "T800", 32 * kilobyte}, {"B402", "T212", 8 * kilobyte}, {"B403", "T800", 1 * megabyte},
-            {"B404", "T800", 2 * megabyte},  {"B405", "T800", 8 * megabyte}, {"B411", "T800", 1 * megabyte},
-            {"B416", "T222", 64 * kilobyte}, {"B417", "T800", 4 * megabyte}};
+    return {{"B002", "T414", 2 * megabyte},    {"B003", "T414", 256 * kilobyte}, {"B004", "T414", 2 * megabyte},
+            {"B006", "T212", 8 * kilobyte},    {"B010", "T414", 1 * megabyte},   {"B011", "T800", 2 * megabyte},
+            {"B401", "T800", 32 * kilobyte},   {"B402", "T212", 8 * kilobyte},   {"B403", "T800", 1 * megabyte},
+            {"B404", "T800", 2 * megabyte},    {"B405", "T800", 8 * megabyte},   {"B407", "T222", 64 * kilobyte},
+            {"B408", "T800", 1280 * kilobyte}, {"B410", "T801", 160 * kilobyte}, {"B411", "T800", 1 * megabyte},
+            {"B416", "T222", 64 * kilobyte},   {"B417", "T800", 4 * megabyte},   {"B419", "T800", 2 * megabyte},
+            {"B422", "T222", 64 * kilobyte},   {"B426", "T800", 4 * megabyte},   {"B427", "T805", 8 * megabyte},
+            {"B428", "T805", 2 * megabyte},    {"B430", "T222", 64 * kilobyte}};
 }
 
-DeviceModel carrying(const Module& module, DeviceModel chip) {
+DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel chip) {
     chip.type = chip.name;
-    chip.name = module.name;
-    chip.attributes["memory"] = module.memory_bytes;
+    chip.name = std::move(name);
+    chip.attributes["memory"] = memory_bytes;
     return chip;
 }
 
-std::vector<DeviceModel> transputer_models() {
-    std::vector<DeviceModel> models{{.name = "processor", .links = 4, .needs_type = true}};
-    for (const DeviceModel& each : chips()) {
-        models.push_back(each);
-        models.push_back(in_lower_case(each));
-        for (const Module& module : modules())
-            if (module.chip == each.name)
-                models.push_back(carrying(module, each));
+/// Modules were sold with other transputers of the same word length: a B403_T414 is a B403 that carries a T414.
+bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
+    auto is_short = [](const std::string& name) { return name[1] == '2'; }; // T212, T222, T225, M212
+    return is_short(chip.name) != is_short(usual);
+}
+
+/// The chip, in upper and lower case, and the modules that carry it.
+std::vector<DeviceModel> models_with(const DeviceModel& chip) {
+    std::vector<DeviceModel> models{chip, in_lower_case(chip)};
+    for (const auto& [name, usual, memory_bytes] : modules()) {
+        if (usual == chip.name)
+            models.push_back(carrying(name, memory_bytes, chip));
+        if (!has_other_word_length(chip, usual))
+            models.push_back(carrying(name + "_" + chip.name, memory_bytes, chip));
     }
+    return models;
+}
+
+std::vector<DeviceModel> transputer_models() {
+    std::vector<DeviceModel> models;
+    for (const char* name : {"processor", "PROCESSOR"})
+        models.push_back({.name = name, .links = 4, .needs_type = true});
+    for (const DeviceModel& each : chips())
+        std::ranges::move(models_with(each), std::back_inserter(models));
     return models;
 }
 

@@ -32,7 +32,24 @@ Token Lexer::read_decimal(Token token) {
     bool real = skip_fraction();
     real = skip_exponent() || real;
     auto digits = std::string_view(text()).substr(start, position_ - start);
-    return real || at_float_suffix() ? read_real(digits, token) : read_integer(digits, 10, token);
+    if (real || at_float_suffix())
+        return read_real(digits, token);
+    return digits.size() > 1 && digits[0] == '0' ? read_octal(digits, token) : read_integer(digits, 10, token);
+}
+
+/// As in C, a leading 0 makes a number octal.
+Token Lexer::read_octal(std::string_view digits, Token token) {
+    auto illegal = digits.find_first_of("89");
+    if (illegal == std::string_view::npos)
+        return read_integer(digits, 8, token);
+    auto significant = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    auto at = token.at;
+    at.column += illegal;
+    reporter_.error(
+        at, fmt::format("{} is no digit of an octal number", digits[illegal]),
+        fmt::format("a leading 0 makes a number octal; the decimal number is {}", significant.substr(0, 60)));
+    apply_suffix(token);
+    return token;
 }
 
 bool Lexer::skip_fraction() {

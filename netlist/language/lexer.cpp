@@ -118,9 +118,15 @@ Token Lexer::next() {
     }
 }
 
+void Lexer::check_length(const Token& name) {
+    if (name.text.size() > longest_name)
+        reporter_.error(name.at, fmt::format("the name is too long: {} characters are allowed", longest_name));
+}
+
 Token Lexer::read_name() {
     Token token{TokenKind::name, "", {}, 0, here()};
     token.text = take_while(in_name);
+    check_length(token);
     return token;
 }
 
@@ -134,8 +140,8 @@ Token Lexer::read_directive() {
 }
 
 Token Lexer::read_symbol() {
-    static constexpr std::array two_characters{"==", "!=", "<=", ">=", "&&", "||"};
-    static constexpr std::string_view one_character = "(){}[],;.=+-*/%<>!";
+    static constexpr std::array two_characters{"==", "!=", "<=", ">=", "&&", "||", "<<", ">>"};
+    static constexpr std::string_view one_character = "(){}[],;.=+-*/%<>!~&|^?:";
     Token token{TokenKind::symbol, "", {}, 0, here()};
     for (std::string_view symbol : two_characters)
         if (peek() == symbol[0] && peek(1) == symbol[1]) {

@@ -7,6 +7,8 @@ namespace placedpar {
 
 /// Short enough to be printed on one line with every character escaped.
 inline constexpr std::size_t longest_string = 2000;
+/// Short enough for a statement with several names, subscripts and all, to be printed on one line.
+inline constexpr std::size_t longest_name = 255;
 
 /// Cuts one source into tokens, one at a time. What it cannot read it reports, and returns as an illegal token.
 /// Comments are C's: slash star to star slash; the language has no others.
@@ -24,6 +26,7 @@ private:
     void skip_comment();
     void skip_line_comment();
     Token read_name();
+    void check_length(const Token& name);
     Token read_symbol();
     Token read_directive();
 
@@ -37,6 +40,7 @@ private:
     bool at_float_suffix() const;
     void refuse_letters_behind(const Token& token, std::size_t start);
     Token read_integer(std::string_view digits, int base, Token token);
+    Token read_octal(std::string_view digits, Token token);
     Token read_real(std::string_view digits, Token token);
     void apply_suffix(Token& token);
 

@@ -66,26 +66,30 @@ Attribute Parser::parse_attribute() {
     return attribute;
 }
 
-ProcessAttributes Parser::parse_process_attributes() {
-    ProcessAttributes result;
+DeclarationAttributes Parser::parse_declaration_attributes() {
+    DeclarationAttributes result;
     if (!accept("(") || accept(")"))
         return result;
-    do {
-        if (!tokens_.peek().is_word("interface")) {
+    do
+        if (tokens_.peek().is_word("interface"))
+            parse_interface_once(result);
+        else
             result.attributes.push_back(parse_attribute());
-            continue;
-        }
-        auto word = tokens_.take();
-        if (result.interface) {
-            reporter_.error(word.at, "the attribute \"interface\" is given twice", "",
-                            {{"first given here", result.interface_at}});
-            throw StatementRefused{};
-        }
-        result.interface_at = word.at;
-        result.interface = parse_interface();
-    } while (accept(","));
+    while (accept(","));
     expect(")", "behind the attributes");
     return result;
+}
+
+void Parser::parse_interface_once(DeclarationAttributes& attributes) {
+    auto word = tokens_.take();
+    if (attributes.interface) {
+        reporter_.error(
+            word.at, "the attribute \"interface\" is given twice", "",
+            {{fmt::format("given first at line {}", attributes.interface_at.line), attributes.interface_at}});
+        throw StatementRefused{};
+    }
+    attributes.interface_at = word.at;
+    attributes.interface = parse_interface();
 }
 
 /// `(input in, out2, output out[3], int n = 3)`: an entry without a type has the type of the entry before it.

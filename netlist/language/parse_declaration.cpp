@@ -30,22 +30,35 @@ Statement Parser::parse_val() {
 
 Statement Parser::parse_define() {
     auto at = tokens_.take().at;
-    auto base = expect_name("a node type");
-    auto attributes = parse_attributes();
-    auto names = parse_declarators("a node type");
-    for (const auto& name : names)
-        if (!name.dimensions.empty())
-            refuse(name.at, "a node type cannot be an array", "declare an array of nodes of this type instead");
+    auto base = expect_type("a node type");
+    auto attributes = parse_declaration_attributes();
+    std::vector<Declarator> names;
+    do
+        names.push_back(parse_type_name());
+    while (accept(","));
     expect_semicolon("define");
     return {at, DefineStatement{base.text, base.at, std::move(attributes), std::move(names)}};
 }
 
-Statement Parser::parse_node_declaration() {
-    auto type = expect_name("a node type");
-    auto attributes = parse_attributes();
-    auto names = parse_declarators("a node");
-    expect_semicolon("declaration");
-    return {type.at, NodeDeclaration{type.text, type.at, std::move(attributes), std::move(names)}};
+Token Parser::expect_type(std::string_view what) {
+    return tokens_.peek().is_word("process") ? tokens_.take() : expect_name(what);
+}
+
+Declarator Parser::parse_type_name() {
+    auto name = expect_type("a node type");
+    if (tokens_.peek().is("["))
+        refuse(name.at, "a type cannot be an array", "declare an array of this type instead");
+    return {name.text, name.at, {}};
+}
+
+Statement Parser::parse_declaration() {
+    auto type = expect_type("a node type");
+    bool process = type.text == "process" || type.text == "PROCESS";
+    Declaration declaration{type.text, type.at, parse_declaration_attributes(), {}};
+    if (!process || !tokens_.peek().is(";"))
+        declaration.names = parse_declarators(process ? "a process" : "a node");
+    expect_semicolon(process ? "process" : "declaration");
+    return {type.at, std::move(declaration)};
 }
 
 Statement Parser::parse_connection() {
@@ -61,16 +74,6 @@ Statement Parser::parse_edge_channel() {
     auto names = parse_declarators("an edge channel");
     expect_semicolon(word.text);
     return {word.at, EdgeChannelDeclaration{direction_named(word.text), std::move(names)}};
-}
-
-Statement Parser::parse_process() {
-    auto at = tokens_.take().at;
-    ProcessDeclaration declaration;
-    declaration.attributes = parse_process_attributes();
-    if (!tokens_.peek().is(";"))
-        declaration.names = parse_declarators("a process");
-    expect_semicolon("process");
-    return {at, std::move(declaration)};
 }
 
 /// `name[i] (n = 4);`

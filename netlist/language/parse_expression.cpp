@@ -11,8 +11,8 @@ namespace {
 
 /// How strongly an operator binds, C's order; 0 for what is no operator of two operands.
 int strength(const Token& token) {
-    static constexpr std::array<std::string_view, 6> weakest_first{
-        " || ", " && ", " == != ", " < > <= >= ", " + - ", " * / % "};
+    static constexpr std::array<std::string_view, 10> weakest_first{
+        " || ", " && ", " | ", " ^ ", " & ", " == != ", " < > <= >= ", " << >> ", " + - ", " * / % "};
     auto is_in = [symbol = " " + token.text + " "](auto level) { return level.find(symbol) != level.npos; };
     if (token.kind != TokenKind::symbol)
         return 0;
@@ -32,12 +32,18 @@ ExpressionPointer make(const Location& at, Form form, int height = 1) {
 
 } // namespace
 
+int Parser::height_above(const Location& at, std::initializer_list<const Expression*> parts) {
+    int height = 0;
+    for (const auto* part : parts)
+        height = std::max(height, part->height + 1);
+    if (height > highest_expression)
+        refuse(at, fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
+    return height;
+}
+
 /// An operation of two operands, or a subscript.
 ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right) {
-    auto height = std::max(left->height, right->height) + 1;
-    if (height > highest_expression)
-        refuse(symbol.at,
-               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
+    auto height = height_above(symbol.at, {left.get(), right.get()});
     if (symbol.text == "[")
         return make(symbol.at, SubscriptOperation{std::move(left), std::move(right)}, height);
     return make(symbol.at, BinaryOperation{symbol.text, std::move(left), std::move(right)}, height);
@@ -50,7 +56,23 @@ ExpressionPointer Parser::parse_whole_expression() {
     return expression;
 }
 
-ExpressionPointer Parser::parse_expression(int weakest) {
+ExpressionPointer Parser::parse_expression() {
+    auto expression = parse_operation(0);
+    return tokens_.peek().is("?") ? parse_conditional(std::move(expression)) : std::move(expression);
+}
+
+/// The branches may be conditional again: `a ? b : c ? d : e` is `a ? b : (c ? d : e)`.
+ExpressionPointer Parser::parse_conditional(ExpressionPointer condition) {
+    Nesting nesting(*this);
+    auto at = tokens_.take().at;
+    auto then = parse_expression();
+    expect(":", "in a conditional expression");
+    auto otherwise = parse_expression();
+    auto height = height_above(at, {condition.get(), then.get(), otherwise.get()});
+    return make(at, ConditionalOperation{std::move(condition), std::move(then), std::move(otherwise)}, height);
+}
+
+ExpressionPointer Parser::parse_operation(int weakest) {
     Nesting nesting(*this);
     auto left = parse_unary();
     while (true) {
@@ -58,7 +80,7 @@ ExpressionPointer Parser::parse_expression(int weakest) {
         if (binds == 0 || binds <= weakest)
             return left;
         auto symbol = tokens_.take();
-        auto right = parse_expression(binds);
+        auto right = parse_operation(binds);
         left = combine(symbol, std::move(left), std::move(right));
     }
 }
@@ -66,7 +88,7 @@ ExpressionPointer Parser::parse_expression(int weakest) {
 ExpressionPointer Parser::parse_unary() {
     Nesting nesting(*this);
     const auto& token = tokens_.peek();
-    if (token.is("-") || token.is("+") || token.is("!")) {
+    if (token.is("-") || token.is("+") || token.is("!") || token.is("~")) {
         auto symbol = tokens_.take();
         auto operand = parse_unary();
         auto height = operand->height + 1;
@@ -84,6 +106,16 @@ ExpressionPointer Parser::parse_cast() {
     auto operand = parse_unary();
     auto height = operand->height + 1;
     return make(at, CastOperation{type, std::move(operand)}, height);
+}
+
+/// `size` is no reserved word: only with a parenthesis behind it is it the operator.
+ExpressionPointer Parser::parse_size() {
+    auto at = tokens_.take().at;
+    tokens_.take();
+    auto array = parse_expression();
+    expect(")", "behind the array");
+    auto height = height_above(at, {array.get()});
+    return make(at, SizeOperation{std::move(array)}, height);
 }
 
 ExpressionPointer Parser::parse_postfix() {
@@ -107,7 +139,9 @@ ExpressionPointer Parser::parse_primary() {
         expect(")", "behind the expression");
         return inner;
     }
-    const auto at = token.at; // taking a token ends the reference to it
+    if (token.is_word("size") && tokens_.peek(1).is("("))
+        return parse_size();
+    const auto at = tokens_.peek().at; // taking a token ends the reference to it
     if (token.kind == TokenKind::integer)
         return make(at, IntegerLiteral{tokens_.take().integer});
     if (token.kind == TokenKind::real)

@@ -52,7 +52,7 @@ Statement Parser::parse_use() {
     auto at = tokens_.take().at;
     UseStatement statement{parse_expression(), std::nullopt};
     expect_word("for", "in use");
-    if (tokens_.peek().is_word("process"))
+    if (tokens_.peek().is_word("process") || tokens_.peek().is_word("PROCESS"))
         tokens_.take();
     else
         statement.process = parse_reference("a process");
@@ -77,9 +77,14 @@ Statement Parser::parse_rep() {
     auto parenthesis = accept("(");
     auto name = expect_name("the replicator");
     expect("=", "behind the replicator's name");
-    RepStatement statement{name.text, name.at, parse_expression(), nullptr, nullptr};
-    expect_word("for", "in rep");
-    statement.count = parse_expression();
+    RepStatement statement{name.text, name.at, parse_expression(), nullptr, nullptr, nullptr};
+    bool to = tokens_.peek().is_word("to");
+    if (!to && !tokens_.peek().is_word("for"))
+        refuse(tokens_.peek().at,
+               fmt::format("\"for\" or \"to\" is missing in rep: {} stands here", describe(tokens_.peek())),
+               fmt::format("rep {0} = first for count, or rep {0} = first to last", name.text));
+    tokens_.take();
+    (to ? statement.last : statement.count) = parse_expression();
     if (parenthesis)
         expect(")", "behind the replicator");
     statement.body = parse_body("rep");

@@ -111,8 +111,8 @@ Statement Parser::parse_statement() {
         refuse(first.at, fmt::format("no statement begins with {}", describe(first)));
     if (is_reserved(first.text))
         return parse_keyword_statement(first);
-    if (behind_attributes_comes_name())
-        return parse_node_declaration();
+    if (first.text == "PROCESS" || behind_attributes_comes_name())
+        return parse_declaration();
     return parse_setting();
 }
 
@@ -124,7 +124,7 @@ Statement Parser::parse_keyword_statement(const Token& word) {
         {"connection", &Parser::parse_connection},
         {"input", &Parser::parse_edge_channel},
         {"output", &Parser::parse_edge_channel},
-        {"process", &Parser::parse_process},
+        {"process", &Parser::parse_declaration},
         {"connect", &Parser::parse_connect},
         {"use", &Parser::parse_use},
         {"place", &Parser::parse_place},

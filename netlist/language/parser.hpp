@@ -32,18 +32,21 @@ private:
     // parse_declaration.cpp
     Statement parse_val();
     Statement parse_define();
-    Statement parse_node_declaration();
+    Statement parse_declaration();
     Statement parse_connection();
     Statement parse_edge_channel();
-    Statement parse_process();
     Statement parse_setting();
     std::vector<Declarator> parse_declarators(std::string_view what);
     Declarator parse_declarator(std::string_view what);
+    Declarator parse_type_name();
+    /// The name of a type; `process`, a word of the language, is one.
+    Token expect_type(std::string_view what);
 
     // parse_attribute.cpp
     std::vector<Attribute> parse_attributes();
     Attribute parse_attribute();
-    ProcessAttributes parse_process_attributes();
+    DeclarationAttributes parse_declaration_attributes();
+    void parse_interface_once(DeclarationAttributes& attributes);
     std::vector<InterfaceEntry> parse_interface();
     /// A channel's direction or a parameter's type, if one stands here.
     std::optional<EntryType> parse_entry_type();
@@ -60,13 +63,19 @@ private:
     std::vector<ExpressionPointer> parse_subscripts();
 
     // parse_expression.cpp
-    ExpressionPointer parse_expression(int weakest = 0);
+    ExpressionPointer parse_expression();
+    /// Of operators that bind more strongly than this.
+    ExpressionPointer parse_operation(int weakest);
+    ExpressionPointer parse_conditional(ExpressionPointer condition);
     ExpressionPointer parse_unary();
     ExpressionPointer parse_cast();
+    ExpressionPointer parse_size();
     ExpressionPointer parse_postfix();
     ExpressionPointer parse_primary();
     ExpressionPointer parse_array_constant();
     ExpressionPointer combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right);
+    /// Refuses an expression that is too high.
+    int height_above(const Location& at, std::initializer_list<const Expression*> parts);
 
     bool accept(std::string_view symbol);
     void expect(std::string_view symbol, std::string_view where);

@@ -29,12 +29,16 @@ struct NameUse {
     std::string name;
 };
 struct UnaryOperation {
-    std::string symbol; ///< - + !
+    std::string symbol; ///< - + ! ~
     ExpressionPointer operand;
 };
 struct BinaryOperation {
     std::string symbol;
     ExpressionPointer left, right;
+};
+/// `condition ? then : otherwise`
+struct ConditionalOperation {
+    ExpressionPointer condition, then, otherwise;
 };
 struct CastOperation {
     std::string type; ///< char short int long float double
@@ -43,14 +47,18 @@ struct CastOperation {
 struct SubscriptOperation {
     ExpressionPointer array, subscript;
 };
+/// `size(array)`
+struct SizeOperation {
+    ExpressionPointer array;
+};
 struct ArrayConstant {
     std::vector<ExpressionPointer> elements;
 };
 
 struct Expression {
-    Location at; ///< of the operator, for operations of two operands
-    std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation, CastOperation,
-                 SubscriptOperation, ArrayConstant>
+    Location at; ///< of the operator, for operations of two and three operands
+    std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation,
+                 ConditionalOperation, CastOperation, SubscriptOperation, SizeOperation, ArrayConstant>
         form;
     int height = 1; ///< of the tree, kept small so that walking it cannot exhaust the stack
 };
@@ -90,7 +98,8 @@ struct InterfaceEntry {
     ExpressionPointer default_value; ///< null where there is none, and for channels
 };
 
-struct ProcessAttributes {
+/// What stands in the parentheses of a declaration. Only processes have an interface.
+struct DeclarationAttributes {
     std::vector<Attribute> attributes;
     std::optional<std::vector<InterfaceEntry>> interface;
     Location interface_at;
@@ -106,13 +115,15 @@ struct ValStatement {
 struct DefineStatement {
     std::string base;
     Location base_at;
-    std::vector<Attribute> attributes;
-    std::vector<Declarator> names;
+    DeclarationAttributes attributes;
+    std::vector<Declarator> names; ///< without dimensions
 };
-struct NodeDeclaration {
+/// Of nodes or processes, as the type says. `process (...);` without names sets the defaults for the processes that
+/// follow.
+struct Declaration {
     std::string type;
     Location type_at;
-    std::vector<Attribute> attributes;
+    DeclarationAttributes attributes;
     std::vector<Declarator> names;
 };
 struct ConnectionDeclaration {
@@ -123,11 +134,7 @@ struct EdgeChannelDeclaration {
     Direction direction;
     std::vector<Declarator> names;
 };
-/// Without names it sets the defaults for the processes that follow.
-struct ProcessDeclaration {
-    ProcessAttributes attributes;
-    std::vector<Declarator> names;
-};
+/// `name (n = 4);`: parameters of a process, attributes of a connection or of a process type.
 struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
@@ -146,7 +153,7 @@ struct PlaceStatement {
 struct RepStatement {
     std::string name;
     Location name_at;
-    ExpressionPointer first, count;
+    ExpressionPointer first, count, last; ///< `for count` or `to last`: the other is null
     std::unique_ptr<Statement> body;
 };
 struct IfStatement {
@@ -159,9 +166,9 @@ struct BlockStatement {
 
 struct Statement {
     Location at; ///< of the name declared by a `val`, else of the first word
-    std::variant<ValStatement, DefineStatement, NodeDeclaration, ConnectionDeclaration, EdgeChannelDeclaration,
-                 ProcessDeclaration, ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, RepStatement,
-                 IfStatement, BlockStatement>
+    std::variant<ValStatement, DefineStatement, Declaration, ConnectionDeclaration, EdgeChannelDeclaration,
+                 ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, RepStatement, IfStatement,
+                 BlockStatement>
         form;
 };
 

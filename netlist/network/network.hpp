@@ -60,6 +60,15 @@ struct LinkConnection {
     int switches() const { return static_cast<int>(crossings.size()); }
 };
 
+/// One entry of `interface (...)`, as the netlist declares it.
+struct DeclaredEntry {
+    std::string type; ///< of a channel end "input" or "output"; of a parameter "int", "char", "double" ...
+    std::string name;
+    std::vector<std::int64_t> dimensions; ///< none: a single one
+
+    bool operator==(const DeclaredEntry&) const = default;
+};
+
 /// A connected port of a process. Ports that are optional and not connected are not listed.
 struct PortBinding {
     std::string port; ///< such as "to_slaves" or "out[2]"; the kind knows it by its base name, "out"
@@ -74,6 +83,9 @@ struct ProcessInstance {
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
         given; ///< where the netlist gives a parameter; those left to their default are not listed
+    /// In the order of the netlist, since a program may fetch parameters by position. Null where the netlist gives
+    /// none.
+    std::shared_ptr<const std::vector<DeclaredEntry>> interface;
     bool high_priority = false;
     std::size_t node = nowhere;
     std::vector<PortBinding> ports;     ///< in the order of the kind's ports; of the interface for a stand-in

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 namespace placedpar {
 
@@ -149,54 +150,60 @@ private:
         if (auto interface = print_interface(range); !interface.empty())
             attributes.push_back(interface);
         line("process {}{}{};", print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
-        for (auto process = begin; process != end; ++process)
-            print_settings(*process, common, high);
+        print_settings(range, common, high);
     }
 
-    /// Only a stand-in needs one: of the others the kind knows the interface.
+    /// As the netlist declares it: a program may fetch its parameters by position.
     std::string print_interface(const ElementRange& range) const {
-        std::vector<std::string> inputs_and_outputs, parameters;
-        std::map<std::string, std::string, std::less<>> type_of;
-        for (std::size_t i = range.first; i < range.first + range.count; ++i) {
-            const auto& process = n_.processes[i];
-            if (!process.stand_in)
-                continue;
-            for (const auto& binding : process.ports) {
-                type_of.emplace(base_name(binding.port), word(binding.direction));
-                inputs_and_outputs.push_back(binding.port);
-            }
-            for (const auto& [name, value] : process.parameters) {
-                const auto* text = std::get_if<std::string>(&value);
-                type_of.emplace(base_name(name), text != nullptr                         ? "char"
-                                                 : std::holds_alternative<double>(value) ? "double"
-                                                                                         : "int");
-                parameters.push_back(text != nullptr ? fmt::format("{}[{}]", name, text->size()) : name);
-            }
-        }
+        const auto& interface = n_.processes[range.first].interface;
         std::vector<std::string> entries;
-        for (const auto* list : {&inputs_and_outputs, &parameters})
-            for (const auto& declarator : declarators_of(*list))
-                entries.push_back(type_of.find(base_name(declarator))->second + " " + declarator);
+        if (interface != nullptr)
+            for (const auto& entry : *interface)
+                entries.push_back(entry.type + " " + element_name(entry.name, entry.dimensions));
         return entries.empty() ? "" : "interface " + print_list(entries);
     }
 
-    void print_settings(const ProcessInstance& process, const std::map<std::string, Value>& common, bool all_high) {
-        std::vector<std::string> entries;
+    using Entries = std::vector<std::string>; ///< "name = value"
+
+    Entries settings(const ProcessInstance& process, const std::map<std::string, Value>& declared, bool all_high) {
+        Entries entries;
         if (process.high_priority && !all_high)
             entries.push_back("priority = HIGH");
         for (const auto& [name, value] : process.other)
-            if (!common.contains(name))
+            if (!declared.contains(name))
                 entries.push_back(print_entry(name, value));
         const auto& parameters = process.parameters;
         for (auto entry = parameters.begin(); entry != parameters.end(); ++entry) {
             if (entry->first.find('[') == std::string::npos)
-                entries.push_back(fmt::format("{} = {}", entry->first, print_constant(entry->second)));
+                entries.push_back(print_entry(entry->first, entry->second));
             else if (entry == parameters.begin() || base_name(std::prev(entry)->first) != base_name(entry->first))
                 entries.push_back(
                     fmt::format("{} = {}", base_name(entry->first), print_array(parameters, base_name(entry->first))));
         }
+        return entries;
+    }
+
+    /// What is said of all elements of an array is said once, of the array; nothing may be said twice.
+    void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
+        auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
+        Entries common = of(0);
+        for (std::size_t i = 1; i < range.count && !common.empty(); ++i) {
+            Entries others = of(i);
+            std::set<std::string_view> here(others.begin(), others.end());
+            std::erase_if(common, [&](const std::string& entry) { return !here.contains(entry); });
+        }
+        print_entries(range.base, common);
+        std::set<std::string_view> said(common.begin(), common.end());
+        for (std::size_t i = 0; i < range.count && range.count > 1; ++i) {
+            Entries rest = of(i);
+            std::erase_if(rest, [&](const std::string& entry) { return said.contains(entry); });
+            print_entries(n_.processes[range.first + i].name, rest);
+        }
+    }
+
+    void print_entries(const std::string& whose, const Entries& entries) {
         if (!entries.empty())
-            line("{} {};", process.name, print_list(entries));
+            line("{} {};", whose, print_list(entries));
     }
 
     /// The elements "a[0]", "a[1]" ... as one constant, nested as the dimensions are.
@@ -208,14 +215,18 @@ private:
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
-        std::size_t printed = 0; // a line break now and then keeps lines short enough to be read again
+        std::size_t line_begin = 0; // a line break now and then keeps lines short enough to be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;
             while (same < last.size() && last[same] == subscripts[same])
                 ++same;
             if (!last.empty())
-                result.append(last.size() - same - 1, '}').append(++printed % 16 == 0 ? ",\n    " : ", ");
+                result.append(last.size() - same - 1, '}').append(", ");
+            if (result.size() - line_begin + text.size() > 90) {
+                result.append("\n    ");
+                line_begin = result.size();
+            }
             result.append(last.empty() ? subscripts.size() : subscripts.size() - same - 1, '{').append(text);
             last = subscripts;
         }

@@ -2,9 +2,9 @@
 
 namespace placedpar {
 
-std::uint64_t network_hash(const Network& network) {
+std::uint64_t network_hash(std::string_view printed) {
     std::uint64_t hash = 0xcbf29ce484222325U; // offset and prime of FNV-1a, 64 bits
-    for (char c : print_cfs(network)) {
+    for (char c : printed) {
         hash ^= static_cast<unsigned char>(c);
         hash *= 0x100000001b3U;
     }

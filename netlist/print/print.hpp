@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace placedpar {
 
@@ -14,7 +15,7 @@ std::string print_dot(const Network& network);
 /// One JSON document with keys in a fixed order; ends with a newline.
 std::string print_json(const Network& network);
 
-/// FNV-1a, 64 bits, of print_cfs(network).
-std::uint64_t network_hash(const Network& network);
+/// FNV-1a, 64 bits, of what print_cfs printed.
+std::uint64_t network_hash(std::string_view printed);
 
 } // namespace placedpar

@@ -90,7 +90,7 @@ TEST_CASE("lines, words and nesting without measure") {
     CHECK(refused("val x 1" + repeated("\n[1]", 100000) + ";").starts_with("the expression is too long"));
     CHECK(refused("process (" + repeated("order (\n", 5000) + ";").starts_with("the nesting is too deep"));
     CHECK(refused("val s \"" + std::string(5000, 'x') + "\";").starts_with("the string is too long"));
-    CHECK(refused(repeated("val x 1;\n", 500000)).starts_with("the netlist is too large"));
+    CHECK(refused(repeated("val x 1;\n", 1100000)).starts_with("the netlist is too large"));
 }
 
 TEST_CASE("replication and arrays without measure") {

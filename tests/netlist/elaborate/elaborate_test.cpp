@@ -4,7 +4,26 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 using namespace placedpar;
+
+namespace {
+
+/// The value of an expression, by way of a parameter.
+std::int64_t integer(const std::string& expression) {
+    auto network = good_text("val a {1, 2, {3}[0]}; val table {{1, 2, 3}, {4, 5, 6}};\n"
+                             "T800 t; process (interface (long n)) p; place p on t; use \"p.lku\" for p; p (n = " +
+                             expression + ");");
+    return std::get<std::int64_t>(network.processes[0].parameters.at("n"));
+}
+
+/// How many nodes a replicator declares.
+std::size_t rounds(const std::string& replicator) {
+    return good_text("rep i = " + replicator + " edge e;").nodes.size();
+}
+
+} // namespace
 
 TEST_CASE("a val is overridden from outside") {
     CHECK(good("cluster_of_n.cfs").nodes.size() == 4);
@@ -38,12 +57,6 @@ TEST_CASE("names live to the end of their block") {
 }
 
 TEST_CASE("expressions") {
-    auto integer = [](const std::string& expression) {
-        auto network = good_text("val a {1, 2, {3}[0]}; T800 t; process (interface (int n)) p; place p on t; "
-                                 "use \"p.lku\" for p; p (n = " +
-                                 expression + ");");
-        return std::get<std::int64_t>(network.processes[0].parameters.at("n"));
-    };
     CHECK(integer("2 + 3 * 4") == 14);
     CHECK(integer("(2 + 3) * 4") == 20);
     CHECK(integer("10 - 4 - 3") == 3);
@@ -63,4 +76,71 @@ TEST_CASE("expressions") {
     CHECK(integer("\"abc\" == \"abc\"") == 1);
     CHECK(integer("1.5 > 1") == 1);
     CHECK(integer("9223372036854775807") == std::numeric_limits<std::int64_t>::max());
+}
+
+TEST_CASE("HIGH is 0 and LOW is 1") {
+    CHECK(integer("HIGH") == 0);
+    CHECK(integer("high") == 0);
+    CHECK(integer("LOW") == 1);
+    CHECK(integer("low") == 1);
+    CHECK(integer("TRUE") == 1);
+    CHECK(integer("false") == 0);
+    auto is_high = [](const std::string& priority) {
+        return good_text("T800 t; process (priority = " + priority + ") p; place p on t;").processes[0].high_priority;
+    };
+    CHECK(is_high("HIGH"));
+    CHECK(is_high("0"));
+    CHECK_FALSE(is_high("LOW"));
+    CHECK_FALSE(is_high("1"));
+}
+
+TEST_CASE("a leading 0 makes a number octal") {
+    CHECK(integer("010") == 8);
+    CHECK(integer("0777 + 00") == 511);
+    CHECK(integer("010k") == 8192);
+    CHECK(integer("0") == 0);
+    CHECK(integer("10") == 10);
+    CHECK(integer("(int) 010.5") == 10); // real numbers are decimal
+    CHECK(integer("(int) 019f") == 19);
+    CHECK(integer("0777777777777777777777") == std::numeric_limits<std::int64_t>::max());
+}
+
+TEST_CASE("operators on bits bind as in C") {
+    CHECK(integer("~0") == -1);
+    CHECK(integer("~5 & 0xFF") == 250);
+    CHECK(integer("6 & 3 | 8 ^ 12") == ((6 & 3) | (8 ^ 12)));
+    CHECK(integer("1 | 6 ^ 3 & 2") == (1 | (6 ^ (3 & 2))));
+    CHECK(integer("1 & 3 == 3") == 1); // the comparison first
+    CHECK(integer("1 << 2 + 3") == 32);
+    CHECK(integer("1 << 4 >> 2") == 4);
+    CHECK(integer("2 < 1 << 1 + 1") == 1);
+    CHECK(integer("0 && 1 | 1") == 0);
+    CHECK(integer("-8 >> 1") == -4);
+    CHECK(integer("1 << 62") == std::int64_t{1} << 62);
+    CHECK(good_text("T800 (clock = 5M << 2) t;").nodes[0].integer("clock") == 20'000'000);
+}
+
+TEST_CASE("a conditional expression looks at one of its branches") {
+    CHECK(integer("1 ? 2 : 3") == 2);
+    CHECK(integer("0 ? 1 / 0 : 3") == 3);
+    CHECK(integer("0 ? 1 : 0 ? 2 : 3") == 3);
+    CHECK(integer("1 ? 0 ? 5 : 6 : 7") == 6);
+    CHECK(integer("1 || 0 ? 8 : 9") == 8);
+    CHECK(integer("(2 > 1 ? {7, 8} : {9, 9})[1]") == 8);
+    CHECK(integer("10 + (1 ? 1 : 2)") == 11);
+}
+
+TEST_CASE("size counts elements") {
+    CHECK(integer("size(a)") == 3);
+    CHECK(integer("size(table) * 10 + size(table[1])") == 23);
+    CHECK(integer("size(\"four\")") == 4);
+    CHECK(good_text("val size 3; T800 t[size];").nodes.size() == 3); // still a name
+}
+
+TEST_CASE("rep counts, or goes to a last value") {
+    CHECK(rounds("2 for 3") == 3);
+    CHECK(rounds("2 to 3") == 2);
+    CHECK(rounds("0 to 0") == 1);
+    CHECK(rounds("0 to -1") == 0);
+    CHECK(rounds("5 to 3") == 0);
 }

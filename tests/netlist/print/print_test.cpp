@@ -105,3 +105,30 @@ TEST_CASE("the drawing names what there is and the links of each wire") {
     CHECK(dot.find("n0 -- n1 [taillabel=\"1\", headlabel=\"0\"]") != std::string::npos);
     CHECK(dot.find("n0 -- n1 [taillabel=\"0\", headlabel=\"3\"]") != std::string::npos);
 }
+
+TEST_CASE("an interface is printed in its order, with its types and sizes") {
+    auto result = read_netlist(netlist_folder() + "/good/tables.cfs", small_catalogue());
+    REQUIRE(result.network);
+    auto printed = print_cfs(*result.network);
+    std::size_t at = printed.find("process (interface (");
+    for (const char* entry :
+         {"int first", "input in", "char name[5]", "char all[4][5]", "output out[2]", "unsigned mask",
+          "short table[2][2]", "float gain", "double exact", "long large", "char initial", "char raw[3]"}) {
+        CAPTURE(entry);
+        at = printed.find(entry, at);
+        REQUIRE(at != std::string::npos);
+    }
+    CHECK(printed.find("p (all = {\"north\", \"east\", \"south\", \"west\"},\n") != std::string::npos);
+    CHECK(printed.find("p[1] (first = 4, initial = 101, name = \"east\");") != std::string::npos);
+}
+
+TEST_CASE("an interface is kept for a process whose kind is known") {
+    auto result = read_netlist_text("T800 t; process (interface (input in, int cycles, output out)) s;"
+                                    "use \"ga.slave\" for s; input i; output o; connect i to s.in; connect s.out to o;"
+                                    "connect t.link[0] to host; place s on t;",
+                                    small_catalogue());
+    REQUIRE(result.network);
+    CHECK(print_cfs(*result.network).find("process (interface (input in, int cycles, output out)) s;") !=
+          std::string::npos);
+    check_round_trip(*result.network);
+}

@@ -1,0 +1,101 @@
+// Types of nodes and processes: predefined, defined, and in the spellings of real files.
+
+#include "tests/netlist/good_networks.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace placedpar;
+
+namespace {
+
+const ProcessInstance& process(const Network& network, const std::string& name) {
+    auto found = std::ranges::find(network.processes, name, &ProcessInstance::name);
+    CAPTURE(name);
+    REQUIRE(found != network.processes.end());
+    return *found;
+}
+
+Node declared(const std::string& declaration) { return good_text(declaration + " a;").nodes.at(0); }
+
+} // namespace
+
+TEST_CASE("a processor's type is named in either case, or by a board") {
+    CHECK(declared("PROCESSOR (type = \"T805\")").type == "T805");
+    CHECK(declared("processor (type = \"t805\")").type == "T805");
+    CHECK(declared("processor (type = \"B404\")").type == "T800");
+    CHECK(declared("processor (type = \"b404\")").integer("memory") == 2 * 1024 * 1024);
+    CHECK(declared("processor (memory = 3M, type = \"B404\")").integer("memory") == 3 * 1024 * 1024);
+    CHECK(declared("T800 (type = \"t800\")").type == "T800");
+    CHECK(declared("define processor (memory = 3M, clock = 25M) fast; fast (type = \"T425\")").integer("clock") ==
+          25'000'000);
+    CHECK(declared("node (element = \"processor\", type = \"M212\")").type == "M212");
+}
+
+TEST_CASE("boards and modules carry what they were sold with") {
+    struct Board {
+        const char *name, *type;
+        std::int64_t kilobytes;
+    };
+    for (const auto& [name, type, kilobytes] :
+         {Board{"B003", "T414", 256}, Board{"B004", "T414", 2048}, Board{"B401", "T800", 32}, Board{"B402", "T212", 8},
+          Board{"B403", "T800", 1024}, Board{"B404", "T800", 2048}, Board{"B405", "T800", 8192},
+          Board{"B411", "T800", 1024}, Board{"B416", "T222", 64}, Board{"B417", "T800", 4096},
+          Board{"B426", "T800", 4096}, Board{"B403_T414", "T414", 1024}, Board{"B411_T425", "T425", 1024},
+          Board{"B404_T805", "T805", 2048}, Board{"B416_T225", "T225", 64}}) {
+        CAPTURE(name);
+        auto node = declared(name);
+        CHECK(node.type == type);
+        CHECK(node.integer("memory") == kilobytes * 1024);
+        CHECK(node.integer("clock") == 20'000'000);
+    }
+}
+
+TEST_CASE("processes are declared by process types") {
+    auto network = good("types.cfs");
+    auto kept = [&](const std::string& name, const std::string& attribute) {
+        return process(network, name).other.at(attribute);
+    };
+    CHECK(process(network, "source").high_priority);
+    CHECK(process(network, "sink").high_priority); // its own attribute goes before its type's
+    CHECK_FALSE(process(network, "last").high_priority);
+    CHECK_FALSE(process(network, "first").high_priority);
+    CHECK(process(network, "third").high_priority);
+    CHECK(kept("first", "stacksize") == Value(std::int64_t{2048})); // from `process (...);`
+    CHECK(kept("third", "heapsize") == Value(std::int64_t{16384}));
+    CHECK(process(network, "first").parameters.at("n") == Value(std::int64_t{8}));
+    CHECK(process(network, "second[1]").parameters.at("n") == Value(std::int64_t{16}));
+    CHECK(process(network, "third").ports.size() == 2);
+    CHECK(process(network, "source").kind == "any.lku");
+    CHECK(network.nodes[0].type == "T805");
+    CHECK(network.nodes[2].type == "T414");
+    CHECK(network.nodes[2].integer("memory") == 4 * 1024 * 1024);
+}
+
+TEST_CASE("the attributes of a process type can be changed for those that follow") {
+    auto network = good_text("T800 t; define process (stacksize = 1k) small; small a; small (stacksize = 4k); small b;"
+                             "process c; place a on t; place b on t; place c on t;");
+    CHECK(process(network, "a").other.at("stacksize") == Value(std::int64_t{1024}));
+    CHECK(process(network, "b").other.at("stacksize") == Value(std::int64_t{4096}));
+    CHECK(process(network, "c").other.empty());
+}
+
+TEST_CASE("names of types that no printed netlist uses are free") {
+    auto network = good_text("T800 node, PROCESS, B404; connect node.link[0] to PROCESS.link[0];"
+                             "connect PROCESS.link[1] to B404.link[0];");
+    CHECK(network.nodes[0].name == "node");
+    CHECK(network.nodes[1].name == "PROCESS");
+    CHECK(network.nodes[2].name == "B404");
+}
+
+TEST_CASE("rows of char are strings") {
+    auto network = good("tables.cfs");
+    const auto& parameters = process(network, "p[2]").parameters;
+    CHECK(parameters.at("all[3]") == Value(std::string("west")));
+    CHECK(parameters.at("name") == Value(std::string("south")));
+    CHECK(parameters.at("initial") == Value(std::int64_t{'s'}));
+    CHECK(parameters.at("raw[1]") == Value(std::int64_t{'b'}));
+    CHECK(parameters.at("table[0][1]") == Value(std::int64_t{-2}));
+    CHECK(parameters.at("mask") == Value(std::int64_t{(0xF0 & ~(1 << 4)) | (3 ^ 1)}));
+}

@@ -1,0 +1,78 @@
+// What loaded once loads again, however large it is.
+
+#include "netlist/print/print.hpp"
+#include "netlist/read.hpp"
+#include "tests/netlist/good_networks.hpp"
+#include "tests/netlist/small_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+namespace {
+
+void check_loads_again(const std::string& text) {
+    Network network = good_text(text);
+    std::string printed = print_cfs(network);
+    auto again = read_netlist_text(printed, small_catalogue());
+    INFO(render(again.diagnostics));
+    REQUIRE(again.network);
+    CHECK(print_cfs(*again.network) == printed);
+}
+
+std::string message_for(const std::string& text) {
+    auto result = read_netlist_text(text, small_catalogue());
+    CHECK_FALSE(result.network);
+    return result.diagnostics.empty() ? "" : result.diagnostics[0].message;
+}
+
+} // namespace
+
+TEST_CASE("processes with every parameter of their kind") {
+    check_loads_again(
+        "val n 50000; T800 t; process m[n], s[n]; use \"ga.master\" for m; use \"ga.slave\" for s;"
+        "m (population = 30); rep i = 0 for n { connect m[i].out to s[i].in; connect s[i].out to m[i].back;"
+        "place m[i] on t; place s[i] on t; }");
+}
+
+TEST_CASE("channels over a link, each of which is placed in what is printed") {
+    check_loads_again("val n 62000; T800 a, b; connect a.link[0] to b.link[0]; process p[n], s[n];"
+                      "use \"pump\" for p; use \"sink\" for s;"
+                      "rep i = 0 for n { connect p[i].out to s[i].in; place p[i] on a; place s[i] on b; }");
+}
+
+TEST_CASE("as many things as a network may have, and the edge that is not declared") {
+    check_loads_again("T800 t; process p[249997]; rep i = 0 for 249997 place p[i] on t; connect t.link[0] to host;");
+}
+
+TEST_CASE("arrays of long strings and of many numbers") {
+    std::string row(1900, 'x'), escaped;
+    for (int i = 0; i < 1900; ++i)
+        escaped += "\\1";
+    std::string text = "T800 t; process (interface (char rows[24][2000], int numbers[100][1000])) p; place p on t;\n"
+                       "use \"p.lku\" for p; val zeros {0";
+    for (int i = 1; i < 1000; ++i)
+        text += i % 50 == 0 ? ",\n0" : ", 0";
+    text += "};\np (rows = {\"" + row;
+    for (int i = 1; i < 24; ++i)
+        text += "\",\n\"" + escaped;
+    text += "\"}, numbers = {zeros";
+    for (int i = 1; i < 100; ++i)
+        text += i % 50 == 0 ? ",\nzeros" : ", zeros";
+    check_loads_again(text + "});");
+}
+
+TEST_CASE("the longest names, declared again and again") {
+    std::string name(255, 'n');
+    check_loads_again("T800 t; rep i = 0 for 12 { process (interface (output out[1][1][1])) " + name +
+                      "; process (interface (input in)) " + name.substr(1) + "; connection c" + name.substr(2) +
+                      "; connect " + name + ".out[0][0][0] to " + name.substr(1) + ".in by c" + name.substr(2) +
+                      "; place " + name + " on t; place " + name.substr(1) + " on t; }");
+    CHECK(message_for("T800 " + name + "n;") == "the name is too long: 255 characters are allowed");
+}
+
+TEST_CASE("what would be too large when it is printed is refused when it is read") {
+    std::string program(1900, 'x');
+    CHECK(message_for("T800 t; rep i = 0 for 10000 { process p; use \"" + program + ".lku\" for p; place p on t; }")
+              .starts_with("the network is too large: written out it would have"));
+}
