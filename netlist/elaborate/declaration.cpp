@@ -1,5 +1,7 @@
 #include "netlist/elaborate/elaborator.hpp"
 
+#include "netlist/language/parser.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,9 +27,10 @@ std::string Elaborator::claim_name(const std::string& name) {
 void Elaborator::count_things(std::size_t count, const Location& at) {
     draft_.things += count;
     if (draft_.things > most_things)
-        reporter_.give_up(at, fmt::format("the network is too large: it may have {} processors, processes and channel "
-                                          "ends in all",
-                                          most_things));
+        reporter_.give_up(
+            at, fmt::format("the network is too large: it may have {} things in all: nodes, connections, processes, "
+                            "their channel ends and parameters",
+                            most_things));
 }
 
 std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
@@ -66,7 +69,7 @@ void Elaborator::declare(const Declarator& declarator, Category category, std::s
 NodeType Elaborator::node_type(const std::string& name, const Location& at) {
     const auto* symbol = scopes_.find(name);
     if (symbol == nullptr)
-        refuse_undefined(reporter_, scopes_, name, at);
+        refuse_undefined(reporter_, scopes_, name, at, statement_words());
     const auto* type = std::get_if<NodeType>(&symbol->meaning);
     if (type == nullptr)
         refuse(at, fmt::format("\"{}\" is {}, not a node type", name, describe(*symbol)));

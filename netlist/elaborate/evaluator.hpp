@@ -48,8 +48,9 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// "is undefined", with the nearest known name as a hint. Throws StatementRefused.
+/// "is undefined", with where it is declared further on, or the nearest of the known names, and of the others that
+/// could stand there, as a hint. Throws StatementRefused.
 [[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
-                                   const Location& at);
+                                   const Location& at, const std::vector<std::string>& others = {});
 
 } // namespace placedpar

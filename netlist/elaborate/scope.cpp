@@ -1,5 +1,7 @@
 #include "netlist/elaborate/scope.hpp"
 
+#include "netlist/elaborate/declared_names.hpp"
+
 #include <algorithm>
 
 namespace placedpar {
@@ -41,6 +43,13 @@ const Symbol* Scopes::find(std::string_view name) const {
 const Symbol* Scopes::find_in_this_block(std::string_view name) const {
     auto found = scopes_.back().find(name);
     return found == scopes_.back().end() ? nullptr : &found->second;
+}
+
+std::optional<Location> Scopes::declared_later(std::string_view name) const {
+    for (auto ahead = ahead_.rbegin(); ahead != ahead_.rend(); ++ahead)
+        if (auto found = declaration_among(*ahead, name))
+            return found;
+    return std::nullopt;
 }
 
 void Scopes::declare(const std::string& name, Symbol symbol) {

@@ -34,7 +34,7 @@ Statement Parser::parse_define() {
     auto attributes = parse_attributes();
     auto names = parse_declarators("a node type");
     for (const auto& name : names)
-        if (!name.dimensions.empty())
+        if (types_.insert(name.name); !name.dimensions.empty())
             refuse(name.at, "a node type cannot be an array", "declare an array of nodes of this type instead");
     expect_semicolon("define");
     return {at, DefineStatement{base.text, base.at, std::move(attributes), std::move(names)}};

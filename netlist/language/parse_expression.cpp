@@ -51,7 +51,6 @@ ExpressionPointer Parser::parse_whole_expression() {
 }
 
 ExpressionPointer Parser::parse_expression(int weakest) {
-    Nesting nesting(*this);
     auto left = parse_unary();
     while (true) {
         auto binds = strength(tokens_.peek());
@@ -64,9 +63,9 @@ ExpressionPointer Parser::parse_expression(int weakest) {
 }
 
 ExpressionPointer Parser::parse_unary() {
-    Nesting nesting(*this);
     const auto& token = tokens_.peek();
     if (token.is("-") || token.is("+") || token.is("!")) {
+        Nesting nesting(*this);
         auto symbol = tokens_.take();
         auto operand = parse_unary();
         auto height = operand->height + 1;
@@ -78,6 +77,7 @@ ExpressionPointer Parser::parse_unary() {
 }
 
 ExpressionPointer Parser::parse_cast() {
+    Nesting nesting(*this);
     auto at = tokens_.take().at;
     auto type = tokens_.take().text;
     tokens_.take();
@@ -89,6 +89,7 @@ ExpressionPointer Parser::parse_cast() {
 ExpressionPointer Parser::parse_postfix() {
     auto expression = parse_primary();
     while (tokens_.peek().is("[")) {
+        Nesting nesting(*this);
         auto bracket = tokens_.take();
         auto subscript = parse_expression();
         expect("]", "behind the subscript");
@@ -102,6 +103,7 @@ ExpressionPointer Parser::parse_primary() {
     if (token.is("{"))
         return parse_array_constant();
     if (token.is("(")) {
+        Nesting nesting(*this);
         tokens_.take();
         auto inner = parse_expression();
         expect(")", "behind the expression");

@@ -1,0 +1,57 @@
+#include "netlist/language/include_path.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace placedpar {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_letters(const std::string& a, const std::string& b) {
+    auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+/// The entry of the folder that has this name but for the case of its letters.
+std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
+    std::optional<fs::path> first;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (auto found = entry->path().filename(); same_letters(found.string(), name) && (!first || found < *first))
+            first = found;
+    return first;
+}
+
+std::optional<fs::path> find_in(const fs::path& folder, const fs::path& name) {
+    std::error_code error;
+    if (fs::exists(folder / name, error))
+        return folder / name;
+    fs::path found = folder;
+    for (const auto& part : name)
+        if (fs::exists(found / part, error))
+            found /= part;
+        else if (auto entry = entry_like(found, part.string()))
+            found /= *entry;
+        else
+            return std::nullopt;
+    return found;
+}
+
+} // namespace
+
+std::string without_backslashes(std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    return name;
+}
+
+std::optional<fs::path> find_included(const std::string& name, const std::vector<fs::path>& folders) {
+    for (const auto& folder : folders)
+        if (auto found = find_in(folder, name))
+            return found;
+    return std::nullopt;
+}
+
+} // namespace placedpar
