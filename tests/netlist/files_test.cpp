@@ -117,8 +117,8 @@ TEST_CASE("a program that is not used, and a kind that is not there, are refused
             read_netlist_text(text, small_catalogue(), {}, "n.cfs", {.include_folders = {}, .programs = kinds}));
     };
     CHECK(said({}).empty());
-    CHECK(said({{"master.lku", "sink"}}) == "--use:1:1: error: the netlist uses no program \"master.lku\"\n"
-                                            "    master.lku=sink\n"
+    CHECK(said({{"rst", "sink"}}) == "--use:1:1: error: the netlist uses no program \"rst\"\n"
+                                            "    rst=sink\n"
                                             "    ^\n"
                                             "hint: there are other.lku, pump.lku\n");
     CHECK(said({{"PUMP.LKU", "sink"}}).find("hint: did you mean \"pump.lku\"?\n") != std::string::npos);

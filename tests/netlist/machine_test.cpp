@@ -116,7 +116,7 @@ TEST_CASE("a process on an edge runs there, as on a workstation") {
     };
     auto at_edge = read("connect a.link[0] to host; ", "host");
     auto by_hand = read("workstation (linkspeed = 10M) sun; connect a.link[0] to sun.link[0]; ", "sun");
-    auto named = read("edge sun; connect sun to a.link[0]; ", "sun");
+    auto named = read("edge sun; connect a.link[0] to sun; ", "sun");
     INFO(render(at_edge));
     REQUIRE(at_edge.network);
     REQUIRE(by_hand.network);
