@@ -17,27 +17,29 @@ bool is_reserved(std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-std::vector<std::string> statement_words() {
-    return {"val", "define", "connection", "connect", "process", "input", "output", "use", "place", "rep", "if"};
-}
-
 namespace {
 
-/// The word of the language that this one is nearly, or is in capital letters; "" for a word of its own.
+/// Those that begin a statement.
+const std::vector<std::string>& statement_words() {
+    static const std::vector<std::string> words{"val",    "define", "connection", "connect", "process", "input",
+                                                "output", "use",    "place",      "rep",     "if"};
+    return words;
+}
+
+bool is_statement_word(const Token& token) {
+    const auto& words = statement_words();
+    return token.is_word("else") ||
+           (token.kind == TokenKind::name && std::ranges::find(words, token.text) != words.end());
+}
+
+} // namespace
+
 std::string word_meant(const std::string& word) {
     auto small = lower_case(word);
     auto nearest = nearest_name(word, statement_words());
     std::size_t distance = edit_distance(small, nearest), most = nearest.size() < 6 ? 1 : 2;
     return distance <= most && small != "processor" ? nearest : "";
 }
-
-bool is_statement_word(const Token& token) {
-    static const auto words = statement_words();
-    return token.is_word("else") ||
-           (token.kind == TokenKind::name && std::ranges::find(words, token.text) != words.end());
-}
-
-} // namespace
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
     if (++parser.depth_ > deepest_nesting)

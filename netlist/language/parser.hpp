@@ -102,7 +102,7 @@ private:
 
 /// Words that begin or structure statements and so cannot name anything.
 bool is_reserved(std::string_view word);
-/// Those that begin one.
-std::vector<std::string> statement_words();
+/// The word beginning a statement that this one is a letter or two away from, or is in capital letters; "" for others.
+std::string word_meant(const std::string& word);
 
 } // namespace placedpar

@@ -118,9 +118,9 @@ TEST_CASE("a program that is not used, and a kind that is not there, are refused
     };
     CHECK(said({}).empty());
     CHECK(said({{"rst", "sink"}}) == "--use:1:1: error: the netlist uses no program \"rst\"\n"
-                                            "    rst=sink\n"
-                                            "    ^\n"
-                                            "hint: there are other.lku, pump.lku\n");
+                                     "    rst=sink\n"
+                                     "    ^\n"
+                                     "hint: there are other.lku, pump.lku\n");
     CHECK(said({{"PUMP.LKU", "sink"}}).find("hint: did you mean \"pump.lku\"?\n") != std::string::npos);
     CHECK(said({{"pump.lku", "master"}}) == "--use:1:10: error: there is no process kind \"master\"\n"
                                             "    pump.lku=master\n"
