@@ -1,7 +1,8 @@
 #include "netlist/language/include_path.hpp"
 
+#include "text/nearest.hpp"
+
 #include <algorithm>
-#include <cctype>
 
 namespace placedpar {
 
@@ -9,18 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool same_letters(const std::string& a, const std::string& b) {
-    auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::ranges::equal(a, b, {}, lower, lower);
-}
-
 /// The entry of the folder that has this name but for the case of its letters.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
     std::optional<fs::path> first;
     std::error_code error;
     for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
          entry.increment(error))
-        if (auto found = entry->path().filename(); same_letters(found.string(), name) && (!first || found < *first))
+        if (auto found = entry->path().filename();
+            lower_case(found.string()) == lower_case(name) && (!first || found < *first))
             first = found;
     return first;
 }

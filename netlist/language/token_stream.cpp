@@ -1,11 +1,11 @@
 #include "netlist/language/token_stream.hpp"
 
 #include "netlist/language/include_path.hpp"
+#include "text/nearest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 
 namespace placedpar {
@@ -62,9 +62,7 @@ void TokenStream::fill(std::size_t count) {
 
 void TokenStream::obey(const Token& directive) {
     auto& lexer = open_.back().lexer;
-    auto word = directive.text;
-    std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (word == "include")
+    if (lower_case(directive.text) == "include")
         return include(directive);
     reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text),
                     "there is only #include \"file\"");
