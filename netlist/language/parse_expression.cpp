@@ -37,7 +37,7 @@ ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, E
     auto height = std::max(left->height, right->height) + 1;
     if (height > highest_expression)
         refuse(symbol.at,
-               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
+               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression - 1));
     if (symbol.text == "[")
         return make(symbol.at, SubscriptOperation{std::move(left), std::move(right)}, height);
     return make(symbol.at, BinaryOperation{symbol.text, std::move(left), std::move(right)}, height);

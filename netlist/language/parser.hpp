@@ -10,8 +10,8 @@ namespace placedpar {
 /// Blocks, statements of `rep` and `if`, parentheses, brackets, attributes, signs and casts in one another: deeper
 /// nesting is refused, so that no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
-/// The height of an expression's tree; `1 + 1 + ...` is as high as it is long.
-inline constexpr int highest_expression = 1000;
+/// The height of an expression's tree; `1 + 1 + ...` is as high as it is long, here with 1000 operators.
+inline constexpr int highest_expression = 1001;
 
 /// Recursive descent over the grammar of docs/netlist-language.md. After an error it goes on after the next `;`, so
 /// that several errors are reported at once.

@@ -169,8 +169,8 @@ TEST_CASE("bounds are where docs/netlist-language.md says: what is just within i
     }
     CHECK(read("val n " + nested("(", "1", ")", 200) + ";"));
     CHECK_FALSE(read("val n " + nested("(", "1", ")", 201) + ";"));
-    CHECK(read("val n 1" + repeated("\n+ 1", 999) + ";"));
-    CHECK_FALSE(read("val n 1" + repeated("\n+ 1", 1000) + ";"));
+    CHECK(read("val n 1" + repeated("\n+ 1", 1000) + ";"));
+    CHECK_FALSE(read("val n 1" + repeated("\n+ 1", 1001) + ";"));
     CHECK(read("process (interface (int n0 = 0" + numbered(1, 1000) + ")) p; T800 t; place p on t;"));
     CHECK_FALSE(read("process (interface (int n0 = 0" + numbered(1, 1001) + ")) p; T800 t; place p on t;"));
     CHECK(read("connection c[250000];"));
