@@ -19,10 +19,10 @@ std::string Completion::free_link(std::size_t node) const {
 Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter) {
     Completion completion{std::move(draft), catalogue, programs, reporter, {}, {}, {}, {}, {}, {}};
     complete_hosts(completion);
+    complete_programs(completion);
     if (reporter.failed())
         return {};
     complete_wires(completion);
-    complete_programs(completion);
     complete_processes(completion);
     complete_channels(completion);
     complete_carriers(completion);

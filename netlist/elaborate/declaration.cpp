@@ -69,7 +69,11 @@ void Elaborator::declare(const Declarator& declarator, Category category, std::s
 NodeType Elaborator::node_type(const std::string& name, const Location& at) {
     const auto* symbol = scopes_.find(name);
     if (symbol == nullptr)
-        refuse_undefined(reporter_, scopes_, name, at, {word_meant(name)});
+        refuse_undefined(reporter_, scopes_, name, at, [&] {
+            auto known = scopes_.type_names();
+            known.push_back(word_meant(name));
+            return known;
+        });
     const auto* type = std::get_if<NodeType>(&symbol->meaning);
     if (type == nullptr)
         refuse(at, fmt::format("\"{}\" is {}, not a node type", name, describe(*symbol)));

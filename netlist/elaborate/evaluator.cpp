@@ -21,19 +21,14 @@ void report_unknown(Reporter& reporter, const std::string& name, const Location&
     reporter.error(at, fmt::format("the name \"{}\" is undefined", name), did_you_mean(name, known));
 }
 
-std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& others) {
-    names.insert(names.end(), others.begin(), others.end());
-    return names;
-}
-
 } // namespace
 
 void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name, const Location& at,
-                      const std::vector<std::string>& others) {
+                      const std::function<std::vector<std::string>()>& known) {
     if (auto declared = reporter.keeps_more() ? scopes.declared_later(name) : std::nullopt)
         report_undeclared(reporter, name, at, *declared);
     else if (!scopes.is_poisoned(name) || !reporter.failed())
-        report_unknown(reporter, name, at, reporter.keeps_more() ? joined(scopes.names(), others) : others);
+        report_unknown(reporter, name, at, known ? known() : scopes.names());
     throw StatementRefused{};
 }
 

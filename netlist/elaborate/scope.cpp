@@ -68,6 +68,16 @@ std::vector<std::string> Scopes::predefined_node_types() const {
     return names;
 }
 
+std::vector<std::string> Scopes::type_names() const {
+    auto is_no_type = [this](const std::string& name) {
+        const auto& meaning = find(name)->meaning;
+        return std::holds_alternative<Constant>(meaning) || std::holds_alternative<DeclaredThings>(meaning);
+    };
+    auto types = names();
+    std::erase_if(types, is_no_type);
+    return types;
+}
+
 std::vector<std::string> Scopes::names() const {
     std::vector<std::string> names;
     for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)

@@ -62,6 +62,8 @@ public:
     std::optional<Location> declared_later(std::string_view name) const;
 
     std::vector<std::string> names() const;
+    /// Of what things can be declared with.
+    std::vector<std::string> type_names() const;
     /// Of the node types that are predefined.
     std::vector<std::string> predefined_node_types() const;
 

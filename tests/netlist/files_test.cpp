@@ -126,5 +126,6 @@ TEST_CASE("a program that is not used, and a kind that is not there, are refused
                                             "    pump.lku=master\n"
                                             "             ^\n"
                                             "hint: there are ga.master, ga.slave, pump, sink\n");
+    CHECK(said({{"pump.lku", "pumb"}}).find("error: ") == said({{"pump.lku", "pumb"}}).rfind("error: "));
     CHECK(said({{"pump.lku", "pumb"}}).find("hint: did you mean \"pump\"?\n") != std::string::npos);
 }
