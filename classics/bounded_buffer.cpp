@@ -30,10 +30,10 @@ void hold(ProcessEnvironment& environment) {
                                                                --to_come;
                                                            })),
             when(!held.empty(), on(request, [&](const Packet&) {
-                     out.output(held.front());
-                     held.pop_front();
-                     --to_go;
-                 })));
+                out.output(held.front());
+                held.pop_front();
+                --to_go;
+            })));
     environment.measure("most_held", static_cast<double>(most), "packets");
 }
 
@@ -50,15 +50,15 @@ void ask_and_consume(ProcessEnvironment& environment) {
 
 std::vector<ProcessKind> bounded_buffer_kinds() {
     using namespace description;
-    ProcessKind buffer{.name = "csp.buffer",
-                       .about = "Holds up to so many packets, first in, first out.",
-                       .ports = {packets_in(), packets_in("request", "asks for the next packet"), packets_out()},
-                       .parameters = {packet_count(), integer("capacity",
-                                                              {.unit = "packets", .by_default = 10, .least = 1,
-                                                               .most = 1e9},
-                                                              "held at the most")},
-                       .measurements = {{"most_held", "packets", "at once"}},
-                       .body = hold};
+    ProcessKind buffer{
+        .name = "csp.buffer",
+        .about = "Holds up to so many packets, first in, first out.",
+        .ports = {packets_in(), packets_in("request", "asks for the next packet"), packets_out()},
+        .parameters = {packet_count(),
+                       integer("capacity", {.unit = "packets", .by_default = 10, .least = 1, .most = 1e9},
+                               "held at the most")},
+        .measurements = {{"most_held", "packets", "at once"}},
+        .body = hold};
     ProcessKind customer{.name = "csp.customer",
                          .about = "Asks a buffer for packets and outputs them: what stands between it and a consumer.",
                          .ports = {packets_out("request", "asks for the next packet"), packets_in(), packets_out()},

@@ -37,8 +37,8 @@ public:
 private:
     /// A task, if there is somebody to give it to; then each worker's result.
     std::vector<Guard> guards() const {
-        std::vector<Guard> guards{{left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never,
-                                   &in_.channel()}};
+        std::vector<Guard> guards{
+            {left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never, &in_.channel()}};
         for (const auto& from_worker : from_workers_)
             guards.push_back({Guard::input, &from_worker.channel()});
         return guards;
@@ -111,9 +111,8 @@ std::vector<ProcessKind> farm_kinds() {
         .ports = {packets_in("in", "tasks"), packets_out("out", "results"),
                   packets_out("to_worker", "an array: tasks, then an end"),
                   packets_in("from_worker", "an array: results")},
-        .parameters = {packet_count("tasks"),
-                       text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
-                            "to a worker that is idle, or to each in turn")},
+        .parameters = {packet_count("tasks"), text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
+                                                   "to a worker that is idle, or to each in turn")},
         .body = balance};
     ProcessKind worker{.name = "csp.worker",
                        .about = "Computes for each task, and returns it as its result, until the end comes.",

@@ -45,11 +45,15 @@ void refuse_edge_channels(Completion& c, const DraftProcess& process) {
                 {{"the process is placed here", process.placed}});
 }
 
+bool is_on_edge(const Completion& c, const DraftProcess& process) {
+    return process.node != nowhere && c.draft.nodes[process.node].kind->links == LinkRole::edge;
+}
+
 } // namespace
 
 void complete_hosts(Completion& c) {
     for (const auto& process : c.draft.processes)
-        if (process.node != nowhere && c.draft.nodes[process.node].kind->links == LinkRole::edge) {
+        if (is_on_edge(c, process)) {
             refuse_edge_channels(c, process);
             make_workstation(c, process.node);
         }

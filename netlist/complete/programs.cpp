@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace placedpar {
@@ -18,9 +20,8 @@ void take_default(Draft& draft) {
 
 std::set<std::string> programs_in(const Draft& draft) {
     std::set<std::string> programs;
-    for (const auto& process : draft.processes)
-        if (!process.kind.empty())
-            programs.insert(process.kind);
+    std::ranges::transform(draft.processes, std::inserter(programs, programs.end()), &DraftProcess::kind);
+    programs.erase("");
     return programs;
 }
 
@@ -46,16 +47,19 @@ void check_option(Completion& c, const std::string& program, const std::string& 
                       choice(kind, c.catalogue.kind_names(), "there is none at all"));
 }
 
+void take_kinds(Completion& c) {
+    for (auto& process : c.draft.processes)
+        if (auto told = c.programs.find(process.kind); told != c.programs.end())
+            process.kind = told->second;
+}
+
 } // namespace
 
 void complete_programs(Completion& c) {
     take_default(c.draft);
-    auto programs = programs_in(c.draft);
-    for (const auto& [program, kind] : c.programs)
+    for (auto programs = programs_in(c.draft); const auto& [program, kind] : c.programs)
         check_option(c, program, kind, programs);
-    for (auto& process : c.draft.processes)
-        if (auto told = c.programs.find(process.kind); told != c.programs.end())
-            process.kind = told->second;
+    take_kinds(c);
 }
 
 } // namespace placedpar

@@ -29,9 +29,7 @@ bool is_word_of_occam(std::string_view line) {
 /// `PROCESSOR 0 T8`
 bool is_processor(std::string_view line) {
     constexpr std::string_view word = "PROCESSOR ";
-    if (!line.starts_with(word))
-        return false;
-    auto number = without_blanks(line.substr(word.size()));
+    auto number = line.starts_with(word) ? without_blanks(line.substr(word.size())) : "";
     return !number.empty() && is_digit(number.front());
 }
 
