@@ -44,6 +44,11 @@ std::string without_backslashes(std::string name) {
     return name;
 }
 
+bool is_of_the_toolset(const std::string& name) {
+    auto file = lower_case(fs::path(name).filename().string());
+    return file == "setconf.inc" || file == "boards.inc" || file == "trams.inc";
+}
+
 std::optional<fs::path> find_included(const std::string& name, const std::vector<fs::path>& folders) {
     for (const auto& folder : folders)
         if (auto found = find_in(folder, name))

@@ -92,9 +92,10 @@ std::vector<std::filesystem::path> TokenStream::folders_for(const Token& name) c
 }
 
 void TokenStream::open(const Token& name) {
-    auto found = find_included(without_backslashes(name.text), folders_for(name));
+    auto path = without_backslashes(name.text);
+    auto found = find_included(path, folders_for(name));
     if (!found)
-        return refuse_missing(name);
+        return is_of_the_toolset(path) ? void() : refuse_missing(name);
     auto real = real_path(*found);
     if (includes_itself(real, name))
         return;

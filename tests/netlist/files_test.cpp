@@ -83,6 +83,18 @@ TEST_CASE("a file that is on no path says where it was looked for") {
     CHECK(result.diagnostics[0].hint == "it is neither beside the file that includes it nor in one, two/three");
 }
 
+TEST_CASE("the toolset's own includes need not be there, but are read where they are") {
+    Folder folder;
+    folder.write("main.cfs", "#include \"SETCONF.INC\"\n#include \"c:\\icc\\boards.inc\"\n#include <trams.inc>\n"
+                             "T800 (memory = 1M) a;\n");
+    CHECK_FALSE(folder.read().network);
+    folder.write("main.cfs", "#include \"SETCONF.INC\"\n#include \"c:\\icc\\boards.inc\"\nT800 (memory = 1M) a;\n");
+    CHECK(memory_of(folder.read()) == 1024 * 1024);
+    folder.write("setconf.inc", "define T800 (memory = 4M) B777;");
+    folder.write("main.cfs", "#include \"setconf.inc\"\nB777 a;\n");
+    CHECK(memory_of(folder.read()) == 4 * 1024 * 1024);
+}
+
 TEST_CASE("every ending of a program file, in capital letters too, and none at all") {
     for (const char* name : {"p.lku", "P.LKU", "p.c8x", "p.c8h", "P.C4H", "p.c0", "p.tco", "p.lah", "p", "PROGRAM"}) {
         auto text = std::string("T800 a; process p; use \"") + name + "\" for p; place p on a;";
