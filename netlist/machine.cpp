@@ -1,6 +1,7 @@
 #include "netlist/machine.hpp"
 
 #include "netlist/network/names.hpp"
+#include "netlist/runnable.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -11,24 +12,15 @@ namespace placedpar {
 
 namespace {
 
-[[noreturn]] void refuse(const Location& location, const std::string& why) {
-    std::string place = location.text();
-    throw UserError(place.empty() ? why : place + ": " + why);
-}
-
+/// REQUIRES: the network can be run.
 const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& catalogue) {
-    if (const ProcessKind* kind = catalogue.find(process.kind))
-        return *kind;
-    if (process.kind.empty())
-        refuse(process.declared,
-               fmt::format("process {} has no program: say use \"kind\" for {};", process.name, process.name));
-    refuse(process.declared,
-           fmt::format("process {} runs \"{}\", a program that PlacedPar does not have: it can be shown, not run",
-                       process.name, process.kind));
+    return *catalogue.find(process.kind);
 }
 
 [[noreturn]] void refuse(const ProcessInstance& process, const char* why) {
-    refuse(process.declared, fmt::format("process {} ({}): {}", process.name, process.kind, why));
+    std::string place = process.declared.text();
+    throw UserError(
+        fmt::format("{}{}process {} ({}): {}", place, place.empty() ? "" : ": ", process.name, process.kind, why));
 }
 
 /// Runs a process's program. What it refuses to work with is reported with the process, its kind and its place.
@@ -77,6 +69,7 @@ bool shares_link(const NetworkChannel& channel) {
 
 Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64_t seed)
     : network_(network), seed_(seed) {
+    require_runnable(network, catalogue);
     make_executives();
     make_links();
     make_multiplexers();
@@ -114,12 +107,6 @@ hardware::Multiplexer& Machine::make_multiplexer(std::size_t index) {
 
 void Machine::make_channels(const Catalogue& catalogue) {
     for (const NetworkChannel& channel : network_.channels) {
-        if (channel.placement.kind == ChannelPlacement::Kind::edge)
-            refuse(
-                channel.connected,
-                fmt::format("channel {} leads to an edge, where no process runs: to run it, place a process there on a "
-                            "workstation",
-                            channel.name));
         const ProcessInstance& sender = network_.processes[channel.from.process];
         channels_.push_back(port_of(sender, channel.from.port, catalogue).make_channel(channel.name));
         if (channel.placement.kind == ChannelPlacement::Kind::link)

@@ -19,8 +19,8 @@ namespace placedpar {
 /// Runs once.
 class Machine {
 public:
-    /// Throws UserError, with the place in the netlist, if a process's kind is not in the catalogue or stands for a
-    /// program that PlacedPar does not have, or if a channel leads to an edge, where no process is.
+    /// Throws RefusedInput, which names all of them, if processes' kinds are not in the catalogue or stand for programs
+    /// that PlacedPar does not have, or if channels lead to an edge, where no process is.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
     /// Throws UserError when a process refuses to work with what it was given, with its place, and when the run would

@@ -2,6 +2,7 @@
 
 #include "netlist/complete/complete.hpp"
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/language/occam.hpp"
 #include "netlist/language/parser.hpp"
 #include "netlist/print/print.hpp"
 
@@ -33,14 +34,37 @@ void check_size(std::string printed, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
+/// What is wrong with a text that is occam is not its words.
+void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
+    auto found = occam_in(main);
+    if (auto first = reporter.first_file(); !found && first)
+        found = occam_in(first);
+    if (found)
+        reporter.replace_all(
+            *found, "this is occam; a netlist is in the configuration language of the C toolset (icconf)",
+            "for PROCESSOR 0 T8 say T800 p0; for what runs there, use \"KIND\" for name; place name on "
+            "p0; and wire the links: connect p0.link[2] to p1.link[1];");
+}
+
+Statements parse(TokenStream& tokens, const LoadedSource& source, Reporter& reporter) try {
+    auto statements = Parser(tokens, reporter).parse_netlist();
+    if (reporter.failed())
+        recognise_occam(source.file, reporter);
+    return statements;
+} catch (const GiveUp&) {
+    recognise_occam(source.file, reporter);
+    throw;
+}
+
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
-                                   const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter) {
+                                   const Catalogue& catalogue, const Overrides& overrides, const ReadOptions& options,
+                                   Reporter& reporter) {
     for (const auto& problem : source.problems)
         reporter.error(problem.location, problem.message);
     if (reporter.failed())
         return std::nullopt;
-    TokenStream tokens(source.file, path, reporter);
-    auto statements = Parser(tokens, reporter).parse_netlist();
+    TokenStream tokens(source.file, path, reporter, options.include_folders);
+    auto statements = parse(tokens, source, reporter);
     if (reporter.failed())
         return std::nullopt;
     Elaborator elaborator(catalogue, overrides, reporter);
@@ -48,7 +72,7 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
     elaborator.check_overrides();
     if (reporter.failed())
         return std::nullopt;
-    auto network = complete(elaborator.take(), catalogue, reporter);
+    auto network = complete(elaborator.take(), catalogue, options.programs, reporter);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = source.file->path();
@@ -76,28 +100,32 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
 }
 
 ReadResult read(const LoadedSource& source, const std::filesystem::path& path, const Catalogue& catalogue,
-                const Overrides& overrides) {
+                const Overrides& overrides, const ReadOptions& options) {
     Reporter reporter;
     ReadResult result;
     try {
-        result.network = read_source(source, path, catalogue, overrides, reporter);
+        result.network = read_source(source, path, catalogue, overrides, options, reporter);
     } catch (const GiveUp&) {
         // the last diagnostic says why
     }
     result.diagnostics = reporter.take();
+    result.not_shown = reporter.not_shown();
     sort_by_place(result.diagnostics);
     return result;
 }
 
 } // namespace
 
-ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides) {
-    return read(load_source(path), path, catalogue, overrides);
+std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
+
+ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides,
+                        const ReadOptions& options) {
+    return read(load_source(path), path, catalogue, overrides, options);
 }
 
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides,
-                             const std::string& shown_path) {
-    return read(check_source(shown_path, text), shown_path, catalogue, overrides);
+                             const std::string& shown_path, const ReadOptions& options) {
+    return read(check_source(shown_path, text), shown_path, catalogue, overrides, options);
 }
 
 } // namespace placedpar

@@ -15,13 +15,24 @@ namespace placedpar {
 struct ReadResult {
     std::optional<Network> network;      ///< there exactly if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
+    std::string not_shown = "";          ///< a line on how many more there were; "" if none
+};
+
+/// The diagnostics as people read them, and how many more there were.
+std::string render(const ReadResult& result);
+
+/// What a netlist finds around it.
+struct ReadOptions {
+    std::vector<std::filesystem::path> include_folders = {}; ///< where included files are, if not beside the including
+    ProgramKinds programs = {};                              ///< a program that the netlist does not use is an error
 };
 
 /// Reads, elaborates and checks a netlist. Throws nothing that the text can cause.
-ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {});
+ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
+                        const ReadOptions& options = {});
 
 /// The same for a text that is no file; `#include` is then relative to the working directory.
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
-                             const std::string& shown_path = "netlist");
+                             const std::string& shown_path = "netlist", const ReadOptions& options = {});
 
 } // namespace placedpar

@@ -1,5 +1,7 @@
 #include "text/diagnostic.hpp"
 
+#include "text/utf8.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,22 +12,14 @@ namespace {
 
 constexpr std::size_t widest_excerpt = 160;
 
-/// The line without the bytes that a terminal would act on.
-std::string printable(std::string_view line) {
-    std::string result(line);
-    for (auto& c : result)
-        if (c != '\t' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7f))
-            c = '?';
-    return result;
-}
+/// A byte that continues a UTF-8 character.
+bool within_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// A byte that continues a UTF-8 character takes no column of its own on the screen.
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
-
+/// `before`, which stands left of the caret, with every character a blank.
 std::string caret_line(std::string_view before) {
     std::string result;
     for (char c : before)
-        if (!continues_character(c))
+        if (!within_character(c))
             result += c == '\t' ? '\t' : ' ';
     return result + "^\n";
 }
@@ -35,27 +29,34 @@ std::size_t excerpt_start(std::string_view line, std::size_t caret) {
     if (line.size() <= widest_excerpt || caret <= widest_excerpt / 2)
         return 0;
     auto start = std::min(caret - widest_excerpt / 2, line.size() - widest_excerpt / 2);
-    while (start < caret && continues_character(line[start]))
+    while (start < caret && within_character(line[start]))
         ++start;
     return start;
+}
+
+std::size_t excerpt_end(std::string_view line, std::size_t start) {
+    auto end = std::min(start + widest_excerpt, line.size());
+    while (end < line.size() && within_character(line[end]))
+        ++end;
+    return end;
 }
 
 std::string excerpt(const Location& location) {
     if (!location.file || location.line == 0)
         return "";
-    auto line = printable(location.file->line(location.line));
+    auto line = location.file->line(location.line);
     auto caret = std::min(location.column == 0 ? 0 : location.column - 1, line.size());
-    auto start = excerpt_start(line, caret);
-    auto shown = line.substr(start, widest_excerpt);
+    auto start = excerpt_start(line, caret), end = excerpt_end(line, start);
+    auto before = escaped(line.substr(start, caret - start));
     std::string lead = start > 0 ? "..." : "";
-    std::string tail = start + shown.size() < line.size() ? "..." : "";
-    return fmt::format("    {}{}{}\n    {}{}", lead, shown, tail, std::string(lead.size(), ' '),
-                       caret_line(std::string_view(shown).substr(0, caret - start)));
+    std::string tail = end < line.size() ? "..." : "";
+    return fmt::format("    {}{}{}{}\n    {}{}", lead, before, escaped(line.substr(caret, end - caret)), tail,
+                       std::string(lead.size(), ' '), caret_line(before));
 }
 
 std::string heading(const Location& location) {
     auto where = location.text();
-    return where.empty() ? "" : where + ": ";
+    return where.empty() ? "" : escaped(where) + ": ";
 }
 
 } // namespace
@@ -74,12 +75,12 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
 
 std::string render(const Diagnostic& diagnostic) {
     auto word = diagnostic.severity == Severity::error ? "error" : "warning";
-    auto text = fmt::format("{}{}: {}\n{}", heading(diagnostic.location), word, diagnostic.message,
+    auto text = fmt::format("{}{}: {}\n{}", heading(diagnostic.location), word, escaped(diagnostic.message),
                             excerpt(diagnostic.location));
     if (!diagnostic.hint.empty())
-        text += "hint: " + diagnostic.hint + "\n";
+        text += "hint: " + escaped(diagnostic.hint) + "\n";
     for (const auto& other : diagnostic.others)
-        text += fmt::format("{}note: {}\n{}", heading(other.location), other.message, excerpt(other.location));
+        text += fmt::format("{}note: {}\n{}", heading(other.location), escaped(other.message), excerpt(other.location));
     return text;
 }
 
@@ -88,6 +89,11 @@ std::string render(const std::vector<Diagnostic>& diagnostics) {
     for (const auto& diagnostic : diagnostics)
         text += render(diagnostic);
     return text;
+}
+
+std::string not_shown(std::size_t count, Severity severity) {
+    auto word = severity == Severity::error ? "error" : "warning";
+    return count == 0 ? "" : fmt::format("... {} further {}{} not shown\n", count, word, count == 1 ? "" : "s");
 }
 
 } // namespace placedpar

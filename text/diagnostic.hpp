@@ -2,6 +2,7 @@
 
 #include "text/source.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,11 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// As compilers print it: `path:line:column: error: message`, the source line, a caret under the column,
 /// then `hint: ...` and the second places as notes. Ends with a newline. Tabs are shown as they are and the
-/// caret's line repeats them; a long line is shown around the caret.
+/// caret's line repeats them; other control characters are shown as `\x1b`; a long line is shown around the caret.
 std::string render(const Diagnostic& diagnostic);
 std::string render(const std::vector<Diagnostic>& diagnostics);
+
+/// `... 3 further errors not shown`, with a newline; "" for none.
+std::string not_shown(std::size_t count, Severity severity);
 
 } // namespace placedpar

@@ -36,16 +36,16 @@ std::optional<Diagnostic> binary_problem(const File& file) {
         fmt::format("this is no text but a binary file: it holds the byte 0x{:02x}", static_cast<unsigned char>(*odd)));
 }
 
-/// The first line that is too long. Its length counts a carriage return at its end.
+/// The first line that is too long.
 std::optional<Diagnostic> long_line_problem(const File& file) {
     const std::string& text = file->text();
     std::size_t number = 1;
     for (std::size_t start = 0; start < text.size(); ++number) {
         auto end = std::min(text.find('\n', start), text.size());
-        if (end - start > longest_source_line)
-            return problem_at(file, number, longest_source_line + 1,
-                              fmt::format("the line is too long: it has {} characters, {} are allowed", end - start,
-                                          longest_source_line));
+        if (auto bytes = file->line(number).size(); bytes > longest_source_line)
+            return problem_at(
+                file, number, longest_source_line + 1,
+                fmt::format("the line is too long: it has {} bytes, {} are allowed", bytes, longest_source_line));
         start = end + 1;
     }
     return std::nullopt;
@@ -75,8 +75,11 @@ std::string why_not_a_file(const std::filesystem::path& path) {
 
 LoadedSource check_source(std::string shown_path, std::string text) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    constexpr char end_of_file_in_dos = '\x1a'; // Ctrl-Z, often with what was in the disk's block before
     if (text.starts_with(byte_order_mark))
         text.erase(0, byte_order_mark.size());
+    if (auto end = text.find(end_of_file_in_dos); end != std::string::npos)
+        text.erase(end);
     if (text.size() > largest_source_bytes)
         return refused(std::move(shown_path),
                        fmt::format("the file is too large: it may have {} bytes", largest_source_bytes));

@@ -12,7 +12,7 @@ namespace placedpar {
 
 /// Bounds that keep rubbish from costing time: far above what a text written by hand, or generated, needs.
 inline constexpr std::size_t largest_source_bytes = 16 * 1024 * 1024;
-inline constexpr std::size_t longest_source_line = 10000;
+inline constexpr std::size_t longest_source_line = 10000; ///< bytes, without the line's end
 
 struct LoadedSource {
     std::shared_ptr<const SourceFile> file; ///< never null: also a text that is refused can be shown
@@ -20,7 +20,7 @@ struct LoadedSource {
 };
 
 /// Reads a whole file. A missing file, a directory, a device, one that is too large or is no text is a
-/// problem.
+/// problem. A Ctrl-Z ends the text, as it does in DOS.
 LoadedSource load_source(const std::filesystem::path& path);
 /// The same checks of a text that is there already.
 LoadedSource check_source(std::string shown_path, std::string text);

@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::size_t longest_word = 64; // the distance takes time with the square of it
 
-std::string lower(std::string_view word) {
+} // namespace
+
+std::string lower_case(std::string_view word) {
     std::string result(word);
     for (auto& c : result)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
 }
-
-} // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> two_back, last(b.size() + 1), now(b.size() + 1);
@@ -39,13 +39,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates) {
     if (wanted.size() > longest_word)
         return "";
-    auto wanted_lower = lower(wanted);
+    auto wanted_lower = lower_case(wanted);
     std::string best;
     auto best_distance = std::max<std::size_t>(1, (wanted.size() + 2) / 3) + 1;
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)
             continue;
-        auto distance = edit_distance(wanted_lower, lower(candidate));
+        auto distance = edit_distance(wanted_lower, lower_case(candidate));
         if (distance < best_distance && distance < std::max(wanted.size(), candidate.size())) {
             best_distance = distance;
             best = candidate;

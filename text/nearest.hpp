@@ -6,6 +6,9 @@
 
 namespace placedpar {
 
+/// Its ASCII letters.
+std::string lower_case(std::string_view word);
+
 /// The number of single-character insertions, deletions, replacements and swaps of neighbours between two
 /// words.
 std::size_t edit_distance(std::string_view a, std::string_view b);

@@ -4,14 +4,22 @@
 
 namespace placedpar {
 
+namespace {
+
+/// Files that include files: the innermost tell where one is.
+constexpr int most_included_notes = 10;
+
+} // namespace
+
 void Reporter::error(const Location& location, std::string message, std::string hint, std::vector<SecondPlace> others) {
-    if (has_error_at(location)) {
+    if (!is_first_at(location)) {
         if (++repeated_ >= most_repeated)
             throw GiveUp{};
         return;
     }
-    diagnostics_.push_back({Severity::error, std::move(message), location, std::move(hint), std::move(others)});
-    if (++errors_ >= most_errors)
+    if (++errors_ <= most_errors)
+        keep({Severity::error, std::move(message), location, std::move(hint), std::move(others)});
+    if (errors_ >= most_counted_errors)
         throw GiveUp{};
 }
 
@@ -21,14 +29,39 @@ void Reporter::give_up(const Location& location, std::string message, std::vecto
 }
 
 void Reporter::warning(const Location& location, std::string message, std::string hint) {
-    if (diagnostics_.size() < 10 * most_errors)
-        diagnostics_.push_back({Severity::warning, std::move(message), location, std::move(hint), {}});
+    if (++warnings_ <= most_warnings)
+        keep({Severity::warning, std::move(message), location, std::move(hint), {}});
 }
 
-bool Reporter::has_error_at(const Location& place) const {
-    return place.file && std::ranges::any_of(diagnostics_, [&](const Diagnostic& known) {
-               return known.severity == Severity::error && known.location == place;
-           });
+void Reporter::keep(Diagnostic diagnostic) {
+    auto file = included_.find(diagnostic.location.file);
+    for (int notes = 0; file != included_.end() && notes < most_included_notes; ++notes) {
+        if (std::ranges::find(diagnostic.others, file->second, &SecondPlace::location) == diagnostic.others.end())
+            diagnostic.others.push_back({"included here", file->second});
+        file = included_.find(file->second.file);
+    }
+    diagnostics_.push_back(std::move(diagnostic));
+}
+
+void Reporter::replace_all(const Location& location, std::string message, std::string hint) {
+    diagnostics_.clear();
+    errors_ = 1;
+    warnings_ = 0;
+    keep({Severity::error, std::move(message), location, std::move(hint), {}});
+}
+
+std::shared_ptr<const SourceFile> Reporter::first_file() const {
+    auto first = std::ranges::find(diagnostics_, Severity::error, &Diagnostic::severity);
+    return first == diagnostics_.end() ? nullptr : first->location.file;
+}
+
+std::string Reporter::not_shown() const {
+    return placedpar::not_shown(errors_ - std::min(errors_, most_errors), Severity::error) +
+           placedpar::not_shown(warnings_ - std::min(warnings_, most_warnings), Severity::warning);
+}
+
+bool Reporter::is_first_at(const Location& place) {
+    return !place.file || places_.emplace(place.file, place.line, place.column).second;
 }
 
 } // namespace placedpar

@@ -6,8 +6,6 @@
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace placedpar {
@@ -25,7 +23,7 @@ std::string render_faults(const std::vector<Diagnostic>& faults, const File& fil
             diagnostics.emplace_back(fault).location.file = file;
     std::size_t more = diagnostics.size() - std::min(diagnostics.size(), most_shown);
     diagnostics.resize(diagnostics.size() - more);
-    return render(diagnostics) + (more ? fmt::format("{}: and {} more like these\n", file->path(), more) : "");
+    return render(diagnostics) + not_shown(more, severity);
 }
 
 /// Warns of the faults, or throws when one of them refuses the text.
@@ -46,13 +44,13 @@ File load_text(const std::filesystem::path& path) {
 } // namespace
 
 Network load_network(const std::filesystem::path& path, const Overrides& overrides, const ProblemRegistry& problems,
-                     const WarningSink& warn) {
+                     const WarningSink& warn, const ReadOptions& options) {
     Catalogue catalogue = known_kinds(problems);
-    ReadResult read = read_netlist(path, catalogue, overrides);
+    ReadResult read = read_netlist(path, catalogue, overrides, options);
     if (!read.network)
-        throw RefusedInput(render(read.diagnostics));
+        throw RefusedInput(render(read));
     if (!read.diagnostics.empty())
-        warn(render(read.diagnostics));
+        warn(render(read));
     return std::move(*read.network);
 }
 

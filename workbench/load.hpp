@@ -19,7 +19,8 @@ namespace placedpar {
 using WarningSink = std::function<void(const std::string&)>;
 
 /// Reads a netlist with this program's kinds and the problems given. Throws RefusedInput.
-Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&);
+Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&,
+                     const ReadOptions& = {});
 
 /// A record of measurement, with its file's warnings.
 struct LoadedRecord {

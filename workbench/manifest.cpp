@@ -11,15 +11,28 @@ const char* const version = PLACEDPAR_VERSION;
 
 std::string hex(std::uint64_t word) { return fmt::format("{:016x}", word); }
 
+namespace {
+
+boost::json::object object_of(const std::map<std::string, std::string>& values) {
+    boost::json::object object;
+    for (const auto& [name, value] : values)
+        object[name] = value;
+    return object;
+}
+
+} // namespace
+
 boost::json::object manifest_json(const Manifest& manifest, const Network& network) {
-    boost::json::object overrides;
-    for (const auto& [name, value] : manifest.overrides)
-        overrides[name] = value;
+    boost::json::array folders;
+    for (const auto& folder : manifest.read.include_folders)
+        folders.emplace_back(folder.string());
     return {{"version", version},
             {"command", manifest.command},
             {"netlist", network.source_path},
             {"netlist_hash", hex(network.hash)},
-            {"overrides", std::move(overrides)},
+            {"overrides", object_of(manifest.overrides)},
+            {"programs", object_of(manifest.read.programs)},
+            {"include_folders", std::move(folders)},
             {"seed", manifest.seed}};
 }
 

@@ -15,11 +15,12 @@ struct Manifest {
     std::string command; ///< as it was typed
     std::uint64_t seed;
     Overrides overrides;
+    ReadOptions read = {};
 };
 
 extern const char* const version;
 
-/// {"version", "command", "netlist", "netlist_hash", "overrides", "seed"}
+/// {"version", "command", "netlist", "netlist_hash", "overrides", "programs", "include_folders", "seed"}
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.

@@ -99,21 +99,21 @@ std::optional<Difference> first_difference(const Network& network, const Setting
 Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     Catalogue catalogue = kinds_with(settings, problems);
-    ReadResult read = read_netlist(netlist.path, catalogue, netlist.overrides);
+    ReadResult read = read_netlist(netlist.path, catalogue, netlist.overrides, netlist.options);
     if (!read.network)
-        throw RefusedInput(render(read.diagnostics));
+        throw RefusedInput(render(read));
     std::size_t samples = problems.find("boom").samples();
     Overrides ours = netlist.overrides;
     while (auto difference = first_difference(*read.network, settings, samples)) {
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
             refuse(*difference);
-        ReadResult again = read_netlist(netlist.path, catalogue, ours);
+        ReadResult again = read_netlist(netlist.path, catalogue, ours, netlist.options);
         if (!again.network)
             refuse(*difference);
         read = std::move(again);
     }
     if (!read.diagnostics.empty())
-        warn(render(read.diagnostics));
+        warn(render(read));
     return std::move(*read.network);
 }
 

@@ -17,6 +17,7 @@ namespace placedpar {
 struct NetlistAsked {
     std::filesystem::path path;
     Overrides overrides;
+    ReadOptions options;
     std::filesystem::path output; ///< that will be written: none of the netlist's own files
 };
 

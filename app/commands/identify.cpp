@@ -150,8 +150,9 @@ ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost:
         flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
     std::optional<ProcessSearch> processes;
     if (!options.netlist.empty())
-        processes = search_by_processes({options.netlist, overrides_of(options.set), options.json}, prepared, asked.way,
-                                        identified, print_warnings);
+        processes = search_by_processes(
+            {options.netlist, overrides_of(options.set), read_options_of(options.read), options.json}, prepared,
+            asked.way, identified, print_warnings);
     if (asked.calibrates)
         print_out(print_calibration(asked.calibration));
     print_out(print_identified(identified, prepared, asked.way));

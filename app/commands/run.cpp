@@ -56,7 +56,7 @@ RunReport run_network(const Network& network, std::uint64_t seed, TraceSink* tra
 }
 
 ExitCode run(const RunOptions& options, const std::string& typed) {
-    Manifest manifest{typed, options.seed, overrides_of(options.netlist.set)};
+    Manifest manifest{typed, options.seed, overrides_of(options.netlist.set), read_options_of(options.netlist.read)};
     const std::filesystem::path outputs[] = {options.json, options.trace};
     require_outputs(outputs, options);
     Network network = load_network(options.netlist);

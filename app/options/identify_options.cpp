@@ -99,6 +99,8 @@ void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->needs(netlist);
+    for (auto* option : add_read_options(command, options.read))
+        option->needs(netlist);
     add_file(command, "--json", options.json, "writes the result for machines");
     command.footer(
         "It prints, in in^3/psi, the compliance of each link (the median of the searches) and where 90 % of the "

@@ -8,6 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <utility>
+
 namespace placedpar {
 
 CLI::Option* add_set(CLI::App& command, std::vector<std::string>& settings, const std::string& about) {
@@ -16,25 +19,68 @@ CLI::Option* add_set(CLI::App& command, std::vector<std::string>& settings, cons
         ->allow_extra_args(false);
 }
 
+namespace {
+
+/// `text` cut at its first `=`. Throws UserError with what the option takes where there is none.
+std::pair<std::string, std::string> cut_at_equals(const std::string& option, const std::string& text,
+                                                  const std::string& takes) {
+    std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw UserError(fmt::format("{} {}: it takes {}", option, text, takes));
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+} // namespace
+
 Overrides overrides_of(std::span<const std::string> settings) {
     Overrides overrides;
     for (const std::string& each : settings) {
-        std::size_t equals = each.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw UserError(fmt::format("--set {}: it takes NAME=VALUE, such as --set slaves=3", each));
-        if (!overrides.emplace(each.substr(0, equals), each.substr(equals + 1)).second)
-            throw UserError(fmt::format("--set {}: {} is set twice", each, each.substr(0, equals)));
+        auto [name, value] = cut_at_equals("--set", each, "NAME=VALUE, such as --set slaves=3");
+        if (!overrides.emplace(name, value).second)
+            throw UserError(fmt::format("--set {}: {} is set twice", each, name));
     }
     return overrides;
+}
+
+std::vector<CLI::Option*> add_read_options(CLI::App& command, ReadOptionsTyped& options) {
+    auto* include = command
+                        .add_option("-I", options.include,
+                                    "where files that the netlist includes are, if not beside it; as often as wanted")
+                        ->type_name("FOLDER");
+    auto* use = command
+                    .add_option("--use", options.use,
+                                "puts a process kind in the place of a program that the netlist uses, such as --use "
+                                "sim.lku=ga.master")
+                    ->type_name("PROGRAM=KIND");
+    for (auto* option : {include, use})
+        option->allow_extra_args(false);
+    return {include, use};
+}
+
+ReadOptions read_options_of(const ReadOptionsTyped& typed) {
+    ReadOptions options;
+    for (const std::string& folder : typed.include) {
+        if (std::error_code error; !std::filesystem::is_directory(folder, error))
+            throw UserError(fmt::format("-I {}: there is no such folder", folder));
+        options.include_folders.emplace_back(folder);
+    }
+    for (const std::string& each : typed.use) {
+        auto [program, kind] = cut_at_equals("--use", each, "PROGRAM=KIND, such as --use sim.lku=ga.master");
+        if (!options.programs.emplace(program, kind).second)
+            throw UserError(fmt::format("--use {}: {} is given two kinds", each, program));
+    }
+    return options;
 }
 
 void add_netlist(CLI::App& command, NetlistOptions& options) {
     command.add_option("FILE", options.file, "the netlist")->required();
     add_set(command, options.set, "gives a val of the netlist another value");
+    add_read_options(command, options.read);
 }
 
 Network load_network(const NetlistOptions& options) {
-    return load_network(options.file, overrides_of(options.set), known_problems(0), print_warnings);
+    return load_network(options.file, overrides_of(options.set), known_problems(0), print_warnings,
+                        read_options_of(options.read));
 }
 
 } // namespace placedpar

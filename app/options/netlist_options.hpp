@@ -19,10 +19,20 @@ CLI::Option* add_set(CLI::App&, std::vector<std::string>& settings, const std::s
 /// What --set asked for. Throws UserError when one is not of that form or a name is set twice.
 Overrides overrides_of(std::span<const std::string> settings);
 
+/// What a netlist finds around it, as it is typed.
+struct ReadOptionsTyped {
+    std::vector<std::string> include, use;
+};
+/// -I FOLDER and --use PROGRAM=KIND, as often as wanted.
+std::vector<CLI::Option*> add_read_options(CLI::App&, ReadOptionsTyped&);
+/// Throws UserError when a folder is none, a --use is not of its form or a program is given two kinds.
+ReadOptions read_options_of(const ReadOptionsTyped&);
+
 /// What every command with a netlist takes.
 struct NetlistOptions {
     std::string file;
     std::vector<std::string> set;
+    ReadOptionsTyped read;
 };
 void add_netlist(CLI::App&, NetlistOptions&);
 

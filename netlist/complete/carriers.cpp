@@ -209,7 +209,19 @@ private:
         refuse(channel.connected,
                fmt::format("the edge channel \"{}\" cannot be reached: \"{}\" has no link to {}", outer.port,
                            node_name(inner.node), edge),
-               fmt::format("connect {}.link[0] to host;", node_name(inner.node)));
+               way_to_edge(inner.node, outer.node));
+    }
+
+    /// What would connect them, as far as links are free.
+    std::string way_to_edge(std::size_t node, std::size_t edge) const {
+        for (const auto& connection : c_.network.connections)
+            for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
+                if (far.at_edge() && (edge == nowhere || far.node == edge))
+                    return fmt::format("\"{}\" is connected to {}: place the process there", node_name(far.node),
+                                       link_name(c_.draft.nodes, near));
+        auto link = c_.free_link(node);
+        return link.empty() ? fmt::format("all links of \"{}\" are taken: one of them must lead there", node_name(node))
+                            : fmt::format("connect {} to {};", link, edge == nowhere ? "host" : node_name(edge));
     }
 
     std::size_t lightest(const std::vector<std::size_t>& candidates, std::size_t sender) {

@@ -157,7 +157,7 @@ private:
     std::size_t edge_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
         if (wire == c_.connection_at.end())
-            return end.at_edge() ? end.node : nowhere;
+            return end.at_edge() && c_.draft.nodes[end.node].kind->links == LinkRole::edge ? end.node : nowhere;
         const auto& connection = c_.network.connections[wire->second];
         return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
     }

@@ -1,9 +1,27 @@
 #include "netlist/complete/complete.hpp"
 
+#include <set>
+
 namespace placedpar {
 
-Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter) {
-    Completion completion{std::move(draft), catalogue, reporter, {}, {}, {}, {}, {}, {}};
+std::string Completion::free_link(std::size_t node) const {
+    std::set<int> used;
+    for (const auto& wire : draft.wires)
+        for (const auto& end : {wire.a, wire.b})
+            if (end.node == node)
+                used.insert(end.link);
+    for (int link = 0; link < draft.links[node]; ++link)
+        if (!used.contains(link))
+            return link_name(draft.nodes, {node, link});
+    return "";
+}
+
+Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter) {
+    Completion completion{std::move(draft), catalogue, programs, reporter, {}, {}, {}, {}, {}, {}};
+    complete_hosts(completion);
+    complete_programs(completion);
+    if (reporter.failed())
+        return {};
     complete_wires(completion);
     complete_processes(completion);
     complete_channels(completion);

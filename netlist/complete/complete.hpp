@@ -1,6 +1,7 @@
 #pragma once
 
 #include "netlist/elaborate/draft.hpp"
+#include "netlist/elaborate/overrides.hpp"
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/network/network.hpp"
 #include "text/reporter.hpp"
@@ -15,12 +16,13 @@ namespace placedpar {
 /// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get
 /// their kinds and parameters, channels their directions and carriers. What is wrong is reported; then the result must
 /// not be used.
-Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter);
+Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter);
 
 /// The parts of complete(), in the order they run. They share:
 struct Completion {
     Draft draft;
     const Catalogue& catalogue;
+    const ProgramKinds& programs;
     Reporter& reporter;
     Network network;
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
@@ -28,10 +30,18 @@ struct Completion {
     std::vector<const ProcessKind*> kinds;                            ///< of each process; null: a stand-in
     std::vector<bool> kind_refused;                                   ///< unknown, and reported
     std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
+    std::vector<bool> wire_refused = {};                              ///< of each node: one of its wires leads nowhere
+
+    /// Such as "a.link[2]": the first link of the node that no wire is at; "" if there is none.
+    std::string free_link(std::size_t node) const;
 };
 
+/// hosts.cpp: an edge that processes are placed on becomes a workstation.
+void complete_hosts(Completion& completion);
 /// wires.cpp: from pieces of wire and crosspoints to connections between processors.
 void complete_wires(Completion& completion);
+/// programs.cpp: the kinds that take the place of programs.
+void complete_programs(Completion& completion);
 /// processes.cpp: placement, kinds, and interfaces against kinds.
 void complete_processes(Completion& completion);
 /// parameters.cpp: the values of all parameters of one process.

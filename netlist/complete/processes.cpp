@@ -11,29 +11,30 @@ namespace placedpar {
 
 namespace {
 
-/// The real toolset's linked units and other files: farm.lku, farm.c8h, farm.lah, farm.tco ...
+bool is_one_of(std::string_view set, char c) { return set.find(c) != set.npos; }
+
+/// The real toolset's linked units and other files: farm.lku, FARM.C8H, farm.lah, farm.tco, farm.c0, farm ...
 bool is_program_file(std::string_view name) {
     auto dot = name.rfind('.');
-    if (dot == std::string_view::npos || name.size() - dot != 4)
-        return false;
-    auto extension = name.substr(dot + 1);
-    if (extension == "lku" || extension == "lkd" || extension == "tco" || extension == "rsc" || extension == "btl")
+    if (dot == std::string_view::npos)
         return true;
-    static constexpr std::string_view forms = "clt", targets = "0123456789abce", modes = "hsxu";
-    return forms.find(extension[0]) != std::string_view::npos && targets.find(extension[1]) != std::string_view::npos &&
-           modes.find(extension[2]) != std::string_view::npos;
+    auto ending = lower_case(name.substr(dot + 1));
+    if (ending == "lku" || ending == "lkd" || ending == "tco" || ending == "rsc" || ending == "btl")
+        return true;
+    bool is_of_target = ending.size() >= 2 && is_one_of("clt", ending[0]) && is_one_of("0123456789abce", ending[1]);
+    return is_of_target && (ending.size() == 2 || (ending.size() == 3 && is_one_of("hsxu", ending[2])));
 }
 
 const ProcessKind* find_kind(Completion& c, std::size_t index) {
     auto& process = c.draft.processes[index];
     auto used = process.used.value_or(c.draft.default_used);
-    if (process.kind.empty())
-        process.kind = c.draft.default_kind;
     const auto* kind = c.catalogue.find(process.kind);
-    if (kind != nullptr || process.kind.empty() || is_program_file(process.kind))
+    if (kind != nullptr || process.kind.empty())
         return kind;
-    c.kind_refused[index] = true;
     auto guess = did_you_mean(process.kind, c.catalogue.kind_names());
+    if (is_program_file(process.kind) && (guess.empty() || process.kind.find('.') != std::string::npos))
+        return nullptr;
+    c.kind_refused[index] = true;
     c.reporter.error(used, fmt::format("there is no process kind \"{}\"", process.kind),
                      guess.empty() ? "`placedpar kinds` lists them; a program file ends in .lku, .c8h and the like"
                                    : guess);

@@ -63,21 +63,41 @@ private:
         auto reached = connection.b;
         auto crosspoint = crosspoint_at_.find(socket(reached));
         if (crosspoint == crosspoint_at_.end())
-            return leads_nowhere(connection, reached, "the switch sets no crosspoint for it");
+            return refuse_crosspoint(connection, reached);
         auto leaves = other_end(c_.draft.crosspoints[crosspoint->second], reached);
         connection.crossings.push_back({reached.node, reached.link, leaves.link});
         auto next = wire_at_.find(socket(leaves));
         if (next == wire_at_.end())
-            return leads_nowhere(connection, leaves, "no wire leaves the switch there");
+            return leads_nowhere(connection, leaves, "no wire leaves the switch there",
+                                 fmt::format("connect {} to ...;", link_name(c_.draft.nodes, leaves)));
         pieces.push_back(next->second);
         connection.b = other_end(c_.draft.wires[next->second], leaves);
         return true;
     }
 
-    bool leads_nowhere(const LinkConnection& connection, const LinkEnd& at, const std::string& why) {
-        c_.reporter.warning(connection.connected,
-                            fmt::format("the wire ends at \"{}\": {}", link_name(c_.draft.nodes, at), why));
+    bool leads_nowhere(const LinkConnection& connection, const LinkEnd& at, const std::string& why,
+                       const std::string& hint) {
+        c_.reporter.error(connection.connected,
+                          fmt::format("the wire from \"{}\" ends at \"{}\": {}",
+                                      link_name(c_.draft.nodes, connection.a), link_name(c_.draft.nodes, at), why),
+                          hint);
+        c_.wire_refused[connection.a.node] = true;
         return false;
+    }
+
+    /// Of the switch, one that a wire comes to and no crosspoint leads to.
+    std::string open_link(const LinkEnd& other) const {
+        for (const auto& [end, wire] : wire_at_)
+            if (end.first == other.node && end.second != other.link && !crosspoint_at_.contains(end))
+                return link_name(c_.draft.nodes, {end.first, end.second});
+        return "";
+    }
+
+    bool refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
+        auto other = open_link(at);
+        return leads_nowhere(connection, at, "the switch sets no crosspoint for it",
+                             fmt::format("connect {} to {};", link_name(c_.draft.nodes, at),
+                                         other.empty() ? c_.draft.nodes[at.node].name + ".link[...]" : other));
     }
 
     void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {
@@ -149,7 +169,7 @@ void check_isolated(Completion& c) {
     if (std::count_if(c.draft.nodes.begin(), c.draft.nodes.end(), is_computer) < 2)
         return;
     for (std::size_t i = 0; i < wired.size(); ++i)
-        if (const auto& node = c.draft.nodes[i]; !wired[i] && is_computer(node))
+        if (const auto& node = c.draft.nodes[i]; !wired[i] && is_computer(node) && !c.wire_refused[i])
             c.reporter.error(node.declared, fmt::format("the processor \"{}\" is connected to nothing", node.name),
                              fmt::format("connect {}.link[0] to ...;", node.name));
 }
@@ -157,6 +177,7 @@ void check_isolated(Completion& c) {
 } // namespace
 
 void complete_wires(Completion& completion) {
+    completion.wire_refused.assign(completion.draft.nodes.size(), false);
     Wiring(completion).run();
     check_isolated(completion);
 }

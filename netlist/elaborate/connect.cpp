@@ -36,7 +36,8 @@ std::size_t Elaborator::connection_for(const ConnectStatement& form, const Locat
         return nowhere;
     auto found = find(*form.by);
     if (found.category != Category::connection)
-        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name), "declare it: connection name;");
+        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name),
+               "a connection is declared by connection name;");
     auto index = element(*form.by, found);
     auto& connection = draft_.connections[index];
     if (connection.used)

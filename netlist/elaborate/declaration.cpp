@@ -2,6 +2,8 @@
 #include "netlist/elaborate/elaborator.hpp"
 #include "netlist/language/lexer.hpp"
 
+#include "netlist/language/parser.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,9 +30,10 @@ std::string Elaborator::claim_name(const std::string& name) {
 void Elaborator::count_things(std::size_t count, const Location& at) {
     draft_.things += count;
     if (draft_.things > most_things)
-        reporter_.give_up(at, fmt::format("the network is too large: it may have {} processors, processes and channel "
-                                          "ends in all",
-                                          most_things));
+        reporter_.give_up(
+            at, fmt::format("the network is too large: it may have {} things in all: nodes, connections, processes, "
+                            "their channel ends and parameters",
+                            most_things));
 }
 
 std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
@@ -69,7 +72,11 @@ void Elaborator::declare(const Declarator& declarator, Category category, std::s
 Type Elaborator::base_type(const std::string& name, const Location& at, std::vector<Setting>& settings) {
     const auto* symbol = scopes_.find(name);
     if (symbol == nullptr)
-        refuse_undefined(reporter_, scopes_, name, at);
+        refuse_undefined(reporter_, scopes_, name, at, [&] {
+            auto known = scopes_.type_names();
+            known.push_back(word_meant(name));
+            return known;
+        });
     if (std::holds_alternative<AnyElement>(symbol->meaning))
         return type_of_element(at, settings);
     if (const auto* type = std::get_if<ProcessType>(&symbol->meaning))

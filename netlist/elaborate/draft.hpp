@@ -12,7 +12,8 @@
 
 namespace placedpar {
 
-/// The number of things that one netlist may declare, elements of arrays and channel ends counted one by one.
+/// The number of things that one netlist may have, elements of arrays counted one by one: nodes, connections, wires,
+/// edge channels, processes, their channel ends and parameters, values given to these, attributes of the real tool.
 inline constexpr std::size_t most_things = 250'000;
 
 /// What the statements of a netlist say, unrolled but not yet checked as a whole. The elaborator fills it;

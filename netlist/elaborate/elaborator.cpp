@@ -1,34 +1,13 @@
 #include "netlist/elaborate/elaborator.hpp"
 
+#include "netlist/elaborate/declared_names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
 namespace placedpar {
-
-namespace {
-
-/// What a statement would have declared.
-std::vector<std::string> declared_names(const Statement& statement) {
-    std::vector<std::string> names;
-    auto add = [&](const std::vector<Declarator>& declarators) {
-        for (const auto& declarator : declarators)
-            names.push_back(declarator.name);
-    };
-    std::visit(
-        [&](const auto& form) {
-            using Form = std::decay_t<decltype(form)>;
-            if constexpr (std::is_same_v<Form, ValStatement>)
-                names.push_back(form.name);
-            else if constexpr (requires { form.names; })
-                add(form.names);
-        },
-        statement.form);
-    return names;
-}
-
-} // namespace
 
 Elaborator::Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter)
     : catalogue_(catalogue), overrides_(overrides), reporter_(reporter), scopes_(catalogue),
@@ -48,8 +27,10 @@ void Elaborator::refuse(const Location& at, std::string message, std::string hin
 void Elaborator::run(const Statements& statements) { execute_all(statements); }
 
 void Elaborator::execute_all(const Statements& statements) {
-    for (const auto& statement : statements)
-        execute(statement);
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+        scopes_.set_ahead(std::span(statements).subspan(i + 1));
+        execute(statements[i]);
+    }
 }
 
 void Elaborator::execute(const Statement& statement) {
@@ -57,8 +38,8 @@ void Elaborator::execute(const Statement& statement) {
     try {
         std::visit([&](const auto& form) { perform(form, statement.at); }, statement.form);
     } catch (const StatementRefused&) {
-        for (const auto& name : declared_names(statement))
-            scopes_.poison(name);
+        for (const auto& declared : declared_names(statement))
+            scopes_.poison(std::string(declared.name));
     }
 }
 

@@ -8,9 +8,27 @@
 
 namespace placedpar {
 
-void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name, const Location& at) {
-    if (!scopes.is_poisoned(name) || !reporter.failed())
-        reporter.error(at, fmt::format("the name \"{}\" is undefined", name), did_you_mean(name, scopes.names()));
+namespace {
+
+void report_undeclared(Reporter& reporter, const std::string& name, const Location& at, const Location& declared) {
+    auto where = declared.file == at.file ? fmt::format("line {}", declared.line) : declared.text();
+    reporter.error(at, fmt::format("the name \"{}\" is undefined here: it is declared later, {}", name, where), "",
+                   {{"declared here", declared}});
+}
+
+void report_unknown(Reporter& reporter, const std::string& name, const Location& at,
+                    const std::vector<std::string>& known) {
+    reporter.error(at, fmt::format("the name \"{}\" is undefined", name), did_you_mean(name, known));
+}
+
+} // namespace
+
+void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name, const Location& at,
+                      const std::function<std::vector<std::string>()>& known) {
+    if (auto declared = reporter.keeps_more() ? scopes.declared_later(name) : std::nullopt)
+        report_undeclared(reporter, name, at, *declared);
+    else if (!scopes.is_poisoned(name) || !reporter.failed())
+        report_unknown(reporter, name, at, known ? known() : scopes.names());
     throw StatementRefused{};
 }
 

@@ -4,6 +4,7 @@
 #include "netlist/language/syntax.hpp"
 #include "text/reporter.hpp"
 
+#include <functional>
 #include <string_view>
 
 namespace placedpar {
@@ -51,8 +52,9 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// "is undefined", with the nearest known name as a hint. Throws StatementRefused.
+/// "is undefined", with where it is declared further on, or with the nearest of the names that could stand there: of
+/// all that are known unless `known` says which. Throws StatementRefused.
 [[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
-                                   const Location& at);
+                                   const Location& at, const std::function<std::vector<std::string>()>& known = {});
 
 } // namespace placedpar

@@ -27,7 +27,7 @@ void Elaborator::place_process(const PlaceStatement& form) {
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
         refuse(form.where.field_at, "a process is placed on a processor, not on a link");
-    if (!node.kind->runs_processes)
+    if (!node.kind->runs_processes && node.kind->links != LinkRole::edge) // there it makes the edge a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
     if (process.node != nowhere)
         refuse(form.what.at, fmt::format("the process \"{}\" is placed twice", process.name), "",
@@ -57,7 +57,7 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
     auto index = where.category == Category::node ? element(form.where, where) : nowhere;
     if (index == nowhere || draft_.nodes[index].kind->links != LinkRole::edge || !form.where.field.empty())
         refuse(form.where.at, fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
-               "declare it: edge name;");
+               "such as host");
     if (channel.edge != nowhere)
         refuse(form.what.at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
                {{"first placed here", channel.placed}});

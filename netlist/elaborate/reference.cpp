@@ -1,10 +1,26 @@
 #include "netlist/elaborate/elaborator.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 namespace placedpar {
+
+namespace {
+
+/// What may stand behind the dot, as far as it is known here.
+std::string channels_of(const DraftProcess& process) {
+    constexpr std::size_t most = 5;
+    if (!process.interface || process.interface->ports.empty())
+        return process.name + ".channel";
+    auto names = names_in(process.interface->ports);
+    auto more = names.size() > most ? ", ..." : "";
+    names.resize(std::min(names.size(), most));
+    return fmt::format("its channels are {}{}", fmt::join(names, ", "), more);
+}
+
+} // namespace
 
 Elaborator::Found Elaborator::find(const Reference& reference) {
     const auto* symbol = scopes_.find(reference.name);
@@ -84,14 +100,14 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
 int Elaborator::link_number(const Reference& reference, const Node& node, int links) {
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
-               fmt::format("such as {}.link[0]", node.name));
+               fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
     if (reference.field != "link")
         refuse(reference.field_at, fmt::format("a node has no \"{}\"", reference.field),
-               fmt::format("its links are {}.link[0] and so on", node.name));
+               fmt::format("its links are {}.link[0] to {}.link[{}]", node.name, node.name, links - 1));
     auto given = subscripts(reference.field_subscripts);
     if (given.size() != 1)
         refuse(reference.field_at, fmt::format("wrong number of subscripts: \"link\" has 1, here are {}", given.size()),
-               fmt::format("such as {}.link[0]", node.name));
+               fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
     if (given[0] < 0 || given[0] >= links)
         refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", node.name, given[0]),
                fmt::format("a {} has the links 0 to {}", node.type, links - 1));
@@ -110,13 +126,15 @@ DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& fo
     const auto& process = draft_.processes[index];
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a channel of the process \"{}\" is missing", process.name),
-               fmt::format("such as {}.out", process.name));
+               channels_of(process));
     auto given = subscripts(reference.field_subscripts);
     DraftChannelEnd end{index, nowhere, element_name(reference.field, given), reference.field_at};
-    if (process.interface)
-        check_subscripts(declared_port(process, reference), reference, given);
-    else if (!used_ports_.contains({index, end.port}))
-        count_things(1, reference.field_at);
+    if (!process.interface) {
+        if (std::pair key(index, end.port); !used_ports_.contains(key) && !draft_.placements.contains(key))
+            count_things(1, reference.field_at);
+        return end;
+    }
+    check_subscripts(declared_port(process, reference), reference, given);
     return end;
 }
 

@@ -1,5 +1,7 @@
 #include "netlist/elaborate/scope.hpp"
 
+#include "netlist/elaborate/declared_names.hpp"
+
 #include <algorithm>
 
 namespace placedpar {
@@ -60,6 +62,13 @@ const Symbol* Scopes::find_in_this_block(std::string_view name) const {
     return found == scopes_.back().end() ? nullptr : &found->second;
 }
 
+std::optional<Location> Scopes::declared_later(std::string_view name) const {
+    for (auto ahead = ahead_.rbegin(); ahead != ahead_.rend(); ++ahead)
+        if (auto found = declaration_among(*ahead, name))
+            return found;
+    return std::nullopt;
+}
+
 void Scopes::declare(const std::string& name, Symbol symbol) {
     scopes_.back().insert_or_assign(name, std::move(symbol));
 }
@@ -74,6 +83,16 @@ std::vector<std::string> Scopes::predefined_node_types() const {
         if (std::holds_alternative<NodeType>(symbol.meaning))
             names.push_back(name);
     return names;
+}
+
+std::vector<std::string> Scopes::type_names() const {
+    auto is_no_type = [this](const std::string& name) {
+        const auto& meaning = find(name)->meaning;
+        return std::holds_alternative<Constant>(meaning) || std::holds_alternative<DeclaredThings>(meaning);
+    };
+    auto types = names();
+    std::erase_if(types, is_no_type);
+    return types;
 }
 
 std::vector<std::string> Scopes::names() const {

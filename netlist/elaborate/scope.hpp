@@ -2,9 +2,12 @@
 
 #include "netlist/elaborate/draft.hpp"
 #include "netlist/kinds/catalogue.hpp"
+#include "netlist/language/syntax.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -47,8 +50,14 @@ public:
     /// The catalogue's node types are predefined.
     explicit Scopes(const Catalogue& catalogue);
 
-    void open() { scopes_.emplace_back(); }
-    void close() { scopes_.pop_back(); }
+    void open() {
+        scopes_.emplace_back();
+        ahead_.emplace_back();
+    }
+    void close() {
+        scopes_.pop_back();
+        ahead_.pop_back();
+    }
     /// Outside of all blocks?
     bool outermost() const { return scopes_.size() == 2; }
 
@@ -58,7 +67,14 @@ public:
     void declare(const std::string& name, Symbol symbol);
     void declare_predefined(const std::string& name, Symbol symbol);
 
+    /// The statements of this block that come after the one that is executed. They outlive the block.
+    void set_ahead(std::span<const Statement> statements) { ahead_.back() = statements; }
+    /// Where a name that is not known yet is declared further on, in this block or one around it.
+    std::optional<Location> declared_later(std::string_view name) const;
+
     std::vector<std::string> names() const;
+    /// Of what things can be declared with.
+    std::vector<std::string> type_names() const;
     /// Of the node types that are predefined.
     std::vector<std::string> predefined_node_types() const;
 
@@ -68,6 +84,7 @@ public:
 
 private:
     std::vector<std::map<std::string, Symbol, std::less<>>> scopes_;
+    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< of each block
     std::set<std::string> poisoned_;
 };
 

@@ -71,6 +71,19 @@ Token Lexer::read_string() {
     return token;
 }
 
+std::optional<Token> Lexer::read_file_name() {
+    while (peek() == ' ' || peek() == '\t')
+        advance();
+    auto line = std::string_view(text()).substr(position_, text().find_first_of("\r\n", position_) - position_);
+    auto end = line.find('"', 1);
+    if (!line.starts_with('"') || end == std::string_view::npos || end == 1)
+        return std::nullopt;
+    Token token{TokenKind::text, std::string(line.substr(1, end - 1)), {}, 0, here()};
+    for (std::size_t i = 0; i <= end; ++i)
+        advance();
+    return token;
+}
+
 char Lexer::read_one() {
     auto start = here();
     char c = peek();

@@ -1,19 +1,35 @@
 #include "netlist/language/lexer.hpp"
 
 #include "netlist/language/characters.hpp"
+#include "text/utf8.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
+#include <cstdint>
 
 namespace placedpar {
 
 namespace {
 
-std::string shown(char c) {
-    auto byte = static_cast<unsigned char>(c);
-    return byte < 0x80 ? fmt::format("\"{}\"", c) : fmt::format("byte 0x{:02x}", byte);
+std::string shown(std::string_view character, char32_t code) {
+    return code < 0x80 ? fmt::format("\"{}\"", character)
+                       : fmt::format("\"{}\" (U+{:04X})", character, static_cast<std::uint32_t>(code));
+}
+
+/// What word processors write for a character of the language.
+std::string character_meant(char32_t code) {
+    static constexpr std::u32string_view dashes = U"\u2010\u2011\u2012\u2013\u2014\u2212",
+                                         quotes = U"\u201c\u201d\u201e", apostrophes = U"\u2018\u2019\u201a",
+                                         blanks = U"\u00a0\u2003\u2009\u200b\ufeff";
+    auto is_in = [code](std::u32string_view set) { return set.find(code) != set.npos; };
+    return is_in(dashes)        ? "write -"
+           : is_in(quotes)      ? "write \""
+           : is_in(apostrophes) ? "write '"
+           : is_in(blanks)      ? "write a blank"
+           : code == '#'        ? "#include stands at the beginning of a line"
+                                : "";
 }
 
 } // namespace
@@ -78,8 +94,8 @@ void Lexer::skip_line() {
         advance();
 }
 
-void Lexer::skip_line_comment() {
-    reporter_.error(here(), "the language has no comments that begin with //", "write /* ... */");
+void Lexer::skip_line_comment(std::string_view mark) {
+    reporter_.error(here(), fmt::format("the language has no comments that begin with {}", mark), "write /* ... */");
     skip_line();
 }
 
@@ -112,7 +128,9 @@ Token Lexer::next() {
         if (peek() == '#' && begins_line)
             return read_directive();
         if (peek() == '/' && peek(1) == '/')
-            skip_line_comment();
+            skip_line_comment("//");
+        else if (begins_line && peek() == '-' && peek(1) == '-')
+            skip_line_comment("--");
         else
             return read_symbol();
     }
@@ -150,13 +168,25 @@ Token Lexer::read_symbol() {
             advance();
             return token;
         }
-    if (one_character.find(peek()) == std::string_view::npos) {
-        reporter_.error(here(), "illegal character " + shown(peek()),
-                        peek() == '#' ? "#include stands at the beginning of a line" : "");
-        token.kind = TokenKind::illegal;
-    }
+    if (one_character.find(peek()) == std::string_view::npos)
+        return refuse_character(std::move(token));
     token.text = std::string(1, peek());
     advance();
+    return token;
+}
+
+/// The whole of a character of several bytes is one error.
+Token Lexer::refuse_character(Token token) {
+    auto [code, bytes] = first_character(std::string_view(text()).substr(position_));
+    token.kind = TokenKind::illegal;
+    token.text = text().substr(position_, std::max<std::size_t>(bytes, 1));
+    reporter_.error(token.at,
+                    "illegal character " + (bytes == 0
+                                                ? fmt::format("byte 0x{:02x}", static_cast<unsigned char>(peek()))
+                                                : shown(token.text, code)),
+                    character_meant(code));
+    for (std::size_t i = 0; i < token.text.size(); ++i)
+        advance();
     return token;
 }
 

@@ -3,6 +3,8 @@
 #include "netlist/language/token.hpp"
 #include "text/reporter.hpp"
 
+#include <optional>
+
 namespace placedpar {
 
 /// Short enough to be printed on one line with every character escaped.
@@ -20,14 +22,20 @@ public:
     Token next();
     /// Skips the rest of the line.
     void skip_line();
+    /// Just behind `#include`: the name of a file in quotes, where a `\` is no escape but as it stands; nothing where
+    /// none follows on this line.
+    std::optional<Token> read_file_name();
+    /// The place behind the last token.
+    Location here() const { return {file_, line_, column_}; }
 
 private:
     void skip_blanks();
     void skip_comment();
-    void skip_line_comment();
+    void skip_line_comment(std::string_view mark);
     Token read_name();
     void check_length(const Token& name);
     Token read_symbol();
+    Token refuse_character(Token token);
     Token read_directive();
 
     // lex_number.cpp
@@ -58,7 +66,6 @@ private:
     bool at_end() const { return position_ >= text().size(); }
     char peek(std::size_t ahead = 0) const;
     void advance();
-    Location here() const { return {file_, line_, column_}; }
     const std::string& text() const { return file_->text(); }
 
     std::shared_ptr<const SourceFile> file_;

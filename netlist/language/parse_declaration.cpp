@@ -33,9 +33,10 @@ Statement Parser::parse_define() {
     auto base = expect_type("a node type");
     auto attributes = parse_declaration_attributes();
     std::vector<Declarator> names;
-    do
+    do {
         names.push_back(parse_type_name());
-    while (accept(","));
+        types_.insert(names.back().name);
+    } while (accept(","));
     expect_semicolon("define");
     return {at, DefineStatement{base.text, base.at, std::move(attributes), std::move(names)}};
 }

@@ -37,7 +37,7 @@ int Parser::height_above(const Location& at, std::initializer_list<const Express
     for (const auto* part : parts)
         height = std::max(height, part->height + 1);
     if (height > highest_expression)
-        refuse(at, fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression));
+        refuse(at, fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression - 1));
     return height;
 }
 
@@ -73,7 +73,6 @@ ExpressionPointer Parser::parse_conditional(ExpressionPointer condition) {
 }
 
 ExpressionPointer Parser::parse_operation(int weakest) {
-    Nesting nesting(*this);
     auto left = parse_unary();
     while (true) {
         auto binds = strength(tokens_.peek());
@@ -86,9 +85,9 @@ ExpressionPointer Parser::parse_operation(int weakest) {
 }
 
 ExpressionPointer Parser::parse_unary() {
-    Nesting nesting(*this);
     const auto& token = tokens_.peek();
     if (token.is("-") || token.is("+") || token.is("!") || token.is("~")) {
+        Nesting nesting(*this);
         auto symbol = tokens_.take();
         auto operand = parse_unary();
         auto height = operand->height + 1;
@@ -100,6 +99,7 @@ ExpressionPointer Parser::parse_unary() {
 }
 
 ExpressionPointer Parser::parse_cast() {
+    Nesting nesting(*this);
     auto at = tokens_.take().at;
     auto type = tokens_.take().text;
     tokens_.take();
@@ -121,6 +121,7 @@ ExpressionPointer Parser::parse_size() {
 ExpressionPointer Parser::parse_postfix() {
     auto expression = parse_primary();
     while (tokens_.peek().is("[")) {
+        Nesting nesting(*this);
         auto bracket = tokens_.take();
         auto subscript = parse_expression();
         expect("]", "behind the subscript");
@@ -134,6 +135,7 @@ ExpressionPointer Parser::parse_primary() {
     if (token.is("{"))
         return parse_array_constant();
     if (token.is("(")) {
+        Nesting nesting(*this);
         tokens_.take();
         auto inner = parse_expression();
         expect(")", "behind the expression");

@@ -7,6 +7,7 @@ namespace placedpar {
 std::vector<ExpressionPointer> Parser::parse_subscripts() {
     std::vector<ExpressionPointer> subscripts;
     while (accept("[")) {
+        Nesting nesting(*this);
         if (tokens_.peek().is("]"))
             refuse(tokens_.peek().at, "a number is missing between \"[\" and \"]\"");
         subscripts.push_back(parse_expression());
@@ -16,7 +17,6 @@ std::vector<ExpressionPointer> Parser::parse_subscripts() {
 }
 
 Reference Parser::parse_reference(std::string_view what) {
-    Nesting nesting(*this);
     auto name = expect_name(what);
     Reference reference{name.at, name.text, parse_subscripts(), "", {}, {}};
     if (accept(".")) {
@@ -34,7 +34,7 @@ Statement Parser::parse_connect() {
     auto a = parse_reference("a link, channel or edge");
     if (!accept(",")) {
         if (!tokens_.peek().is_word("to"))
-            refuse(tokens_.peek().at,
+            refuse(gap(),
                    fmt::format("\",\" or \"to\" is missing in connect: {} stands here", describe(tokens_.peek())),
                    "connect a.link[0] to b.link[1];");
         tokens_.take();
@@ -64,7 +64,7 @@ Statement Parser::parse_place() {
     auto at = tokens_.take().at;
     auto what = parse_reference("what is placed");
     if (!tokens_.peek().is_word("on"))
-        refuse(tokens_.peek().at, fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
+        refuse(gap(), fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
                "place name on processor;");
     tokens_.take();
     PlaceStatement statement{std::move(what), parse_reference("the place")};

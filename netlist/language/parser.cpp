@@ -1,5 +1,7 @@
 #include "netlist/language/parser.hpp"
 
+#include "text/nearest.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +17,30 @@ bool is_reserved(std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+namespace {
+
+/// Those that begin a statement.
+const std::vector<std::string>& statement_words() {
+    static const std::vector<std::string> words{"val",    "define", "connection", "connect", "process", "input",
+                                                "output", "use",    "place",      "rep",     "if"};
+    return words;
+}
+
+bool is_statement_word(const Token& token) {
+    const auto& words = statement_words();
+    return token.is_word("else") ||
+           (token.kind == TokenKind::name && std::ranges::find(words, token.text) != words.end());
+}
+
+} // namespace
+
+std::string word_meant(const std::string& word) {
+    auto small = lower_case(word);
+    auto nearest = nearest_name(word, statement_words());
+    std::size_t distance = edit_distance(small, nearest), most = nearest.size() < 6 ? 1 : 2;
+    return distance <= most && small != "processor" ? nearest : "";
+}
+
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
     if (++parser.depth_ > deepest_nesting)
         parser.reporter_.give_up(parser.tokens_.peek().at,
@@ -22,8 +48,14 @@ Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
 }
 
 void Parser::refuse(const Location& at, std::string message, std::string hint) {
-    if (tokens_.peek().kind != TokenKind::illegal) // of which the lexer has said what is wrong
+    if (tokens_.peek().kind == TokenKind::illegal) // of which the lexer has said what is wrong
+        throw StatementRefused{};
+    auto meant = misspelt_ ? word_meant(misspelt_->text) : "";
+    if (meant.empty())
         reporter_.error(at, std::move(message), std::move(hint));
+    else
+        reporter_.error(misspelt_->at, fmt::format("\"{}\" begins no statement", misspelt_->text),
+                        fmt::format("did you mean \"{}\"?", meant));
     throw StatementRefused{};
 }
 
@@ -47,14 +79,38 @@ void Parser::expect_word(std::string_view word, std::string_view where) {
 
 void Parser::refuse_missing(std::string_view what, std::string_view where) {
     const auto& here = tokens_.peek();
-    refuse(here.at, fmt::format("\"{}\" is missing {}: {} stands here", what, where, describe(here)));
+    refuse(gap(), fmt::format("\"{}\" is missing {}: {} stands here", what, where, describe(here)));
 }
 
+Location Parser::gap() {
+    bool ends = tokens_.peek().kind == TokenKind::end;
+    return tokens_.behind_last().file && (ends || on_another_line()) ? tokens_.behind_last() : tokens_.peek().at;
+}
+
+bool Parser::on_another_line() {
+    const auto& last = tokens_.behind_last();
+    const auto& next = tokens_.peek().at;
+    return last.file != next.file || last.line != next.line;
+}
+
+/// What stands here ends a block or the file, or is a word that begins a statement: it is no part of the last one.
+bool Parser::statement_is_over() {
+    const auto& next = tokens_.peek();
+    return next.kind == TokenKind::end || next.is("}") || is_statement_word(next);
+}
+
+/// A missing one is an error, but the next statement may follow all the same.
 void Parser::expect_semicolon(std::string_view statement) {
-    if (!accept(";"))
-        refuse(tokens_.peek().at,
-               fmt::format("illegal token in a {} statement: {}", statement, describe(tokens_.peek())),
+    if (accept(";"))
+        return;
+    const auto& next = tokens_.peek();
+    bool illegal = next.kind == TokenKind::illegal || !(on_another_line() || statement_is_over());
+    if (illegal)
+        refuse(next.at, fmt::format("illegal token in a {} statement: {}", statement, describe(next)),
                "a statement ends with \";\"");
+    reporter_.error(tokens_.behind_last(), fmt::format("\";\" is missing at the end of a {} statement", statement));
+    if (next.kind != TokenKind::name && !statement_is_over())
+        throw StatementRefused{};
 }
 
 Token Parser::expect_name(std::string_view what) {
@@ -101,8 +157,8 @@ void Parser::recover() {
 }
 
 Statement Parser::parse_statement() {
-    Nesting nesting(*this);
     const auto& first = tokens_.peek();
+    misspelt_.reset();
     if (first.is("{"))
         return parse_block();
     if (first.is(";"))
@@ -111,9 +167,16 @@ Statement Parser::parse_statement() {
         refuse(first.at, fmt::format("no statement begins with {}", describe(first)));
     if (is_reserved(first.text))
         return parse_keyword_statement(first);
-    if (first.text == "PROCESS" || behind_attributes_comes_name())
-        return parse_declaration();
-    return parse_setting();
+    return parse_declaration_or_setting(first);
+}
+
+Statement Parser::parse_declaration_or_setting(const Token& first) {
+    if (!types_.contains(first.text))
+        misspelt_ = first;
+    bool declares = first.text == "PROCESS" || behind_attributes_comes_name();
+    auto statement = declares ? parse_declaration() : parse_setting();
+    misspelt_.reset();
+    return statement;
 }
 
 Statement Parser::parse_keyword_statement(const Token& word) {
@@ -138,6 +201,7 @@ Statement Parser::parse_keyword_statement(const Token& word) {
 }
 
 Statement Parser::parse_block() {
+    Nesting nesting(*this);
     auto opening = tokens_.take();
     BlockStatement block;
     while (!tokens_.peek().is("}")) {
@@ -153,6 +217,9 @@ Statement Parser::parse_block() {
 std::unique_ptr<Statement> Parser::parse_body(std::string_view whose) {
     if (tokens_.peek().kind == TokenKind::end || tokens_.peek().is("}"))
         refuse(tokens_.peek().at, fmt::format("the statement of \"{}\" is missing", whose));
+    if (tokens_.peek().is("{"))
+        return std::make_unique<Statement>(parse_block());
+    Nesting nesting(*this);
     return std::make_unique<Statement>(parse_statement());
 }
 

@@ -3,12 +3,15 @@
 #include "netlist/language/syntax.hpp"
 #include "netlist/language/token_stream.hpp"
 
+#include <set>
+
 namespace placedpar {
 
-/// Blocks in blocks, brackets in brackets: deeper nesting is refused, so that no text can exhaust the stack.
+/// Blocks, statements of `rep` and `if`, parentheses, brackets, attributes, signs and casts in one another: deeper
+/// nesting is refused, so that no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
-/// The height of an expression's tree; `1 + 1 + ...` is as high as it is long.
-inline constexpr int highest_expression = 1000;
+/// The height of an expression's tree; `1 + 1 + ...` is as high as it is long, here with 1000 operators.
+inline constexpr int highest_expression = 1001;
 
 /// Recursive descent over the grammar of docs/netlist-language.md. After an error it goes on after the next `;`, so
 /// that several errors are reported at once.
@@ -25,6 +28,7 @@ private:
     void parse_into(Statements& statements);
     Statement parse_statement();
     Statement parse_keyword_statement(const Token& word);
+    Statement parse_declaration_or_setting(const Token& first);
     std::unique_ptr<Statement> parse_body(std::string_view whose);
     Statement parse_block();
     void recover();
@@ -81,6 +85,10 @@ private:
     void expect(std::string_view symbol, std::string_view where);
     void expect_word(std::string_view word, std::string_view where);
     void expect_semicolon(std::string_view statement);
+    bool on_another_line();
+    bool statement_is_over();
+    /// Where something is missing: here, or behind the last token where that stands on a line before.
+    Location gap();
     Token expect_name(std::string_view what);
     [[noreturn]] void refuse_missing(std::string_view what, std::string_view where);
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "");
@@ -97,9 +105,13 @@ private:
     TokenStream& tokens_;
     Reporter& reporter_;
     int depth_ = 0;
+    std::optional<Token> misspelt_;            ///< the first word of a statement, perhaps
+    std::set<std::string, std::less<>> types_; ///< defined by the netlist
 };
 
 /// Words that begin or structure statements and so cannot name anything.
 bool is_reserved(std::string_view word);
+/// The word beginning a statement that this one is a letter or two away from, or is in capital letters; "" for others.
+std::string word_meant(const std::string& word);
 
 } // namespace placedpar

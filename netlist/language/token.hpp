@@ -33,6 +33,7 @@ struct Token {
     Integer integer;
     double real = 0;
     Location at;
+    Location end = {}; ///< the place behind its last character
 
     bool is(std::string_view symbol) const { return kind == TokenKind::symbol && text == symbol; }
     bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }

@@ -1,5 +1,8 @@
 #include "netlist/language/token_stream.hpp"
 
+#include "netlist/language/include_path.hpp"
+#include "text/nearest.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +20,9 @@ std::filesystem::path real_path(const std::filesystem::path& path) {
 
 } // namespace
 
-TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter)
-    : reporter_(reporter) {
+TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
+                         std::vector<std::filesystem::path> include_folders)
+    : reporter_(reporter), include_folders_(std::move(include_folders)) {
     open_.push_back({Lexer(std::move(main), reporter), real_path(path), {}});
 }
 
@@ -31,17 +35,24 @@ Token TokenStream::take() {
     fill(1);
     auto token = std::move(ahead_.front());
     ahead_.pop_front();
+    behind_last_ = token.end;
+    return token;
+}
+
+Token TokenStream::next_token() {
+    auto& lexer = open_.back().lexer;
+    auto token = lexer.next();
+    token.end = lexer.here();
+    if (++tokens_ > most_tokens)
+        reporter_.give_up(token.at, fmt::format("the netlist is too large: it has more than {} words", most_tokens));
     return token;
 }
 
 void TokenStream::fill(std::size_t count) {
     while (ahead_.size() < count) {
-        auto token = open_.back().lexer.next();
-        if (++tokens_ > most_tokens)
-            reporter_.give_up(token.at,
-                              fmt::format("the netlist is too large: it has more than {} words", most_tokens));
+        auto token = next_token();
         if (token.kind == TokenKind::directive)
-            include(token);
+            obey(token);
         else if (token.kind == TokenKind::end && open_.size() > 1)
             open_.pop_back();
         else
@@ -49,34 +60,47 @@ void TokenStream::fill(std::size_t count) {
     }
 }
 
+void TokenStream::obey(const Token& directive) {
+    auto& lexer = open_.back().lexer;
+    if (lower_case(directive.text) == "include")
+        return include(directive);
+    reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text),
+                    "there is only #include \"file\"");
+    lexer.skip_line();
+}
+
 void TokenStream::include(const Token& directive) {
-    if (directive.text != "include") {
-        reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text),
-                        "there is only #include \"file\"");
-        open_.back().lexer.skip_line();
-        return;
-    }
-    auto name = open_.back().lexer.next();
-    if (name.kind != TokenKind::text || name.text.empty()) {
-        reporter_.error(name.at, "#include needs the name of a file in quotes", "#include \"file\"");
-        if (name.at.line == directive.at.line)
-            open_.back().lexer.skip_line();
-        else if (name.kind != TokenKind::end)
-            ahead_.push_back(std::move(name));
+    auto& lexer = open_.back().lexer;
+    auto name = lexer.read_file_name();
+    if (!name) {
+        reporter_.error(lexer.here(), "#include needs the name of a file in quotes", "#include \"file\"");
+        lexer.skip_line();
         return;
     }
     if (++includes_ > most_includes)
         reporter_.give_up(directive.at, fmt::format("more than {} files are included", most_includes));
-    open(open_.back().path.parent_path() / name.text, name, directive);
+    open(*name);
 }
 
-void TokenStream::open(const std::filesystem::path& path, const Token& name, const Token& directive) {
-    auto real = real_path(path);
+/// Where an included file is looked for: beside the file that includes it, as its path is shown and as it is, then on
+/// the include path.
+std::vector<std::filesystem::path> TokenStream::folders_for(const Token& name) const {
+    std::vector<std::filesystem::path> folders{std::filesystem::path(name.at.file->path()).parent_path(),
+                                               open_.back().path.parent_path()};
+    folders.insert(folders.end(), include_folders_.begin(), include_folders_.end());
+    return folders;
+}
+
+void TokenStream::open(const Token& name) {
+    auto path = without_backslashes(name.text);
+    auto found = find_included(path, folders_for(name));
+    if (!found)
+        return is_of_the_toolset(path) ? void() : refuse_missing(name);
+    auto real = real_path(*found);
     if (includes_itself(real, name))
         return;
-    auto shown = std::filesystem::path(directive.at.file->path()).parent_path() / name.text;
-    std::error_code error;
-    auto loaded = load_source(std::filesystem::exists(shown, error) ? shown : real);
+    auto loaded = load_source(*found);
+    reporter_.add_included(loaded.file, name.at);
     included_.push_back(loaded.file->path());
     included_bytes_ += loaded.file->text().size();
     if (included_bytes_ > most_included_bytes)
@@ -84,6 +108,15 @@ void TokenStream::open(const std::filesystem::path& path, const Token& name, con
     report_problems(loaded, name);
     if (loaded.problems.empty())
         open_.push_back({Lexer(loaded.file, reporter_), real, name.at});
+}
+
+void TokenStream::refuse_missing(const Token& name) {
+    std::string folders;
+    for (const auto& folder : include_folders_)
+        folders += (folders.empty() ? "" : ", ") + folder.string();
+    reporter_.error(name.at, fmt::format("cannot include \"{}\": there is no such file", name.text),
+                    folders.empty() ? "-I FOLDER says where else to look than beside the file that includes it"
+                                    : "it is neither beside the file that includes it nor in " + folders);
 }
 
 /// Whether it does; then that is reported.
@@ -103,7 +136,7 @@ void TokenStream::report_problems(const LoadedSource& loaded, const Token& name)
         if (problem.location.line == 0)
             reporter_.error(name.at, fmt::format("cannot include \"{}\": {}", name.text, problem.message));
         else
-            reporter_.error(problem.location, problem.message, "", {{"included here", name.at}});
+            reporter_.error(problem.location, problem.message);
 }
 
 } // namespace placedpar

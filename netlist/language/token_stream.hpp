@@ -20,10 +20,14 @@ inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 /// itself, directly or through others, is refused.
 class TokenStream {
 public:
-    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter);
+    /// Included files are looked for beside the file that includes them, then in the folders.
+    TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
+                std::vector<std::filesystem::path> include_folders = {});
 
     const Token& peek(std::size_t ahead = 0);
     Token take();
+    /// The place behind the token that was taken last.
+    const Location& behind_last() const { return behind_last_; }
     /// The paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
 
@@ -35,15 +39,21 @@ private:
     };
 
     void fill(std::size_t count);
+    Token next_token();
+    void obey(const Token& directive);
     void include(const Token& directive);
-    void open(const std::filesystem::path& path, const Token& name, const Token& directive);
+    std::vector<std::filesystem::path> folders_for(const Token& name) const;
+    void open(const Token& name);
+    void refuse_missing(const Token& name);
     bool includes_itself(const std::filesystem::path& real, const Token& name);
     void report_problems(const LoadedSource& loaded, const Token& name);
 
     Reporter& reporter_;
+    std::vector<std::filesystem::path> include_folders_;
     std::vector<Open> open_;
     std::vector<std::string> included_;
     std::deque<Token> ahead_;
+    Location behind_last_;
     std::size_t tokens_ = 0, includes_ = 0, included_bytes_ = 0;
 };
 

@@ -183,7 +183,7 @@ class Records(unittest.TestCase):
         path.write_text(re.sub(r"^0\.\d+,", "x,", text, flags=re.MULTILINE), encoding="utf-8")
         said = self.refused("identify", path)
         self.assertEqual(said.count(": error: "), 20)
-        self.assertIn("and 30 more like these", said)
+        self.assertIn("... 30 further errors not shown", said)
 
     def test_files_that_are_no_records(self):
         self.assertIn("there is no such file", self.refused("identify", self.folder / "none.csv"))

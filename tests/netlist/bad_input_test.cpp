@@ -30,6 +30,14 @@ std::string repeated(const std::string& text, int times) {
     return result;
 }
 
+/// ", n1 = 0, n2 = 0", up to but for the last; a line each.
+std::string numbered(int first, int last) {
+    std::string result;
+    for (int i = first; i < last; ++i)
+        result += ",\nn" + std::to_string(i) + " = 0";
+    return result;
+}
+
 } // namespace
 
 TEST_CASE("what is no text file") {
@@ -66,7 +74,7 @@ TEST_CASE("binary rubbish") {
     CHECK(result.diagnostics[0].location.text() == "netlist:2:6");
     CHECK(render(result.diagnostics) ==
           "netlist:2:6: error: this is no text but a binary file: it holds the byte 0x00\n"
-          "    \tval ? x\n"
+          "    \tval \\x00 x\n"
           "    \t    ^\n");
     CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is no text but a binary file"));
     CHECK(refused("val \xff 5;") == "illegal character byte 0xff");
@@ -132,6 +140,47 @@ TEST_CASE("at most twenty errors") {
     auto result = read_netlist_text(repeated("val x;\n", 500), small_catalogue());
     CHECK_FALSE(result.network);
     CHECK(result.diagnostics.size() == 20);
+    CHECK(result.not_shown == "... 480 further errors not shown\n");
+    CHECK(render(result).ends_with("\n... 480 further errors not shown\n"));
+    CHECK(read_netlist_text(repeated("val x;\n", 20), small_catalogue()).not_shown.empty());
+    CHECK(read_netlist_text(repeated("val x;\n", 21), small_catalogue()).not_shown ==
+          "... 1 further error not shown\n");
+    CHECK(read_netlist_text(repeated("val x;\n", 5000), small_catalogue()).not_shown ==
+          "... 980 further errors not shown\n");
+}
+
+TEST_CASE("bounds are where docs/netlist-language.md says: what is just within is read") {
+    auto read = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.has_value(); };
+    auto array = [](int depth) { return "val a " + repeated("{", depth) + "1" + repeated("}", depth) + ";"; };
+    auto nested = [](const std::string& open, const std::string& inner, const std::string& close, int depth) {
+        return repeated(open, depth) + inner + repeated(close, depth);
+    };
+    CHECK(read("/*" + std::string(9996, 'x') + "*/\r\n"));
+    CHECK_FALSE(read("/*" + std::string(9997, 'x') + "*/\r\n"));
+    CHECK(read("val s \"" + std::string(2000, 'x') + "\";"));
+    CHECK_FALSE(read("val s \"" + std::string(2001, 'x') + "\";"));
+    CHECK(read(array(8)));
+    CHECK_FALSE(read(array(9)));
+    for (const auto& [open, close] :
+         {std::pair("{", "}"), std::pair("rep i = 0 for 1 {", "}"), std::pair("if 1\n", "")}) {
+        CAPTURE(open);
+        CHECK(read(nested(open, "val n 1;", close, 200)));
+        CHECK_FALSE(read(nested(open, "val n 1;", close, 201)));
+    }
+    CHECK(read("val n " + nested("(", "1", ")", 200) + ";"));
+    CHECK_FALSE(read("val n " + nested("(", "1", ")", 201) + ";"));
+    CHECK(read("val n 1" + repeated("\n+ 1", 1000) + ";"));
+    CHECK_FALSE(read("val n 1" + repeated("\n+ 1", 1001) + ";"));
+    CHECK(read("process (interface (int n0 = 0" + numbered(1, 1000) + ")) p; T800 t; place p on t;"));
+    CHECK_FALSE(read("process (interface (int n0 = 0" + numbered(1, 1001) + ")) p; T800 t; place p on t;"));
+    CHECK(read("connection c[250000];"));
+    CHECK_FALSE(read("connection c[250000], d;"));
+}
+
+TEST_CASE("a channel end that is placed and connected counts once") {
+    auto text = "T800 t; process p, q; place p on t; place q on t; rep i = 0 for 83334 {\n"
+                "place p.out[i] on t.link[0];\nconnect p.out[i] to q.in[i]; }";
+    CHECK(render(read_netlist_text(text, small_catalogue())).find("too large") == std::string::npos);
 }
 
 TEST_CASE("overrides that make no sense") {

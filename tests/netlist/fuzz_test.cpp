@@ -24,7 +24,7 @@ namespace {
 std::vector<std::filesystem::path> netlists_below(const std::string& folder) {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".cfs")
+        if (auto extension = entry.path().extension(); extension == ".cfs" || extension == ".CFS")
             paths.push_back(entry.path());
     std::ranges::sort(paths, {}, [](const auto& path) { return path.filename(); });
     return paths;
@@ -35,7 +35,8 @@ constexpr std::size_t good_seeds = 7;
 /// Good netlists first.
 std::vector<std::string> seeds() {
     auto paths = netlists_below(netlist_folder() + "/good");
-    std::ranges::move(netlists_below(netlist_folder() + "/refusals"), std::back_inserter(paths));
+    for (const char* others : {"/refusals", "/files"})
+        std::ranges::move(netlists_below(netlist_folder() + others), std::back_inserter(paths));
     std::vector<std::string> texts;
     for (const auto& path : paths) {
         std::ifstream in(path, std::ios::binary);
@@ -83,6 +84,13 @@ std::string mutate(const std::string& text, const std::vector<std::string>& othe
                                                 "/*",
                                                 "'",
                                                 "\xff",
+                                                "\xe2\x80\x93",
+                                                "\x1a",
+                                                "\r\n",
+                                                "\n",
+                                                "#INCLUDE \"..\\X\"\n",
+                                                "\nPLACED PAR\n",
+                                                "procces ",
                                                 "T800",
                                                 " / 0",
                                                 "highprocess",

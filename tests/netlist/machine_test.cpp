@@ -57,12 +57,75 @@ TEST_CASE("what can be shown but not run says where it is") {
         return "";
     };
     std::string process = "process (interface (output out, input in)) p;\nplace p on a; connect p.out to p.in;";
-    CHECK(refusal(process) == "m.cfs:2:44: process p has no program: say use \"kind\" for p;");
-    CHECK(refusal(process + " use \"mine.lku\" for p;")
-              .starts_with("m.cfs:2:44: process p runs \"mine.lku\", a program that PlacedPar does not have"));
+    CHECK(refusal(process) == "m.cfs: error: the netlist can be shown, but not run: 1 program is unknown\n"
+                              "hint: use \"KIND\" for p;\n"
+                              "m.cfs:2:44: note: no program is given to p\n"
+                              "    process (interface (output out, input in)) p;\n"
+                              "                                               ^\n");
+    CHECK(refusal(process + " use \"mine.lku\" for p;").find("m.cfs:2:44: note: \"mine.lku\" is the program of p\n") !=
+          std::string::npos);
     CHECK(refusal("output o; process (interface (output out)) p; use \"csp.producer\" for p; place p on a;\n"
                   "place o on e; connect p.out to o;")
-              .starts_with("m.cfs:3:15: channel p.out -> o leads to an edge"));
+              .starts_with("m.cfs: error: the netlist can be shown, but not run: nobody is at 1 edge\n"));
+}
+
+TEST_CASE("one message names all programs that are unknown and all edges where nobody is") {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    auto text =
+        "T800 a, b; connect a.link[0] to host; edge far; connect b.link[3] to far; connect a.link[1] to b.link[1];\n"
+        "process (interface (input in, output out, log)) m; process (interface (input in, output out)) s[8], t;\n"
+        "use \"m.lku\" for m; use \"s.lku\" for s;\n"
+        "input keys; output screen; connect keys to m.in; connect m.out to screen; place m.log on host;\n"
+        "rep i = 0 for 8 { connect s[i].out to s[(i + 1) % 8].in; place s[i] on b; }\n"
+        "output o; input i; connect t.out to o; connect i to t.in; place o on far; place i on far; place t on b;\n"
+        "place m on a; place keys on host;";
+    ReadResult read = read_netlist_text(text, catalogue, {}, "m.cfs");
+    INFO(render(read));
+    REQUIRE(read.network);
+    std::string said;
+    try {
+        Machine(*read.network, catalogue, 1);
+    } catch (const RefusedInput& refused) {
+        said = refused.what();
+    }
+    CHECK(said.starts_with(
+        "m.cfs: error: the netlist can be shown, but not run: 3 programs are unknown, and nobody is at "
+        "2 edges\n"
+        "hint: --use m.lku=KIND puts a kind in the place of a program; placedpar kinds lists them; use "
+        "\"KIND\" for t;; a process is placed at an edge by place NAME on far;\n"));
+    for (const char* note : {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",
+                             "note: \"s.lku\" is the program of s[0], s[1], s[2], s[3], s[4], s[5] and 2 more\n",
+                             "note: nobody is at the edge \"host\", where these lead: m.in, m.out, m.log\n",
+                             "note: nobody is at the edge \"far\", where these lead: t.out, t.in\n"}) {
+        CAPTURE(note);
+        CHECK(said.find(note) != std::string::npos);
+    }
+}
+
+TEST_CASE("a process on an edge runs there, as on a workstation") {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    auto read = [&](const std::string& hardware, const std::string& host) {
+        return read_netlist_text(
+            "T800 (linkspeed = 10M) a; " + hardware +
+                "process p, c; use \"csp.producer\" for p; use \"csp.consumer\" for c;\n"
+                "p (count = 10); c (count = 10); connect p.out to c.in; place c on a; place p on " +
+                host + ";",
+            catalogue, {}, "m.cfs");
+    };
+    auto at_edge = read("connect a.link[0] to host; ", "host");
+    auto by_hand = read("workstation (linkspeed = 10M) sun; connect a.link[0] to sun.link[0]; ", "sun");
+    auto named = read("edge sun; connect a.link[0] to sun; ", "sun");
+    INFO(render(at_edge));
+    REQUIRE(at_edge.network);
+    REQUIRE(by_hand.network);
+    REQUIRE(named.network);
+    CHECK(named.network->hash == by_hand.network->hash);
+    auto drawn = read("workstation (linkspeed = 10M) host; connect a.link[0] to host.link[0]; ", "host");
+    CHECK(at_edge.network->hash == drawn.network->hash);
+    RunReport report = Machine(*at_edge.network, catalogue, 1).run();
+    CHECK(report.measured("c", "rate") == Machine(*by_hand.network, catalogue, 1).run().measured("c", "rate"));
 }
 
 TEST_CASE("what a process refuses is the user's error at its place; its defects stay defects") {

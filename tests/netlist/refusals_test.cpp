@@ -49,7 +49,7 @@ TEST_CASE("every refusal says what is wrong, where, and what would be right") {
         CAPTURE(file.filename().string());
         auto result = read_netlist(file, small_catalogue());
         CHECK_FALSE(result.network);
-        auto text = without_folder(render(result.diagnostics), file);
+        auto text = without_folder(render(result), file);
         auto expected = std::filesystem::path(file).replace_extension(".txt");
         if (std::getenv("PLACEDPAR_ACCEPT") != nullptr)
             std::ofstream(expected) << text;

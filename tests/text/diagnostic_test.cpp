@@ -42,8 +42,8 @@ TEST_CASE("the caret takes characters for columns, and a terminal gets nothing t
                                                                "    \xc3\xa4\xc3\xb6 @\n"
                                                                "       ^\n");
     CHECK(render(error({file("\x1b[2J @"), 1, 6})) == "a.txt:1:6: error: this is wrong\n"
-                                                      "    ?[2J @\n"
-                                                      "         ^\n");
+                                                      "    \\x1b[2J @\n"
+                                                      "            ^\n");
 }
 
 TEST_CASE("a long line is shown around the caret") {
@@ -55,7 +55,19 @@ TEST_CASE("a long line is shown around the caret") {
     CHECK(text.find('^') - caret_line < 100);
 }
 
-TEST_CASE("a reporter keeps one error a place, and gives up after twenty") {
+TEST_CASE("control characters of a message are shown, not obeyed") {
+    auto diagnostic = error({file("a"), 1, 1});
+    diagnostic.message = "there is no \"\x1b[31m\nx\"";
+    diagnostic.hint = "say \x7f";
+    diagnostic.others = {{"\xc2\x9b", {}}};
+    CHECK(render(diagnostic) == "a.txt:1:1: error: there is no \"\\x1b[31m\\x0ax\"\n"
+                                "    a\n"
+                                "    ^\n"
+                                "hint: say \\x7f\n"
+                                "note: \\xc2\\x9b\n");
+}
+
+TEST_CASE("a reporter keeps one error a place, and no more than twenty, and counts the rest") {
     Reporter reporter;
     auto source = file("a");
     reporter.warning({source, 1, 1}, "odd");
@@ -63,8 +75,11 @@ TEST_CASE("a reporter keeps one error a place, and gives up after twenty") {
     reporter.error({source, 1, 1}, "wrong");
     reporter.error({source, 1, 1}, "wrong again");
     CHECK(reporter.failed());
+    for (std::size_t line = 2; line < 100; ++line)
+        reporter.error({source, line, 1}, "wrong");
+    CHECK(reporter.not_shown() == "... 79 further errors not shown\n");
     auto fill = [&] {
-        for (std::size_t line = 2; line < 100; ++line)
+        for (std::size_t line = 100; line < 5000; ++line)
             reporter.error({source, line, 1}, "wrong");
     };
     CHECK_THROWS_AS(fill(), GiveUp);
@@ -72,6 +87,21 @@ TEST_CASE("a reporter keeps one error a place, and gives up after twenty") {
     CHECK(diagnostics.size() == 1 + most_errors);
     CHECK(diagnostics[1].message == "wrong");
     CHECK(has_errors(diagnostics));
+}
+
+TEST_CASE("a diagnostic in an included file says where that is included, each file on the way once") {
+    Reporter reporter;
+    auto outer = file("outer"), inner = file("inner");
+    Location main{file("main"), 1, 1};
+    reporter.add_included(outer, main);
+    reporter.add_included(inner, {outer, 1, 1});
+    reporter.error({inner, 1, 2}, "wrong");
+    reporter.error(main, "wrong");
+    auto diagnostics = reporter.take();
+    REQUIRE(diagnostics[0].others.size() == 2);
+    CHECK(diagnostics[0].others[0].location == Location{outer, 1, 1});
+    CHECK(diagnostics[0].others[1].location == main);
+    CHECK(diagnostics[1].others.empty());
 }
 
 TEST_CASE("errors at one place come to an end, too") {

@@ -46,7 +46,7 @@ TEST_CASE("what is no text is refused with its place, and can still be shown") {
     CHECK(problem_of(check_source("a", "\x7f"
                                        "ELF")) == "1:1: this is no text but a binary file: it holds the byte 0x7f");
     CHECK(problem_of(check_source("a", "short\n" + std::string(longest_source_line + 1, 'x'))) ==
-          "2:10001: the line is too long: it has 10001 characters, 10000 are allowed");
+          "2:10001: the line is too long: it has 10001 bytes, 10000 are allowed");
     CHECK(problem_of(check_source("a", std::string(largest_source_bytes + 1, '\n'))) ==
           "0:0: the file is too large: it may have 16777216 bytes");
 }
@@ -60,6 +60,16 @@ TEST_CASE("what is text") {
     CHECK(loaded.file->line(1) == "Stra\xdf"
                                   "e\t1");
     CHECK(check_source("a", "").problems.empty());
+}
+
+TEST_CASE("a Ctrl-Z ends a text, and what is behind it may be anything") {
+    LoadedSource loaded = check_source("a", std::string("one\r\n\x1a\0\x01", 8));
+    CHECK(loaded.problems.empty());
+    CHECK(loaded.file->text() == "one\r\n");
+}
+
+TEST_CASE("a carriage return is no part of a line's length") {
+    CHECK(check_source("a", std::string(longest_source_line, 'x') + "\r\n").problems.empty());
 }
 
 TEST_CASE("a file that cannot be read is a problem of the whole file") {

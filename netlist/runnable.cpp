@@ -1,0 +1,109 @@
+#include "netlist/runnable.hpp"
+
+#include "text/diagnostic.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+namespace placedpar {
+
+namespace {
+
+/// Of processes that run one program, or channels that lead to one edge.
+struct Missing {
+    std::vector<std::string> names;
+    Location first;
+
+    void add(const std::string& name, const Location& at) {
+        if (names.empty())
+            first = at;
+        names.push_back(name);
+    }
+};
+using MissingByName = std::map<std::string, Missing>;
+
+MissingByName unknown_programs(const Network& network, const Catalogue& catalogue) {
+    MissingByName programs;
+    for (const ProcessInstance& process : network.processes)
+        if (catalogue.find(process.kind) == nullptr)
+            programs[process.kind].add(process.name, process.declared);
+    return programs;
+}
+
+/// Edges by name, and the channels of processes that lead there.
+MissingByName deserted_edges(const Network& network) {
+    MissingByName edges;
+    for (const NetworkChannel& channel : network.channels)
+        for (const auto& [inner, outer] : {std::pair(channel.from, channel.to), std::pair(channel.to, channel.from)})
+            if (outer.at_edge())
+                edges[network.nodes[outer.node].name].add(network.processes[inner.process].name + "." + inner.port,
+                                                          channel.connected);
+    return edges;
+}
+
+/// The first few of them.
+std::string listed(std::vector<std::string> names) {
+    constexpr std::size_t most = 6;
+    auto more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
+}
+
+SecondPlace note_on_program(const std::string& program, const Missing& missing) {
+    auto what = program.empty() ? "no program is given" : fmt::format("\"{}\" is the program of", program);
+    return {fmt::format("{} {}{}", what, program.empty() ? "to " : "", listed(missing.names)), missing.first};
+}
+
+SecondPlace note_on_edge(const std::string& edge, const Missing& missing) {
+    return {fmt::format("nobody is at the edge \"{}\", where these lead: {}", edge, listed(missing.names)),
+            missing.first};
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// "2 programs are unknown, and nobody is at 1 edge".
+std::string summary(std::size_t programs, std::size_t edges) {
+    auto unknown = counted(programs, "program") + (programs == 1 ? " is" : " are") + " unknown";
+    auto nobody = "nobody is at " + counted(edges, "edge");
+    return programs == 0 ? nobody : edges == 0 ? unknown : unknown + ", and " + nobody;
+}
+
+/// What to say for the first of each, as it would be said.
+std::string remedy(const MissingByName& programs, const MissingByName& edges) {
+    std::string text;
+    if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });
+        named != programs.end())
+        text = fmt::format("--use {}=KIND puts a kind in the place of a program; placedpar kinds lists them",
+                           named->first);
+    if (auto without = programs.find(""); without != programs.end())
+        text += fmt::format("{}use \"KIND\" for {};", text.empty() ? "" : "; ", without->second.names.front());
+    if (!edges.empty())
+        text += fmt::format("{}a process is placed at an edge by place NAME on {};", text.empty() ? "" : "; ",
+                            edges.begin()->first);
+    return text;
+}
+
+} // namespace
+
+void require_runnable(const Network& network, const Catalogue& catalogue) {
+    auto programs = unknown_programs(network, catalogue), edges = deserted_edges(network);
+    if (programs.empty() && edges.empty())
+        return;
+    Diagnostic all;
+    all.message = fmt::format("the netlist can be shown, but not run: {}", summary(programs.size(), edges.size()));
+    all.location = {std::make_shared<SourceFile>(network.source_path, ""), 0, 0};
+    all.hint = remedy(programs, edges);
+    for (const auto& [program, missing] : programs)
+        all.others.push_back(note_on_program(program, missing));
+    for (const auto& [edge, missing] : edges)
+        all.others.push_back(note_on_edge(edge, missing));
+    throw RefusedInput(render(all));
+}
+
+} // namespace placedpar

@@ -1,0 +1,143 @@
+// Files as they come from DOS, the files that they include, and where these are looked for.
+
+#include "netlist/read.hpp"
+#include "tests/netlist/small_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace placedpar;
+
+namespace {
+
+std::filesystem::path file(const std::string& name) { return netlist_folder() + "/files/" + name; }
+
+/// The memory of the only node, as the included file says it.
+std::int64_t memory_of(const ReadResult& result) {
+    INFO(render(result));
+    REQUIRE(result.network);
+    REQUIRE(result.network->nodes.size() == 1);
+    return result.network->nodes[0].integer("memory");
+}
+
+/// A folder of its own, gone at the end.
+struct Folder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / "placedpar_files_test";
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() { std::filesystem::remove_all(path); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::filesystem::create_directories((path / name).parent_path());
+        std::ofstream(path / name, std::ios::binary) << text;
+    }
+    ReadResult read(const std::vector<std::filesystem::path>& include_folders = {}) const {
+        return read_netlist(path / "main.cfs", small_catalogue(), {}, {.include_folders = include_folders});
+    }
+};
+
+constexpr const char* main_text = "#include \"size.inc\"\nT800 (memory = size) a;\n";
+
+} // namespace
+
+TEST_CASE("a file as DOS left it: capital letters, backslashes, carriage returns, Ctrl-Z and what is behind it") {
+    auto result = read_netlist(file("FROMDOS.CFS"), small_catalogue());
+    CHECK(memory_of(result) == 2 * 1024 * 1024);
+    CHECK(result.network->processes[0].stand_in);
+    CHECK(result.network->processes[0].kind == "MASTER.LKU");
+    REQUIRE(result.network->included_paths.size() == 2);
+    CHECK(result.network->included_paths[1].ends_with("dos/SUB/SIZE.INC"));
+}
+
+TEST_CASE("an included file is looked for beside the including one, then along the include path, in its order") {
+    CHECK_FALSE(read_netlist(file("on_the_path.cfs"), small_catalogue()).network);
+    auto along = read_netlist(file("on_the_path.cfs"), small_catalogue(), {},
+                              {.include_folders = {file("dos"), file("dos/SUB")}});
+    CHECK(memory_of(along) == 2 * 1024 * 1024);
+    Folder folder;
+    folder.write("main.cfs", main_text);
+    folder.write("one/size.inc", "val size 1M;");
+    folder.write("two/size.inc", "val size 2M;");
+    CHECK(memory_of(folder.read({folder.path / "one", folder.path / "two"})) == 1024 * 1024);
+    CHECK(memory_of(folder.read({folder.path / "none", folder.path / "two"})) == 2 * 1024 * 1024);
+    folder.write("size.inc", "val size 4M;");
+    CHECK(memory_of(folder.read({folder.path / "one"})) == 4 * 1024 * 1024);
+}
+
+TEST_CASE("of files whose names differ in case the one that is named goes before, then the first by name") {
+    Folder folder;
+    folder.write("main.cfs", main_text);
+    folder.write("size.INC", "val size 2M;");
+    folder.write("SIZE.inc", "val size 1M;");
+    CHECK(memory_of(folder.read()) == 1024 * 1024);
+    folder.write("size.inc", "val size 4M;");
+    CHECK(memory_of(folder.read()) == 4 * 1024 * 1024);
+}
+
+TEST_CASE("a file that is on no path says where it was looked for") {
+    Folder folder;
+    folder.write("main.cfs", main_text);
+    auto result = folder.read({"one", "two/three"});
+    REQUIRE(result.diagnostics.size() == 1);
+    CHECK(result.diagnostics[0].hint == "it is neither beside the file that includes it nor in one, two/three");
+}
+
+TEST_CASE("the toolset's own includes need not be there, but are read where they are") {
+    Folder folder;
+    folder.write("main.cfs", "#include \"SETCONF.INC\"\n#include \"c:\\icc\\boards.inc\"\n#include <trams.inc>\n"
+                             "T800 (memory = 1M) a;\n");
+    CHECK_FALSE(folder.read().network);
+    folder.write("main.cfs", "#include \"SETCONF.INC\"\n#include \"c:\\icc\\boards.inc\"\nT800 (memory = 1M) a;\n");
+    CHECK(memory_of(folder.read()) == 1024 * 1024);
+    folder.write("setconf.inc", "define T800 (memory = 4M) B777;");
+    folder.write("main.cfs", "#include \"setconf.inc\"\nB777 a;\n");
+    CHECK(memory_of(folder.read()) == 4 * 1024 * 1024);
+}
+
+TEST_CASE("every ending of a program file, in capital letters too, and none at all") {
+    for (const char* name : {"p.lku", "P.LKU", "p.c8x", "p.c8h", "P.C4H", "p.c0", "p.tco", "p.lah", "p", "PROGRAM"}) {
+        auto text = std::string("T800 a; process p; use \"") + name + "\" for p; place p on a;";
+        CAPTURE(name);
+        CHECK(read_netlist_text(text, small_catalogue()).network);
+    }
+    for (const char* name : {"p.exe", "ga.mastr", "pmup", "p.q8h"}) {
+        auto text = std::string("T800 a; process p; use \"") + name + "\" for p; place p on a;";
+        CAPTURE(name);
+        CHECK_FALSE(read_netlist_text(text, small_catalogue()).network);
+    }
+}
+
+TEST_CASE("kinds take the place of programs") {
+    std::string text = "T800 a; process p, q; use \"PUMP.LKU\" for p; use \"sink.lku\" for process;\n"
+                       "place p on a; place q on a; connect p.out to q.in;";
+    CHECK(render(read_netlist_text(text, small_catalogue())).find("has no channel") != std::string::npos);
+    ProgramKinds kinds{{"PUMP.LKU", "pump"}, {"sink.lku", "sink"}};
+    auto result = read_netlist_text(text, small_catalogue(), {}, "n.cfs", {.include_folders = {}, .programs = kinds});
+    INFO(render(result));
+    REQUIRE(result.network);
+    CHECK(result.network->processes[0].kind == "pump");
+    CHECK(result.network->processes[1].kind == "sink");
+    CHECK_FALSE(result.network->processes[1].stand_in);
+}
+
+TEST_CASE("a program that is not used, and a kind that is not there, are refused with what there is") {
+    auto said = [](const ProgramKinds& kinds) {
+        auto text =
+            "T800 a; process p, q; use \"pump.lku\" for p; use \"other.lku\" for q; place p on a; place q on a;";
+        return render(
+            read_netlist_text(text, small_catalogue(), {}, "n.cfs", {.include_folders = {}, .programs = kinds}));
+    };
+    CHECK(said({}).empty());
+    CHECK(said({{"rst", "sink"}}) == "--use:1:1: error: the netlist uses no program \"rst\"\n"
+                                     "    rst=sink\n"
+                                     "    ^\n"
+                                     "hint: there are other.lku, pump.lku\n");
+    CHECK(said({{"PUMP.LKU", "sink"}}).find("hint: did you mean \"pump.lku\"?\n") != std::string::npos);
+    CHECK(said({{"pump.lku", "master"}}) == "--use:1:10: error: there is no process kind \"master\"\n"
+                                            "    pump.lku=master\n"
+                                            "             ^\n"
+                                            "hint: there are ga.master, ga.slave, pump, sink\n");
+    CHECK(said({{"pump.lku", "pumb"}}).find("error: ") == said({{"pump.lku", "pumb"}}).rfind("error: "));
+    CHECK(said({{"pump.lku", "pumb"}}).find("hint: did you mean \"pump\"?\n") != std::string::npos);
+}

@@ -1,0 +1,24 @@
+#include "text/utf8.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+TEST_CASE("the first character of a text, and what is none") {
+    auto first = [](std::string_view text) {
+        return std::pair(first_character(text).code, first_character(text).bytes);
+    };
+    CHECK(first("ab") == std::pair(U'a', std::size_t{1}));
+    CHECK(first("\xc3\xa4") == std::pair(U'\u00e4', std::size_t{2}));
+    CHECK(first("\xe2\x80\x93x") == std::pair(U'\u2013', std::size_t{3}));
+    CHECK(first("\xf0\x9f\x98\x80") == std::pair(U'\U0001f600', std::size_t{4}));
+    for (const char* none : {"", "\x80", "\xc3", "\xc3z", "\xff", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                             "\xf8\x88\x80\x80\x80"}) {
+        CAPTURE(none);
+        CHECK(first_character(none).bytes == 0);
+    }
+}
+
+TEST_CASE("what a terminal would act on is escaped, every byte of it") {
+    CHECK(escaped("a\tb\x1b\n\x7f\xc3\xa4\xff\xc2\x9b") == "a\tb\\x1b\\x0a\\x7f\xc3\xa4\\xff\\xc2\\x9b");
+}

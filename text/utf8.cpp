@@ -1,0 +1,56 @@
+#include "text/utf8.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace placedpar {
+
+namespace {
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+/// What the first byte says; 0 where none begins with it.
+std::size_t bytes_announced(unsigned char first) {
+    auto ones = static_cast<std::size_t>(std::countl_one(first));
+    return ones == 0 ? 1 : ones >= 2 && ones <= 4 ? ones : 0;
+}
+
+bool is_control(char32_t code) { return code != '\t' && (code < 0x20 || (code >= 0x7f && code < 0xa0)); }
+
+std::string escaped_bytes(std::string_view bytes) {
+    std::string result;
+    for (char c : bytes)
+        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    return result;
+}
+
+} // namespace
+
+Utf8Character first_character(std::string_view text) {
+    static constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000}; // what takes this many bytes
+    auto first = text.empty() ? 0xff : static_cast<unsigned char>(text.front());
+    auto bytes = bytes_announced(static_cast<unsigned char>(first));
+    if (bytes == 0 || bytes > text.size() || !std::ranges::all_of(text.substr(1, bytes - 1), continues_character))
+        return {};
+    auto code = static_cast<char32_t>(bytes == 1 ? first : first & (0x7f >> bytes));
+    for (char c : text.substr(1, bytes - 1))
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    bool good = code >= least[bytes] && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000);
+    return good ? Utf8Character{code, bytes} : Utf8Character{};
+}
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        auto [code, bytes] = first_character(text);
+        auto piece = text.substr(0, std::max<std::size_t>(bytes, 1));
+        result += bytes == 0 || is_control(code) ? escaped_bytes(piece) : std::string(piece);
+        text.remove_prefix(piece.size());
+    }
+    return result;
+}
+
+} // namespace placedpar
