@@ -37,7 +37,8 @@ int Parser::height_above(const Location& at, std::initializer_list<const Express
     for (const auto* part : parts)
         height = std::max(height, part->height + 1);
     if (height > highest_expression)
-        refuse(at, fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression - 1));
+        refuse(at,
+               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression - 1));
     return height;
 }
 
@@ -110,6 +111,7 @@ ExpressionPointer Parser::parse_cast() {
 
 /// `size` is no reserved word: only with a parenthesis behind it is it the operator.
 ExpressionPointer Parser::parse_size() {
+    Nesting nesting(*this);
     auto at = tokens_.take().at;
     tokens_.take();
     auto array = parse_expression();
