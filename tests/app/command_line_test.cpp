@@ -1,6 +1,6 @@
 // Exit codes of what goes wrong, by commands that fail as they are told.
 
-#include "app/command_line.hpp"
+#include "app/command.hpp"
 #include "text/user_error.hpp"
 
 #include <CLI/CLI.hpp>
