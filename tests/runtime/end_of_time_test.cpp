@@ -55,7 +55,7 @@ TEST_CASE("so does a delay, but only when everything before it has happened") {
     Time last{};
     simulation.process("waits", [] { wait_for(Time::max() - Time{3}), wait_for(Time{3}); });
     simulation.process("earlier", [&] { wait_until(Time::max() - Time{1}), last = now(); });
-    CHECK(error_of(simulation).find("process waits would go on") != std::string::npos);
+    CHECK(error_of(simulation).find("process waits would pass that end") != std::string::npos);
     CHECK(last == Time::max() - Time{1});
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("so does a message over a link that is too slow for it") {
                  .from_a_to_b());
     simulation.process("sender", [&] { c.out().output({}); });
     simulation.process("receiver", [&] { c.in().input(); });
-    CHECK(error_of(simulation).find("a message on a link would go on") != std::string::npos);
+    CHECK(error_of(simulation).find("a message on a link would pass that end") != std::string::npos);
 }
 
 TEST_CASE("processes of both priorities, timeslices, timers and links just before the end") {
