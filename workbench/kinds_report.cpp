@@ -78,11 +78,14 @@ bool is_alias(const DeviceModel& model) {
     return model.name != model.type && std::ranges::equal(model.name, model.type, {}, upper, upper);
 }
 
-/// What nodes of the kind are declared by, but for what stands for all of them, and for aliases.
+/// A module with another transputer than its own, such as B403_T414.
+bool is_variant(const DeviceModel& model) { return model.name.find('_') != std::string::npos; }
+
+/// What nodes of the kind are declared by, but for what stands for all of them, for aliases and for variants.
 std::vector<std::string> model_names(const DeviceKind& kind) {
     std::vector<std::string> names;
     for (const DeviceModel& model : kind.models)
-        if (!model.needs_type && !is_alias(model))
+        if (!model.needs_type && !is_alias(model) && !is_variant(model))
             names.push_back(model.name);
     return names;
 }

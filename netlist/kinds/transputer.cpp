@@ -110,7 +110,7 @@ NodeExecutive make_transputer(Simulation& simulation, const Node& node) {
 DeviceKind transputer() {
     return {.name = "processor",
             .noun = "a processor",
-            .about = "A transputer, bare or on a module.",
+            .about = "A transputer, bare or on a module; B403_T414 is a B403 with a T414.",
             .models = transputer_models(),
             .attributes = transputer_attributes(),
             .kept = attributes_of_the_real_tool(),

@@ -16,8 +16,8 @@ TEST_CASE("devices are listed by the names that they are declared by, each once"
     std::string all = print_kinds(Catalogue());
     CHECK(contains(all, "  C004             A crossbar switch"));
     CHECK(contains(all, "  workstation      A host computer"));
-    CHECK(contains(all, "  processor        A transputer, bare or on a module.\n                   T805 "));
-    CHECK(contains(all, " T800 B401 B403 B404 "));
+    CHECK(contains(all, "  processor        A transputer, bare or on a module; B403_T414 is a B403 with a T414.\n                   T805 "));
+    CHECK(contains(all, " T800 B011 B401 B403 B404 "));
     CHECK_FALSE(contains(all, "t800"));
     CHECK(contains(all, "bus masters. Cannot be declared yet.\n                   C011 C012 VME busmaster\n"));
 }
@@ -25,7 +25,7 @@ TEST_CASE("devices are listed by the names that they are declared by, each once"
 TEST_CASE("a device is described by its attributes, with what its model says itself as defaults") {
     Catalogue catalogue;
     std::string module = print_kind(catalogue, "B404");
-    CHECK(module.starts_with("B404 (T800)\nA transputer, bare or on a module.\n"
+    CHECK(module.starts_with("B404 (T800)\nA transputer, bare or on a module; B403_T414 is a B403 with a T414.\n"
                              "links: 4; a byte is acknowledged while it comes in\nprocesses: can be placed on it\n"));
     CHECK(contains(module, "memory                       int     default 2097152        1 .. 4294967296"));
     CHECK(contains(module,

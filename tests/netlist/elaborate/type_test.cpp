@@ -68,9 +68,10 @@ TEST_CASE("processes are declared by process types") {
     CHECK(process(network, "second[1]").parameters.at("n") == Value(std::int64_t{16}));
     CHECK(process(network, "third").ports.size() == 2);
     CHECK(process(network, "source").kind == "any.lku");
-    CHECK(network.nodes[0].type == "T805");
-    CHECK(network.nodes[2].type == "T414");
-    CHECK(network.nodes[2].integer("memory") == 4 * 1024 * 1024);
+    auto node = [&](const std::string& name) { return *std::ranges::find(network.nodes, name, &Node::name); };
+    CHECK(node("root").type == "T805");
+    CHECK(node("old").type == "T414");
+    CHECK(node("old").integer("memory") == 4 * 1024 * 1024);
 }
 
 TEST_CASE("the attributes of a process type can be changed for those that follow") {

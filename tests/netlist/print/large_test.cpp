@@ -30,7 +30,7 @@ std::string message_for(const std::string& text) {
 
 TEST_CASE("processes with every parameter of their kind") {
     check_loads_again(
-        "val n 50000; T800 t; process m[n], s[n]; use \"ga.master\" for m; use \"ga.slave\" for s;"
+        "val n 35000; T800 t; process m[n], s[n]; use \"ga.master\" for m; use \"ga.slave\" for s;"
         "m (population = 30); rep i = 0 for n { connect m[i].out to s[i].in; connect s[i].out to m[i].back;"
         "place m[i] on t; place s[i] on t; }");
 }
