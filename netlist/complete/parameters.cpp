@@ -180,10 +180,16 @@ private:
             if (result_.contains(parameter.name))
                 continue;
             if (parameter.default_value)
-                result_.emplace(parameter.name, *parameter.default_value);
+                take_default(parameter.name, *parameter.default_value);
             else if (!was_given(parameter.name))
                 refuse_missing(parameter.name);
         }
+    }
+
+    void take_default(const std::string& name, const Value& value) {
+        const auto* declared = declaration(name);
+        if (declared == nullptr || fits({name, {}, declared->at}, *declared, value))
+            result_.emplace(name, value);
     }
 
     void check_all_given() {

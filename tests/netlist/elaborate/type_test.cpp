@@ -38,16 +38,16 @@ TEST_CASE("boards and modules carry what they were sold with") {
         const char *name, *type;
         std::int64_t kilobytes;
     };
-    for (const auto& [name, type, kilobytes] :
+    for (const Board& board :
          {Board{"B003", "T414", 256}, Board{"B004", "T414", 2048}, Board{"B401", "T800", 32}, Board{"B402", "T212", 8},
           Board{"B403", "T800", 1024}, Board{"B404", "T800", 2048}, Board{"B405", "T800", 8192},
           Board{"B411", "T800", 1024}, Board{"B416", "T222", 64}, Board{"B417", "T800", 4096},
           Board{"B426", "T800", 4096}, Board{"B403_T414", "T414", 1024}, Board{"B411_T425", "T425", 1024},
           Board{"B404_T805", "T805", 2048}, Board{"B416_T225", "T225", 64}}) {
-        CAPTURE(name);
-        auto node = declared(name);
-        CHECK(node.type == type);
-        CHECK(node.integer("memory") == kilobytes * 1024);
+        CAPTURE(board.name);
+        auto node = declared(board.name);
+        CHECK(node.type == board.type);
+        CHECK(node.integer("memory") == board.kilobytes * 1024);
         CHECK(node.integer("clock") == 20'000'000);
     }
 }

@@ -28,16 +28,18 @@ std::string message_for(const std::string& text) {
 
 } // namespace
 
+// In these two, edges make the network as large as one may be.
+
 TEST_CASE("processes with every parameter of their kind") {
-    check_loads_again(
-        "val n 35000; T800 t; process m[n], s[n]; use \"ga.master\" for m; use \"ga.slave\" for s;"
-        "m (population = 30); rep i = 0 for n { connect m[i].out to s[i].in; connect s[i].out to m[i].back;"
-        "place m[i] on t; place s[i] on t; }");
+    check_loads_again("val n 5000; T800 t; edge e[214000]; process m[n], s[n];\n"
+                      "use \"ga.master\" for m; use \"ga.slave\" for s; m (population = 30);\n"
+                      "rep i = 0 for n { connect m[i].out to s[i].in; connect s[i].out to m[i].back;\n"
+                      "place m[i] on t; place s[i] on t; }");
 }
 
 TEST_CASE("channels over a link, each of which is placed in what is printed") {
-    check_loads_again("val n 62000; T800 a, b; connect a.link[0] to b.link[0]; process p[n], s[n];"
-                      "use \"pump\" for p; use \"sink\" for s;"
+    check_loads_again("val n 5000; T800 a, b; connect a.link[0] to b.link[0]; edge e[229000]; process p[n], s[n];\n"
+                      "use \"pump\" for p; use \"sink\" for s;\n"
                       "rep i = 0 for n { connect p[i].out to s[i].in; place p[i] on a; place s[i] on b; }");
 }
 
