@@ -74,7 +74,7 @@ Type Elaborator::base_type(const std::string& name, const Location& at, std::vec
     if (symbol == nullptr)
         refuse_undefined(reporter_, scopes_, name, at, [&] {
             auto known = scopes_.type_names();
-            known.insert(known.begin(), word_meant(name)); // goes before PROCESS
+            known.insert(known.begin(), word_meant(name)); // of two that are as near, the first is suggested
             return known;
         });
     if (std::holds_alternative<AnyElement>(symbol->meaning))
