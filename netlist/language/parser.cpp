@@ -38,7 +38,7 @@ std::string word_meant(const std::string& word) {
     auto small = lower_case(word);
     auto nearest = nearest_name(word, statement_words());
     std::size_t distance = edit_distance(small, nearest), most = nearest.size() < 6 ? 1 : 2;
-    return distance <= most && small != "processor" ? nearest : "";
+    return distance <= most && small != "processor" && word != "PROCESS" ? nearest : "";
 }
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
