@@ -87,7 +87,9 @@ void Machine::make_executives() {
 
 void Machine::make_links() {
     for (const LinkConnection& connection : network_.connections)
-        links_.push_back(&simulation_.add<hardware::Link>(timing_of(connection, network_.nodes)));
+        links_.push_back(&simulation_.add<hardware::Link>(timing_of(connection, network_.nodes),
+                                                          link_name(network_.nodes, connection.a),
+                                                          link_name(network_.nodes, connection.b)));
 }
 
 void Machine::make_multiplexers() {
