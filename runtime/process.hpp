@@ -106,7 +106,7 @@ private:
     Activity activity_ = Activity::ready;
     std::vector<const AnyChannel*> awaited_; ///< the channels of its last wait
     bool awaits_timer_ = false;
-    SourceLocation where_;                   ///< where in its program it last waited
+    SourceLocation where_; ///< where in its program it last waited
 
     // Of a process at the outermost level, for itself and its components.
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended

@@ -53,7 +53,8 @@ Time parse_time(const std::string& text) {
     std::optional<TimeText> parts = split(text);
     std::optional<int> power = parts ? power_of(parts->unit) : std::nullopt;
     if (!power)
-        throw UserError(fmt::format("\"{}\" is no time: it takes a number and a unit of s, ms, us, ns or ps, such as 2.5ms", text));
+        throw UserError(
+            fmt::format("\"{}\" is no time: it takes a number and a unit of s, ms, us, ns or ps, such as 2.5ms", text));
     if (parts->fraction.size() > static_cast<std::size_t>(*power))
         throw UserError(fmt::format("\"{}\" is finer than a picosecond, the unit of virtual time", text));
     parts->fraction.resize(static_cast<std::size_t>(*power), '0');
@@ -74,8 +75,9 @@ CLI::Option* add_time(CLI::App& command, const std::string& option, Time& time, 
             return refused.what();
         }
     };
-    return command.add_option_function<std::string>(
-                      option, [&time](const std::string& text) { time = parse_time(text); }, about)
+    return command
+        .add_option_function<std::string>(
+            option, [&time](const std::string& text) { time = parse_time(text); }, about)
         ->type_name("TIME")
         ->check(check);
 }

@@ -106,14 +106,13 @@ void PerfettoTrace::add(const std::string& event) {
 /// Nodes and tracks have numbers above 0, which the viewers keep for themselves, and no two the same: a thread with the
 /// number of its process would be drawn first.
 std::string PerfettoTrace::place(std::size_t track) const {
-    return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1,
-                       tracks_.nodes().size() + 1 + track);
+    return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1, tracks_.nodes().size() + 1 + track);
 }
 
 void PerfettoTrace::write(const Stretch& stretch) {
-    std::string event = fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", stretch.open ? 'B' : 'X',
-                                    json_text(name_of(stretch)), category(stretch), place(stretch.track),
-                                    microseconds(stretch.begin));
+    std::string event =
+        fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", stretch.open ? 'B' : 'X',
+                    json_text(name_of(stretch)), category(stretch), place(stretch.track), microseconds(stretch.begin));
     if (!stretch.open)
         event += fmt::format(R"(,"dur":{})", microseconds(stretch.end - stretch.begin));
     if (std::string more = arguments(stretch); !more.empty())
@@ -122,10 +121,10 @@ void PerfettoTrace::write(const Stretch& stretch) {
 }
 
 void PerfettoTrace::write(const Passage& passage) {
-    std::string common =
-        fmt::format(R"("name":{},"cat":"message","id":{})", json_text(passage.channel), ++passages_);
+    std::string common = fmt::format(R"("name":{},"cat":"message","id":{})", json_text(passage.channel), ++passages_);
     add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place(passage.from), microseconds(passage.left)));
-    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(passage.to), microseconds(passage.arrived)));
+    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(passage.to),
+                    microseconds(passage.arrived)));
 }
 
 void PerfettoTrace::finish(Time begin, Time end, const std::string& why) {

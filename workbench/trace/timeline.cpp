@@ -111,6 +111,8 @@ void Timeline::communicated(const AnyChannel& channel, Time now) {
         if (!is_waiting(lane->doing))
             turn_to(*lane, Doing::ready, now);
     from->here.push_back({message, false});
+    from->partner = to->track;
+    to->partner = from->track;
     if (is_waiting(to->doing))
         to->arriving.push_back(message);
     else
@@ -139,6 +141,7 @@ void Timeline::turn_to(Lane& lane, Doing doing, Time now) {
     settle(lane, now);
     lane.doing = doing;
     lane.since = now;
+    lane.partner = Tracks::none;
 }
 
 /// Ends what the process did until now: if it had stopped computing before, it was ready since then.
@@ -167,20 +170,22 @@ void Timeline::close(Lane& lane, Time end, bool open) {
 
 void Timeline::describe_wait(const Lane& lane, Stretch& stretch) const {
     for (const AnyChannel* channel : lane.process->awaited_channels())
-        stretch.awaited.push_back({channel->name(), partner(*channel, lane.doing)});
+        stretch.awaited.push_back({channel->name(), partner(lane, *channel, stretch.open)});
     stretch.awaits_timer = lane.process->awaits_timer();
 }
 
-/// Who has to come to the other end of the channel, as far as can be known: its last user, or the process at the
-/// outermost level to which that belonged.
-std::string Timeline::partner(const AnyChannel& channel, Doing doing) const {
-    const AnyChannel::User& user = doing == Doing::outputs ? channel.last_inputter() : channel.last_outputter();
+/// Who came to the other end of the channel. Else who has to come, as far as can be known: its last user, or the
+/// process at the outermost level to which that belonged.
+std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
+    if (lane.partner != Tracks::none)
+        return tracks_.all()[lane.partner].name;
+    const AnyChannel::User& user = lane.doing == Doing::outputs ? channel.last_inputter() : channel.last_outputter();
     if (!user.process)
         return "nobody yet";
     auto found = lanes_.find(user.ordinal);
     if (found != lanes_.end() && found->second.process == user.process)
         return tracks_.all()[found->second.track].name;
-    return user.outermost->path() + (user.outermost->ended() ? " (has ended)" : "");
+    return user.outermost->path() + (open && user.outermost->ended() ? " (has ended)" : "");
 }
 
 void Timeline::use(std::size_t track, const std::string& subject, Time now) {

@@ -57,6 +57,7 @@ private:
         Time since;
         std::optional<Time> stopped = {};         ///< of one that computes: until then
         std::optional<Time> last_end = {};        ///< of its last stretch
+        std::size_t partner = Tracks::none;       ///< with whom it communicated during the present wait
         std::vector<MessageEnd> here = {};        ///< in the next stretch that lasts
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
     };
@@ -81,7 +82,7 @@ private:
     void settle(Lane&, Time now);
     void close(Lane&, Time end, bool open = false);
     void describe_wait(const Lane&, Stretch&) const;
-    std::string partner(const AnyChannel&, Doing) const;
+    std::string partner(const Lane&, const AnyChannel&, bool open) const;
     void use(std::size_t track, const std::string& subject, Time now);
     void close_use(std::size_t track, Time now);
     void shut_lane(Lane&, Time now);
@@ -92,7 +93,7 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_;      ///< of the processes that live, by ordinal
+    std::map<std::uint32_t, Lane> lanes_;       ///< of the processes that live, by ordinal
     std::map<std::size_t, Use> uses_;           ///< by track: the present one, or the last
     std::map<std::uint64_t, Message> messages_; ///< of which an end is not known yet
     std::uint64_t message_count_ = 0;

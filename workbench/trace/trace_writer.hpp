@@ -25,11 +25,11 @@ struct Awaited {
 struct Stretch {
     std::size_t track;
     Doing doing;
-    Time begin, end; ///< begin < end, unless it is open
-    bool open;       ///< it goes on when the trace ends
-    std::string subject = {};           ///< the process that is executed; the channel that is carried
-    std::uint64_t bytes = 0;            ///< that were carried; of an open stretch not known
-    std::vector<Awaited> awaited = {};  ///< channels of a wait
+    Time begin, end;                   ///< begin < end, unless it is open
+    bool open;                         ///< it goes on when the trace ends
+    std::string subject = {};          ///< the process that is executed; the channel that is carried
+    std::uint64_t bytes = 0;           ///< that were carried; of an open stretch not known
+    std::vector<Awaited> awaited = {}; ///< channels of a wait
     bool awaits_timer = false;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 /// What has a wire of a process: not that it waits for its components, whose wires are its own.
 constexpr std::pair<Doing, const char*> wires_of_a_process[] = {
-    {Doing::computes, "computes"}, {Doing::ready, "ready"},   {Doing::inputs, "inputs"},
+    {Doing::computes, "computes"}, {Doing::ready, "ready"},           {Doing::inputs, "inputs"},
     {Doing::outputs, "outputs"},   {Doing::alternates, "alternates"}, {Doing::delayed, "delayed"},
 };
 
@@ -72,7 +72,6 @@ const std::string& name_in_scope(const Track& track) {
 }
 
 constexpr const char* end_of_scope = "$upscope $end\n";
-
 
 } // namespace
 

@@ -164,7 +164,8 @@ TEST_CASE("a message leaves with the output and arrives where the other process 
 TEST_CASE("a process that computes, loses its processor and computes again") {
     Traced traced({"low", "high"});
     Processor& t = traced.processor();
-    traced.simulation.process("low", [] { compute(Cycles{10'000}); }, &t);
+    traced.simulation.process(
+        "low", [] { compute(Cycles{10'000}); }, &t);
     traced.simulation.process(
         "high",
         [] {
@@ -191,8 +192,7 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
     SUBCASE("limit") {
         Traced traced({"p"});
         traced.simulation.process("p", [] { wait_for(9us); });
-        CHECK(traced.run(5us).lines ==
-              Lines{"p: delayed 0 to the end, timer", "0 to 5000: stopped at the time limit"});
+        CHECK(traced.run(5us).lines == Lines{"p: delayed 0 to the end, timer", "0 to 5000: stopped at the time limit"});
     }
     SUBCASE("window") {
         Traced traced({"p"}, {.from = 2us, .until = 5us});
