@@ -115,15 +115,17 @@ bool Kernel::go_on_after_work() {
         return false;
     end_work();
     limit_ = Time::max();
-    trace_ = nullptr;
     while (Process* p = after_work_.pop_front())
         make_ready(*p);
     return true;
 }
 
 void Kernel::end_work() {
-    if (!std::exchange(work_over_, true))
-        tell(observer_.work_over);
+    if (std::exchange(work_over_, true))
+        return;
+    tell(observer_.work_over);
+    if (TraceSink* trace = std::exchange(trace_, nullptr))
+        tell([&] { trace->over(now_); });
 }
 
 /// After a failure nothing is told.
@@ -234,7 +236,7 @@ Ending Kernel::run(Time limit, Observer observer) {
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();
-    end_work(how);
+    end_work();
     tell([&] { observer_.run_over(how); });
     unwind_all();
     current_ = nullptr;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "runtime/kernel.hpp"
 #include "runtime/process.hpp"
 #include "runtime/time.hpp"
 
@@ -36,8 +35,8 @@ public:
     /// Of so many bytes the last is on the wire until the moment `until`, which may be still to come.
     virtual void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) = 0;
 
-    /// The run is over; the processes that are left still stand where they wait. Nothing is said afterwards.
-    virtual void over(Ending, Time) = 0;
+    /// The work is over; the processes that are left still stand where they wait. Nothing is said afterwards.
+    virtual void over(Time) = 0;
 
 protected:
     ~TraceSink() = default;

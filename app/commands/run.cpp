@@ -57,7 +57,7 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
     if (!options.json.empty())
         write_whole(options.json, print_pretty(report_json(report, network, manifest)));
     if (trace)
-        print_warnings(trace->finish());
+        print_warnings(trace->finish(report.result.ending));
     return exit_code_of(report.result.ending);
 }
 

@@ -261,8 +261,9 @@ class Traces(unittest.TestCase):
             self.assertAlmostEqual(busy / trace.end, processor["busy"], 12)
         for process in report["processes"]:
             states = {state: wire(plain(process["on"]), f"{plain(process['name'])}.{state}")
-                      for state in ("computes", "ready", "inputs", "outputs", "alternates", "delayed")}
-            waits = measure(states["inputs"] + states["outputs"] + states["alternates"] + states["delayed"])
+                      for state in ("computes", "ready", "inputs", "outputs", "alternates", "delayed", "after_work")}
+            waits = measure(states["inputs"] + states["outputs"] + states["alternates"] + states["delayed"]
+                            + states["after_work"])
             goes_on = measure(states["computes"] + states["ready"])
             everything = measure(sum(states.values(), []))
             self.assertAlmostEqual((everything - goes_on) / trace.end, process["waiting"], 12, process["name"])

@@ -55,6 +55,7 @@ std::string name_of_wait(const Stretch& stretch) {
         return stretch.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(stretch, " ");
     case Doing::alternates: return name_of_alternation(stretch);
     case Doing::joins: return "waits for its components";
+    case Doing::after_work: return "waits for the end of the work";
     default: return "waits for its timer";
     }
 }

@@ -17,6 +17,7 @@ Doing waiting_by(Activity activity) {
     case Activity::inputting: return Doing::inputs;
     case Activity::alternating: return Doing::alternates;
     case Activity::joining: return Doing::joins;
+    case Activity::after_work: return Doing::after_work;
     case Activity::ready:
     case Activity::ended: break;
     }
@@ -28,7 +29,9 @@ Doing waiting_by(Activity activity) {
 Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& writer)
     : tracks_(tracks), window_(window), writer_(writer) {}
 
-void Timeline::finish() { writer_.finish(std::min(window_.from, *end_), *end_, why_); }
+void Timeline::finish(Ending ending) {
+    writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(ending) : why_);
+}
 
 /// Whether the trace goes on at this moment.
 bool Timeline::taking(Time now) {
@@ -132,9 +135,9 @@ void Timeline::carried(const std::string& direction, std::uint64_t bytes, Time n
     uses_[track].bytes = bytes;
 }
 
-void Timeline::over(Ending ending, Time now) {
+void Timeline::over(Time now) {
     if (taking(now))
-        shut(now, name_of(ending));
+        shut(now, "");
 }
 
 void Timeline::turn_to(Lane& lane, Doing doing, Time now) {

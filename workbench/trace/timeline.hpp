@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/kernel.hpp"
 #include "runtime/trace.hpp"
 #include "workbench/trace/trace_writer.hpp"
 
@@ -30,7 +31,8 @@ public:
     std::optional<Time> full_at() const { return full_at_; }
     /// REQUIRES, as finish(): the run is over.
     Time end() const { return *end_; }
-    void finish();
+    /// Of the run.
+    void finish(Ending);
 
     void began(const Process&, Time) override;
     void waits(const Process&, Time) override;
@@ -41,7 +43,7 @@ public:
     void communicated(const AnyChannel&, Time) override;
     void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
     void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
-    void over(Ending, Time) override;
+    void over(Time) override;
 
 private:
     /// One end of a message, until the stretch in which it lies is known.
@@ -100,7 +102,7 @@ private:
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;
     std::optional<Time> end_; ///< of the trace
-    std::string why_;         ///< it ended
+    std::string why_;         ///< it ended before the run; else empty
 };
 
 } // namespace placedpar

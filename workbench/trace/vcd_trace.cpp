@@ -14,8 +14,9 @@ namespace {
 
 /// What has a wire of a process: not that it waits for its components, whose wires are its own.
 constexpr std::pair<Doing, const char*> wires_of_a_process[] = {
-    {Doing::computes, "computes"}, {Doing::ready, "ready"},           {Doing::inputs, "inputs"},
-    {Doing::outputs, "outputs"},   {Doing::alternates, "alternates"}, {Doing::delayed, "delayed"},
+    {Doing::computes, "computes"},     {Doing::ready, "ready"},           {Doing::inputs, "inputs"},
+    {Doing::outputs, "outputs"},       {Doing::alternates, "alternates"}, {Doing::delayed, "delayed"},
+    {Doing::after_work, "after_work"},
 };
 
 /// A track has as many wires as there are things to do, of which most are not used.

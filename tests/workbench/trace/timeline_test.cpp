@@ -21,7 +21,7 @@ namespace {
 
 const char* word(Doing doing) {
     const char* words[] = {"executes", "carries", "ready",      "computes", "delayed",
-                           "outputs",  "inputs",  "alternates", "joins"};
+                           "outputs",  "inputs",  "alternates", "joins",    "after_work"};
     return words[static_cast<std::size_t>(doing)];
 }
 
@@ -82,10 +82,9 @@ struct Traced {
         : tracks(on_one_node(processes)), notes(tracks), timeline(tracks, window, notes) {
         simulation.trace_to(timeline);
     }
-    Processor& processor() { return simulation.add<Processor>("t", 1'000'000'000); }
+    hardware::Processor& processor() { return simulation.add<hardware::Processor>("t", 1'000'000'000); }
     const Notes& run(Time limit = Time::max()) {
-        simulation.run(limit);
-        timeline.finish();
+        timeline.finish(simulation.run(limit).ending);
         return notes;
     }
 
@@ -135,7 +134,7 @@ TEST_CASE("a wait says what it is for") {
 TEST_CASE("a message leaves with the output and arrives where the other process goes on") {
     Traced traced({"p", "q"});
     Channel<int> c("c");
-    Processor& t = traced.processor();
+    hardware::Processor& t = traced.processor();
     traced.simulation.process(
         "p",
         [&] {
@@ -163,7 +162,7 @@ TEST_CASE("a message leaves with the output and arrives where the other process 
 
 TEST_CASE("a process that computes, loses its processor and computes again") {
     Traced traced({"low", "high"});
-    Processor& t = traced.processor();
+    hardware::Processor& t = traced.processor();
     traced.simulation.process(
         "low", [] { compute(Cycles{10'000}); }, &t);
     traced.simulation.process(
