@@ -76,7 +76,7 @@ void Timeline::computes(const Process& process, Time now) {
         return;
     if (lane->doing == Doing::computes && lane->stopped == now)
         lane->stopped.reset();
-    else
+    else if (!is_waiting(lane->doing)) // a processor may work for a process before its wait is over
         turn_to(*lane, Doing::computes, now);
     if (std::size_t processor = tracks_.of_processor(process.executive()->name()); processor != Tracks::none)
         use(processor, tracks_.all()[lane->track].name, now);
@@ -86,7 +86,8 @@ void Timeline::stops_computing(const Process& process, Time now) {
     Lane* lane = taking(now) ? lane_of(process) : nullptr;
     if (!lane)
         return;
-    lane->stopped = now;
+    if (lane->doing == Doing::computes)
+        lane->stopped = now;
     if (std::size_t processor = tracks_.of_processor(process.executive()->name()); processor != Tracks::none)
         uses_[processor].stopped = now;
 }

@@ -135,49 +135,44 @@ TEST_CASE("a message leaves with the output and arrives where the other process 
     Traced traced({"p", "q"});
     Channel<int> c("c");
     hardware::Processor& t = traced.processor();
-    traced.simulation.process(
-        "p",
-        [&] {
-            compute(Cycles{1000});
-            c.out().output(1);
-            compute(Cycles{1000});
-        },
-        &t);
-    traced.simulation.process(
-        "q",
-        [&] {
-            c.in().input();
-            compute(Cycles{500});
-        },
-        &t);
+    auto input = [&] {
+        c.in().input();
+        compute(Cycles{500});
+    };
+    auto output = [&] {
+        compute(Cycles{1000});
+        c.out().output(1);
+        compute(Cycles{1000});
+    };
+    traced.simulation.process("q", input, &t);
+    traced.simulation.process("p", output, &t);
     const Notes& notes = traced.run();
-    // q is first, and waits; p copies the message before both go on.
-    CHECK(notes.about("c:").size() == 1);
-    CHECK(notes.about("q:").size() == 4); // ready, computes, inputs, computes
-    std::string waited = notes.about("q: inputs").at(0);
-    std::string arrived = waited.substr(waited.find(" to ") + 4, waited.find(',') - waited.find(" to ") - 4);
-    CHECK(notes.about("c:").at(0).ends_with(" to q at " + arrived));
-    CHECK(notes.about("q: computes " + arrived).size() == 1);
+    // q is first, and waits; the message leaves where p begins to copy it.
+    CHECK(notes.about("q:") ==
+          Lines{"q: computes 0 to 19", "q: inputs 19 to 2040, c with p", "q: computes 2040 to 2540"});
+    CHECK(notes.about("p:") == Lines{"p: ready 0 to 19", "p: computes 19 to 1038", "p: computes 1038 to 2040"});
+    CHECK(notes.about("t:") == Lines{"t: executes 0 to 19", "t: executes 19 to 2040", "t: executes 2040 to 2540"});
+    CHECK(notes.about("c:") == Lines{"c: p at 1038 to q at 2040"});
 }
 
-TEST_CASE("a process that computes, loses its processor and computes again") {
+TEST_CASE("a process that loses its processor is ready until it computes again") {
     Traced traced({"low", "high"});
     hardware::Processor& t = traced.processor();
     traced.simulation.process(
         "low", [] { compute(Cycles{10'000}); }, &t);
-    traced.simulation.process(
-        "high",
-        [] {
-            wait_for(4us);
-            compute(Cycles{1000 - 58}); // 58 cycles are lost when it takes the processor
-        },
-        &t, Priority::high);
+    auto interrupt = [] {
+        wait_for(4us);
+        compute(Cycles{1000});
+    };
+    traced.simulation.process("high", interrupt, &t, Priority::high);
     const Notes& notes = traced.run();
-    REQUIRE(notes.about("low:").size() == 3);
-    CHECK(notes.about("low:")[0] == "low: computes 0 to 4000");
-    CHECK(notes.about("low:")[1].starts_with("low: ready 4000 to "));
-    CHECK(notes.about("t:")[0] == "t: executes 0 to 4000");
-    CHECK(notes.about("t:").size() == 3);
+    // An interruption takes the processor 19 cycles; the second time, high still waits meanwhile.
+    CHECK(notes.about("high:") ==
+          Lines{"high: computes 0 to 19", "high: delayed 19 to 4038, timer", "high: computes 4038 to 5038"});
+    CHECK(notes.about("low:") == Lines{"low: ready 0 to 19", "low: computes 19 to 4019", "low: ready 4019 to 5038",
+                                       "low: computes 5038 to 11038"});
+    CHECK(notes.about("t:") == Lines{"t: executes 0 to 19", "t: executes 19 to 4019", "t: executes 4019 to 5038",
+                                     "t: executes 5038 to 11038"});
 }
 
 TEST_CASE("at a deadlock, at the limit of time and at the end of the window the waits are open") {
