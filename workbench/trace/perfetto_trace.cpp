@@ -31,10 +31,11 @@ const char* category(const Stretch& stretch) {
     }
 }
 
+/// Where nobody is known yet, the channel.
 std::string partners_of(const Stretch& stretch, const char* joined_by) {
     std::vector<std::string> partners;
     for (const Awaited& awaited : stretch.awaited)
-        partners.push_back(awaited.partner);
+        partners.push_back(awaited.partner.empty() ? awaited.channel : awaited.partner);
     return fmt::format("{}", fmt::join(partners, joined_by));
 }
 
@@ -71,7 +72,8 @@ std::string name_of(const Stretch& stretch) {
 }
 
 std::string described(const Awaited& awaited) {
-    return fmt::format(R"({{"channel":{},"partner":{}}})", json_text(awaited.channel), json_text(awaited.partner));
+    return fmt::format(R"({{"channel":{},"partner":{}}})", json_text(awaited.channel),
+                       json_text(awaited.partner.empty() ? "nobody yet" : awaited.partner));
 }
 
 /// What more is to be said: the bytes that a link carries, the channels of a wait. "" for nothing.

@@ -185,7 +185,7 @@ std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool 
         return tracks_.all()[lane.partner].name;
     const AnyChannel::User& user = lane.doing == Doing::outputs ? channel.last_inputter() : channel.last_outputter();
     if (!user.process)
-        return "nobody yet";
+        return "";
     auto found = lanes_.find(user.ordinal);
     if (found != lanes_.end() && found->second.process == user.process)
         return tracks_.all()[found->second.track].name;

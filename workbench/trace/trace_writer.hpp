@@ -16,9 +16,10 @@ enum class Doing { executes, carries, ready, computes, delayed, outputs, inputs,
 /// Whether a process that does this waits for a partner, its timer or its components.
 constexpr bool is_waiting(Doing doing) { return doing >= Doing::delayed; }
 
-/// A channel, and the process that has to come to its other end.
+/// A channel, and the process that came to its other end, or has to come.
 struct Awaited {
-    std::string channel, partner;
+    std::string channel;
+    std::string partner; ///< "" where none ever used the channel
 };
 
 /// A stretch of time in which the same goes on on a track. Those of one track do not overlap and come in order.

@@ -126,7 +126,7 @@ TEST_CASE("a wait says what it is for") {
     });
     const Notes& notes = traced.run();
     CHECK(notes.about("p:") == Lines{"p: delayed 0 to 1000, timer",
-                                     "p: alternates 1000 to 4000, c with nobody yet, d with nobody yet, timer",
+                                     "p: alternates 1000 to 4000, c with , d with , timer",
                                      "p: inputs 4000 to 6000, c with q"});
     CHECK(notes.about("q:") == Lines{"q: delayed 0 to 6000, timer"});
 }
@@ -181,7 +181,7 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
         Channel<int> c("c");
         c.expect(nullptr, nullptr);
         traced.simulation.process("p", [&] { c.in().input(); });
-        CHECK(traced.run().lines == Lines{"p: inputs 0 to the end, c with nobody yet", "0 to 0: deadlock"});
+        CHECK(traced.run().lines == Lines{"p: inputs 0 to the end, c with ", "0 to 0: deadlock"});
     }
     SUBCASE("limit") {
         Traced traced({"p"});
