@@ -56,6 +56,11 @@ hardware::LinkTiming timing_of(const LinkConnection& connection, const std::vect
     return timing;
 }
 
+hardware::Link& add_link(Simulation& simulation, const LinkConnection& connection, const std::vector<Node>& nodes) {
+    return simulation.add<hardware::Link>(timing_of(connection, nodes), link_name(nodes, connection.a),
+                                          link_name(nodes, connection.b));
+}
+
 const PortDescription& port_of(const ProcessInstance& process, std::string_view name, const Catalogue& catalogue) {
     return *kind_of(process, catalogue).port(base_name(name));
 }
@@ -87,7 +92,7 @@ void Machine::make_executives() {
 
 void Machine::make_links() {
     for (const LinkConnection& connection : network_.connections)
-        links_.push_back(&simulation_.add<hardware::Link>(timing_of(connection, network_.nodes)));
+        links_.push_back(&add_link(simulation_, connection, network_.nodes));
 }
 
 void Machine::make_multiplexers() {

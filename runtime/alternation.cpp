@@ -108,7 +108,7 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
         throw std::logic_error("process " + self.path() + ": no guard of its alternation can ever become ready");
     Alternation alternation(self, channels);
     alternation.enable(timeout);
-    self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where);
+    self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where, timeout.has_value());
 }
 
 std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {

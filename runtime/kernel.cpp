@@ -2,6 +2,7 @@
 
 #include "runtime/executive.hpp"
 #include "runtime/fiber_scheduler.hpp"
+#include "runtime/trace.hpp"
 #include "runtime/worker.hpp"
 
 #include <boost/fiber/algo/round_robin.hpp>
@@ -35,6 +36,16 @@ std::string beyond_the_end_of_time(const std::vector<const Process*>& living) {
 }
 
 } // namespace
+
+const char* name_of(Ending ending) {
+    switch (ending) {
+    case Ending::completed: return "completed";
+    case Ending::stuck: return "deadlock";
+    case Ending::time_limit: return "stopped at the time limit";
+    case Ending::interrupted: return "interrupted";
+    }
+    return "";
+}
 
 thread_local Kernel* Kernel::current_ = nullptr;
 
@@ -104,15 +115,17 @@ bool Kernel::go_on_after_work() {
         return false;
     end_work();
     limit_ = Time::max();
-    trace_ = nullptr;
     while (Process* p = after_work_.pop_front())
         make_ready(*p);
     return true;
 }
 
 void Kernel::end_work() {
-    if (!std::exchange(work_over_, true))
-        tell(observer_.work_over);
+    if (std::exchange(work_over_, true))
+        return;
+    tell(observer_.work_over);
+    if (TraceSink* trace = std::exchange(trace_, nullptr))
+        tell([&] { trace->over(now_); });
 }
 
 /// After a failure nothing is told.
@@ -200,6 +213,8 @@ void Kernel::finish(Process& p) noexcept {
     p.worker_ = nullptr;
     if (unwinding_)
         return;
+    if (trace_)
+        trace_->ended(p, now_);
     Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
     if (p.executive_)
         p.executive_->end(p, parent);
@@ -217,6 +232,7 @@ Ending Kernel::run(Time limit, Observer observer) {
     boost::fibers::use_scheduling_algorithm<FiberScheduler>(boost::fibers::context::active(), scheduler_);
     current_ = this;
     stack_in_use_ = &host_stack_;
+    introduce_to_trace();
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();
@@ -240,11 +256,24 @@ Ending Kernel::ending() const {
     return limit_reached_ ? Ending::time_limit : Ending::stuck;
 }
 
+std::vector<Process*> Kernel::by_age() const {
+    std::vector<Process*> result = processes_;
+    std::ranges::sort(result, {}, &Process::ordinal_);
+    return result;
+}
+
+/// The processes that were made before the run.
+void Kernel::introduce_to_trace() {
+    if (trace_)
+        for (const Process* p : by_age())
+            trace_->began(*p, now_);
+}
+
 /// The youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
     unwinding_ = true;
-    std::vector<Process*> left = processes_;
-    std::ranges::sort(left, std::ranges::greater{}, &Process::ordinal_);
+    std::vector<Process*> left = by_age();
+    std::ranges::reverse(left);
     for (Process* p : left) {
         if (p->worker_)
             switch_to(p);
@@ -264,10 +293,9 @@ void Kernel::unwind_all() {
 
 std::vector<const Process*> Kernel::living() const {
     std::vector<const Process*> result;
-    for (const Process* p : processes_)
+    for (const Process* p : by_age())
         if (!p->ended() && !p->serves_machine())
             result.push_back(p);
-    std::ranges::sort(result, {}, &Process::ordinal_);
     return result;
 }
 

@@ -24,6 +24,9 @@ class TraceSink;
 /// Why a run ended. `stuck`: processes are left that nothing will ever wake.
 enum class Ending { completed, stuck, time_limit, interrupted };
 
+/// "completed", "deadlock", ...
+const char* name_of(Ending);
+
 /// Thrown through a process that still waits when its simulation is over, so that its stack is unwound. A process
 /// that catches everything must let this exception pass, and no destructor may communicate, compute or wait.
 class Unwinding {};
@@ -118,6 +121,8 @@ private:
     void add(Process&);
     void remove(Process&);
     bool over() const;
+    std::vector<Process*> by_age() const;
+    void introduce_to_trace();
     Process* choose_ready();
     Process* choose_next();
     void pass_to(Time next);

@@ -19,6 +19,8 @@ Process::Process(Process& parent, std::size_t index, Body body, Priority priorit
       priority_(priority), join_(&join), outermost_(parent.outermost_) {
     kernel_.add(*this);
     goes_on();
+    if (TraceSink* trace = kernel_.trace())
+        trace->began(*this, kernel_.now());
 }
 
 Process::~Process() { kernel_.remove(*this); }
@@ -31,12 +33,15 @@ void Process::wait_for(Activity activity, const AnyChannel* channel, const Sourc
     awaited_.clear();
     if (channel)
         awaited_.push_back(channel);
+    awaits_timer_ = activity == Activity::delayed;
     where_ = where;
     wait(activity);
 }
 
-void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where) {
+void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where,
+                       bool awaits_timer) {
     awaited_.assign(channels.begin(), channels.end());
+    awaits_timer_ = awaits_timer;
     where_ = where;
     wait(activity);
 }
@@ -68,28 +73,29 @@ void Process::wait(Activity activity) {
         Process& process;
     };
     activity_ = activity;
-    Time since = kernel_.now();
+    if (TraceSink* trace = kernel_.trace())
+        trace->waits(*this, kernel_.now());
     {
         Standstill standstill(*this);
         kernel_.wait();
     }
-    trace_wait(since);
+    if (TraceSink* trace = kernel_.trace())
+        trace->goes_on(*this, kernel_.now());
     activity_ = Activity::ready;
 }
 
 void Process::was_delayed(Time since, const SourceLocation& where) {
     awaited_.clear();
+    awaits_timer_ = true;
     where_ = where;
     if (outermost_->going_on_ == 1)
         outermost_->waited_ += kernel_.now() - since;
     activity_ = Activity::delayed;
-    trace_wait(since);
+    if (TraceSink* trace = kernel_.trace()) {
+        trace->waits(*this, since);
+        trace->goes_on(*this, kernel_.now());
+    }
     activity_ = Activity::ready;
-}
-
-void Process::trace_wait(Time since) const {
-    if (TraceSink* trace = kernel_.trace())
-        trace->waited(*this, since, kernel_.now());
 }
 
 } // namespace placedpar

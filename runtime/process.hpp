@@ -67,6 +67,8 @@ public:
     Activity activity() const { return activity_; }
     /// The channels of its last wait.
     const std::vector<const AnyChannel*>& awaited_channels() const { return awaited_; }
+    /// Whether its last wait ends at a certain moment if nothing else ends it before.
+    bool awaits_timer() const { return awaits_timer_; }
     /// Where it last waited.
     const SourceLocation& place_in_program() const { return where_; }
     /// For a process at the outermost level: how long it and all components of its PARs waited for partners or delays
@@ -77,7 +79,7 @@ public:
 
     /// Waits until made ready, and notes for reports why and where. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
-    void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&);
+    void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
     /// Notes a delay that took no wait, since the kernel could pass the time (Kernel::pass_time). REQUIRES: this
     /// process is running.
     void was_delayed(Time since, const SourceLocation&);
@@ -91,7 +93,6 @@ private:
     void wait(Activity);
     void goes_on();
     void stands_still();
-    void trace_wait(Time since) const;
 
     Kernel& kernel_;
     std::string name_;
@@ -104,7 +105,8 @@ private:
     bool machine_ = false; ///< it serves the machine
     Activity activity_ = Activity::ready;
     std::vector<const AnyChannel*> awaited_; ///< the channels of its last wait
-    SourceLocation where_;                   ///< where in its program it last waited
+    bool awaits_timer_ = false;
+    SourceLocation where_; ///< where in its program it last waited
 
     // Of a process at the outermost level, for itself and its components.
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended

@@ -9,16 +9,6 @@ namespace placedpar {
 
 namespace {
 
-const char* describe(Ending ending) {
-    switch (ending) {
-    case Ending::completed: return "completed";
-    case Ending::stuck: return "deadlock";
-    case Ending::time_limit: return "stopped at the time limit";
-    case Ending::interrupted: return "interrupted";
-    }
-    return "";
-}
-
 std::string print_value(const Measurement& m) {
     if (const auto* text = std::get_if<std::string>(&m.value))
         return *text;
@@ -152,7 +142,7 @@ boost::json::object deadlock_json(const Deadlock& deadlock) {
 
 std::string print_report(const RunReport& report, const Network& network) {
     std::string out =
-        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, describe(report.result.ending),
+        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, name_of(report.result.ending),
                     to_string(report.result.time), report.result.fingerprint);
     if (report.result.deadlock)
         out += "\n" + report.result.deadlock->text();
@@ -167,7 +157,7 @@ std::string print_report(const RunReport& report, const Network& network) {
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest) {
     boost::json::object json{{"manifest", manifest_json(manifest, network)},
-                             {"outcome", describe(report.result.ending)},
+                             {"outcome", name_of(report.result.ending)},
                              {"time_ps", report.result.time.count()},
                              {"fingerprint", hex(report.result.fingerprint)},
                              {"measurements", array_of(report, report.measurements)},

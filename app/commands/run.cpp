@@ -1,12 +1,14 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
+#include "app/options/time_option.hpp"
 #include "app/signals.hpp"
+#include "app/standard_error.hpp"
 #include "text/output_file.hpp"
 #include "workbench/manifest.hpp"
-#include "workbench/perfetto_trace.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/run_report.hpp"
+#include "workbench/trace/trace_file.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -22,6 +24,7 @@ namespace {
 struct RunOptions {
     NetlistOptions netlist;
     std::string json, trace; ///< files; "": not written
+    TraceWindow traced;
     std::uint64_t seed = 1;
 };
 
@@ -32,24 +35,6 @@ void require_outputs(std::span<const std::filesystem::path> outputs, const RunOp
             require_writable(path);
 }
 
-/// The file that --trace names, if it does.
-class Timeline {
-public:
-    explicit Timeline(const std::string& path) {
-        if (!path.empty())
-            trace_.emplace(file_.emplace(path));
-    }
-    TraceSink* sink() { return trace_ ? &*trace_ : nullptr; }
-    void finish() {
-        if (trace_)
-            trace_->finish();
-    }
-
-private:
-    std::optional<OutputFile> file_;
-    std::optional<PerfettoTrace> trace_;
-};
-
 RunReport run_network(const Network& network, std::uint64_t seed, TraceSink* trace) {
     InterruptedBySignals interruption;
     return run_netlist(network, known_problems(seed), {.seed = seed, .trace = trace, .interruption = &interruption});
@@ -58,17 +43,31 @@ RunReport run_network(const Network& network, std::uint64_t seed, TraceSink* tra
 ExitCode run(const RunOptions& options, const std::string& typed) {
     Manifest manifest{typed, options.seed, overrides_of(options.netlist.set), read_options_of(options.netlist.read)};
     const std::filesystem::path outputs[] = {options.json, options.trace};
+    if (!options.trace.empty())
+        require_trace_format(options.trace);
     require_outputs(outputs, options);
     Network network = load_network(options.netlist);
     for (const std::string& included : network.included_paths)
         require_apart(outputs, included);
-    Timeline timeline(options.trace);
-    RunReport report = run_network(network, options.seed, timeline.sink());
+    std::optional<TraceFile> trace;
+    if (!options.trace.empty())
+        trace.emplace(options.trace, network, options.traced);
+    RunReport report = run_network(network, options.seed, trace ? &trace->sink() : nullptr);
     print_out(print_report(report, network));
     if (!options.json.empty())
         write_whole(options.json, print_pretty(report_json(report, network, manifest)));
-    timeline.finish();
+    if (trace)
+        print_warnings(trace->finish(report.result.ending));
     return exit_code_of(report.result.ending);
+}
+
+void add_trace(CLI::App& command, RunOptions& options) {
+    CLI::Option* trace = add_file(command, "--trace", options.trace,
+                                  "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
+    add_time(command, "--trace-from", options.traced.from, "leaves out of it what is before")->needs(trace);
+    add_time(command, "--trace-until", options.traced.until, "leaves out of it what is after")->needs(trace);
+    add_count(command, "--trace-limit", options.traced.most_entries, "it ends when it has so many entries")
+        ->needs(trace);
 }
 
 Action declare_run(CLI::App& command, const std::string& typed) {
@@ -76,7 +75,7 @@ Action declare_run(CLI::App& command, const std::string& typed) {
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
     add_file(command, "--json", options->json, "writes the report for machines");
-    add_file(command, "--trace", options->trace, "writes a timeline that ui.perfetto.dev shows");
+    add_trace(command, *options);
     return [options, typed] { return run(*options, typed); };
 }
 

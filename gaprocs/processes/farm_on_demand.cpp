@@ -1,8 +1,10 @@
 #include "gaprocs/processes/farm.hpp"
 
 #include "runtime/alternation.hpp"
+#include "runtime/kernel.hpp"
 #include "runtime/parallel.hpp"
 
+#include <string>
 #include <vector>
 
 namespace placedpar {
@@ -42,8 +44,9 @@ struct Done {};
 
 void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
     Dealer dealer(population.size(), window_->size(), settings_.slaves, measurements_are_new_);
-    Channel<Share> work("own work");
-    Channel<Done> done("own work done");
+    std::string self = Kernel::current()->running().path();
+    Channel<Share> work("share of " + self);
+    Channel<Done> done("share of " + self + " done");
     auto send_to = [&](std::size_t slave) { deal_to_slave(slave, dealer, Task::Kind::evaluate, population); };
     auto deal_out = [&] {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)

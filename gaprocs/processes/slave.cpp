@@ -25,7 +25,8 @@ public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
         : problem_(std::move(problem)), workload_(read_slave_workload(environment)),
           has_next_(environment.connected("to_next")), from_master_(environment.input<Task>("from_master")),
-          to_master_(environment.output<Fitnesses>("to_master")) {
+          to_master_(environment.output<Fitnesses>("to_master")), own_tasks_("task of " + environment.process()),
+          own_results_("result of " + environment.process()) {
         if (has_next_) {
             to_next_ = environment.output<Task>("to_next");
             from_next_ = environment.input<Fitnesses>("from_next");
@@ -142,8 +143,8 @@ private:
     Input<Fitnesses> from_next_;
     bool results_in_order_ = false;
     bool own_open_ = true, next_open_ = has_next_;
-    Channel<InPlace<Task>> own_tasks_{"own tasks"};
-    Channel<InPlace<Fitnesses>> own_results_{"own results"};
+    Channel<InPlace<Task>> own_tasks_;
+    Channel<InPlace<Fitnesses>> own_results_;
     Window window_;
 };
 

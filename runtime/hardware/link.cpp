@@ -3,6 +3,7 @@
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/trace.hpp"
 
 #include <fmt/format.h>
 
@@ -23,13 +24,14 @@ std::size_t last_travelling_part(const WireForm& form) {
 
 } // namespace
 
-Link::Link(Kernel& kernel, const LinkTiming& timing)
+Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const std::string& b)
     : timing_(timing), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
-      a_to_b_(kernel, timing_, wire_from_a_, wire_from_b_, b_to_a_),
-      b_to_a_(kernel, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
+      a_to_b_(kernel, a + " -> " + b, timing_, wire_from_a_, wire_from_b_, b_to_a_),
+      b_to_a_(kernel, b + " -> " + a, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
 
-LinkDirection::LinkDirection(Kernel& kernel, const LinkTiming& timing, Wire& out, Wire& back, LinkDirection& opposite)
-    : kernel_(kernel), timing_(timing), out_(out), back_(back), opposite_(opposite) {}
+LinkDirection::LinkDirection(Kernel& kernel, std::string name, const LinkTiming& timing, Wire& out, Wire& back,
+                             LinkDirection& opposite)
+    : kernel_(kernel), name_(std::move(name)), timing_(timing), out_(out), back_(back), opposite_(opposite) {}
 
 void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
     kernel_.future().schedule(event, at, priority, out_.first_rank() + number);
@@ -119,9 +121,14 @@ void LinkDirection::byte_started() {
         cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
         first_byte_arrived_.schedule(later(seen, timing_.data()));
     }
+    ++bytes_carried_;
     if (--bytes_left_ == 0)
         last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(later(seen, timing_.data()));
-    ++bytes_carried_;
+    if (kernel_.trace()) {
+        trace_bytes(kernel_.now());
+        if (bytes_left_ == 0)
+            trace_break(kernel_.now());
+    }
 }
 
 void LinkDirection::byte_noticed() {
@@ -129,6 +136,8 @@ void LinkDirection::byte_noticed() {
         back_.ask_for_acknowledge(*this);
     else
         acknowledge_owed_ = true;
+    if (kernel_.trace() && acknowledge_owed_ && bytes_left_ > 0)
+        trace_break(kernel_.now() - timing_.acknowledge_latency() - timing_.wire_delay);
 }
 
 void LinkDirection::first_byte_arrived() {
@@ -156,6 +165,19 @@ void LinkDirection::acknowledge_started() {
     } else {
         start_byte_.schedule(may_start_);
     }
+}
+
+/// Bytes follow each other without a break from the first of a part to the last, except that the first may have to wait
+/// for its acknowledge.
+void LinkDirection::trace_bytes(Time since) {
+    if (!std::exchange(trace_carries_, true))
+        kernel_.trace()->carries(name_, *channel_, kernel_.now(), since);
+}
+
+void LinkDirection::trace_break(Time byte_started) {
+    trace_carries_ = false;
+    std::uint64_t bytes = bytes_carried_ - std::exchange(bytes_traced_, bytes_carried_);
+    kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, timing_.data()));
 }
 
 void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }

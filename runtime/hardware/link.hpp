@@ -6,6 +6,8 @@
 #include "runtime/hardware/wire.hpp"
 #include "runtime/source_location.hpp"
 
+#include <string>
+
 namespace placedpar {
 class Kernel;
 class Process;
@@ -22,7 +24,7 @@ namespace placedpar::hardware {
 class LinkDirection final : public Carrier, private WireUser {
 public:
     /// Its bytes travel on `out`, their acknowledges on `back`; `opposite` uses them the other way round.
-    LinkDirection(Kernel&, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
+    LinkDirection(Kernel&, std::string name, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
@@ -31,6 +33,8 @@ public:
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
+    /// "t[0].link[1] -> t[1].link[0]"
+    const std::string& name() const { return name_; }
     std::uint64_t bytes_carried() const { return bytes_carried_; }
 
 private:
@@ -47,6 +51,10 @@ private:
     void acknowledge_started() override;
     void sending_ended();
     void take_part();
+
+    // For the trace.
+    void trace_bytes(Time since);
+    void trace_break(Time byte_started);
 
     // The closed form (link_closed_form.cpp).
     /// Whether it will use neither wire until a process acts.
@@ -66,6 +74,7 @@ private:
     void cancel(Event&);
 
     Kernel& kernel_;
+    std::string name_;
     const LinkTiming& timing_;
     Wire& out_;
     Wire& back_;
@@ -97,12 +106,15 @@ private:
     StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
 
     std::uint64_t bytes_carried_ = 0;
+    std::uint64_t bytes_traced_ = 0; ///< of them, how many the trace was told of
+    bool trace_carries_ = false;     ///< the trace was told that bytes follow each other
 };
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
 class Link {
 public:
-    explicit Link(Kernel&, const LinkTiming& = {});
+    /// The names are those of its ends, for reports.
+    explicit Link(Kernel&, const LinkTiming& = {}, const std::string& a = "a", const std::string& b = "b");
     Link(const Link&) = delete;
     Link& operator=(const Link&) = delete;
 

@@ -17,6 +17,8 @@ void LinkDirection::skip_middle_bytes() {
     bytes_carried_ += skipped_bytes_;
     first_skipped_start_ = std::max(may_start_, out_.free_at());
     start_byte_.schedule(later(first_skipped_start_, times(skipped_bytes_, timing_.byte_period())));
+    if (kernel_.trace())
+        trace_bytes(first_skipped_start_);
 }
 
 /// Bytes that started and acknowledges that were requested up to and including this moment count as done; later ones

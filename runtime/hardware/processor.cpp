@@ -92,6 +92,7 @@ void Processor::compute(Cycles cycles) {
         bool alone = self.priority() == Priority::high || low_.empty();
         if (alone && kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
             turn_began_ = kernel_.now() - work_left(self);
+            note_computing(self);
             account(self, std::exchange(work_left(self), Time{0}));
             return;
         }
@@ -111,6 +112,7 @@ Time Processor::slice_end() const {
 
 void Processor::begin_turn() {
     turn_began_ = kernel_.now();
+    note_computing(*current_);
     Time end = later(turn_began_, work_left(*current_));
     if (current_->priority() == Priority::low && !low_.empty())
         end = std::min(end, slice_end());
@@ -124,10 +126,15 @@ void Processor::stop_turn() {
     kernel_.future().cancel(turn_);
 }
 
+void Processor::note_computing(const Process& process) const {
+    if (TraceSink* trace = kernel_.trace())
+        trace->computes(process, turn_began_);
+}
+
 void Processor::account(const Process& process, Time worked) {
     busy_ += worked;
     if (TraceSink* trace = kernel_.trace())
-        trace->computed(process, turn_began_, kernel_.now());
+        trace->stops_computing(process, kernel_.now());
 }
 
 void Processor::end_turn() {

@@ -59,6 +59,7 @@ private:
     void begin_turn();
     void stop_turn();
     void end_turn();
+    void note_computing(const Process&) const;
     void account(const Process&, Time worked);
     void preempt();
     Time slice_end() const;

@@ -31,16 +31,6 @@ class Files(unittest.TestCase):
         self.assertEqual(fingerprint(again.stdout), record["fingerprint"])
         self.assertEqual(again.stdout, run.stdout)
 
-    def test_the_trace_is_a_timeline_of_every_process(self):
-        path = self.folder / "trace.json"
-        run = placedpar("run", EXAMPLES / "01-commstime" / "commstime.cfs", "--set", "count=5", "--trace", path)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        events = json.loads(path.read_text(encoding="utf-8"))["traceEvents"]
-        tracks = {e["args"]["name"] for e in events if e["name"] == "thread_name"}
-        self.assertEqual(tracks, {"prefix", "delta", "successor", "consumer"})
-        self.assertEqual(sum(e.get("cat") == "message" for e in events), 20)
-        self.assertTrue(all(e["dur"] >= 0 for e in events if e["ph"] == "X"))
-
     def test_tracing_changes_nothing(self):
         plain = placedpar("run", CLUSTER)
         traced = placedpar("run", CLUSTER, "--trace", self.folder / "trace.json")

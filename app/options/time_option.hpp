@@ -1,0 +1,18 @@
+#pragma once
+
+#include "runtime/time.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace placedpar {
+
+/// An option that takes a moment or a span of virtual time: "100ms", "2.5us"; in s, ms, us, ns or ps, down to a
+/// picosecond.
+CLI::Option* add_time(CLI::App&, const std::string& option, Time& time, const std::string& about);
+
+/// REQUIRES nothing; throws UserError when the text is no such time.
+Time parse_time(const std::string& text);
+
+} // namespace placedpar

@@ -1,0 +1,159 @@
+#include "workbench/trace/perfetto_trace.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+std::string json_text(const std::string& text) { return boost::json::serialize(boost::json::string(text)); }
+
+/// The format counts microseconds; six digits more keep every picosecond.
+std::string microseconds(Time t) {
+    constexpr std::int64_t picoseconds = 1'000'000;
+    return fmt::format("{}.{:06}", t.count() / picoseconds, t.count() % picoseconds);
+}
+
+/// The viewers colour slices by their names.
+const char* category(const Stretch& stretch) {
+    switch (stretch.doing) {
+    case Doing::executes: return "processor";
+    case Doing::carries: return "link";
+    case Doing::ready: return "ready";
+    case Doing::computes: return "compute";
+    default: return "wait";
+    }
+}
+
+/// Where nobody is known yet, the channel.
+std::string partners_of(const Stretch& stretch, const char* joined_by) {
+    std::vector<std::string> partners;
+    for (const Awaited& awaited : stretch.awaited)
+        partners.push_back(awaited.partner.empty() ? awaited.channel : awaited.partner);
+    return fmt::format("{}", fmt::join(partners, joined_by));
+}
+
+/// More than a few partners are listed among the arguments only.
+std::string name_of_alternation(const Stretch& stretch) {
+    constexpr std::size_t most_named = 3;
+    std::size_t count = stretch.awaited.size();
+    std::string name = count > most_named ? fmt::format("alternates between {} channels", count)
+                                          : "alternates: input from " + partners_of(stretch, " or ");
+    return count == 0 ? "waits for its timer" : name + (stretch.awaits_timer ? ", or its timer" : "");
+}
+
+/// A process of the machine waits on no channel while it has no packet to send.
+std::string name_of_wait(const Stretch& stretch) {
+    switch (stretch.doing) {
+    case Doing::outputs: return "outputs to " + partners_of(stretch, " ");
+    case Doing::inputs:
+        return stretch.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(stretch, " ");
+    case Doing::alternates: return name_of_alternation(stretch);
+    case Doing::joins: return "waits for its components";
+    case Doing::after_work: return "waits for the end of the work";
+    default: return "waits for its timer";
+    }
+}
+
+std::string name_of(const Stretch& stretch) {
+    switch (stretch.doing) {
+    case Doing::executes:
+    case Doing::carries: return stretch.subject;
+    case Doing::ready: return "waits for its processor";
+    case Doing::computes: return "computes";
+    default: return name_of_wait(stretch);
+    }
+}
+
+std::string described(const Awaited& awaited) {
+    return fmt::format(R"({{"channel":{},"partner":{}}})", json_text(awaited.channel),
+                       json_text(awaited.partner.empty() ? "nobody yet" : awaited.partner));
+}
+
+/// What more is to be said: the bytes that a link carries, the channels of a wait. "" for nothing.
+std::string arguments(const Stretch& stretch) {
+    if (stretch.doing == Doing::carries && !stretch.open)
+        return fmt::format(R"({{"bytes":{}}})", stretch.bytes);
+    if (stretch.awaited.empty())
+        return "";
+    if (stretch.doing != Doing::alternates)
+        return described(stretch.awaited.front());
+    std::vector<std::string> channels;
+    for (const Awaited& awaited : stretch.awaited)
+        channels.push_back(described(awaited));
+    return fmt::format(R"({{"channels":[{}]}})", fmt::join(channels, ","));
+}
+
+std::string name_of(const Track& track) {
+    return (track.place.kind == Track::Kind::processor ? "processor " : "") + track.name;
+}
+
+} // namespace
+
+PerfettoTrace::PerfettoTrace(OutputFile& file, const Tracks& tracks) : file_(file), tracks_(tracks) {
+    file_.write("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n");
+}
+
+void PerfettoTrace::add(const std::string& event) {
+    if (!std::exchange(is_first_, false))
+        file_.write(",\n");
+    file_.write(event);
+}
+
+/// Nodes and tracks have numbers above 0, which the viewers keep for themselves, and no two the same: a thread with the
+/// number of its process would be drawn first.
+std::string PerfettoTrace::place(std::size_t track) const {
+    return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1, tracks_.nodes().size() + 1 + track);
+}
+
+void PerfettoTrace::write(const Stretch& stretch) {
+    std::string event =
+        fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", stretch.open ? 'B' : 'X',
+                    json_text(name_of(stretch)), category(stretch), place(stretch.track), microseconds(stretch.begin));
+    if (!stretch.open)
+        event += fmt::format(R"(,"dur":{})", microseconds(stretch.end - stretch.begin));
+    if (std::string more = arguments(stretch); !more.empty())
+        event += R"(,"args":)" + more;
+    add(event + "}");
+}
+
+void PerfettoTrace::write(const Passage& passage) {
+    std::string common = fmt::format(R"("name":{},"cat":"message","id":{})", json_text(passage.channel), ++passages_);
+    add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place(passage.from), microseconds(passage.left)));
+    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(passage.to),
+                    microseconds(passage.arrived)));
+}
+
+void PerfettoTrace::finish(Time begin, Time end, const std::string& why) {
+    if (tracks_.all().empty())
+        return file_.write("\n]}\n");
+    add(fmt::format(R"({{"ph":"i","s":"g","name":{},"cat":"end",{},"ts":{}}})", json_text(why), place(0),
+                    microseconds(std::max(begin, end))));
+    write_names();
+    file_.write("\n]}\n");
+}
+
+void PerfettoTrace::write_names() {
+    std::size_t last_node = Tracks::none, order = 0;
+    for (std::size_t track : tracks_.drawn()) {
+        std::size_t node = tracks_.all()[track].place.node;
+        std::string where = place(track);
+        auto say = [&](const char* what, const std::string& value) {
+            add(fmt::format(R"({{"ph":"M","name":"{}",{},"args":{{{}}}}})", what, where, value));
+        };
+        if (node != std::exchange(last_node, node)) {
+            say("process_name", R"("name":)" + json_text(tracks_.nodes()[node]));
+            say("process_sort_index", fmt::format(R"("sort_index":{})", node));
+        }
+        say("thread_name", R"("name":)" + json_text(name_of(tracks_.all()[track])));
+        say("thread_sort_index", fmt::format(R"("sort_index":{})", order++));
+    }
+}
+
+} // namespace placedpar

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "runtime/kernel.hpp"
+#include "runtime/trace.hpp"
+#include "workbench/trace/trace_writer.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace placedpar {
+
+/// Which part of a run is traced.
+struct TraceWindow {
+    Time from{}, until = Time::max();
+    std::size_t most_entries = 2'000'000; ///< stretches and messages; the trace ends when there are so many
+};
+
+/// Makes stretches on tracks of what it is told of a run. A stretch ends when a process does something else; one that
+/// computes again at once goes on, unless a message was handed over in between.
+class Timeline final : public TraceSink {
+public:
+    /// REQUIRES: the tracks and the writer outlive it.
+    Timeline(Tracks&, const TraceWindow&, TraceWriter&);
+
+    /// When the trace was full, if it was.
+    std::optional<Time> full_at() const { return full_at_; }
+    /// REQUIRES, as finish(): the run is over.
+    Time end() const { return *end_; }
+    /// Of the run.
+    void finish(Ending);
+
+    void began(const Process&, Time) override;
+    void waits(const Process&, Time) override;
+    void goes_on(const Process&, Time) override;
+    void computes(const Process&, Time) override;
+    void stops_computing(const Process&, Time) override;
+    void ended(const Process&, Time) override;
+    void communicated(const AnyChannel&, Time) override;
+    void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
+    void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
+    void over(Time) override;
+
+private:
+    /// One end of a message, until the stretch in which it lies is known.
+    struct MessageEnd {
+        std::uint64_t message;
+        bool arrives;
+    };
+    /// What the process does that a track is of.
+    struct Lane {
+        std::size_t track;
+        const Process* process;
+        Doing doing;
+        Time since;
+        std::optional<Time> stopped = {};         ///< of one that computes: until then
+        std::optional<Time> last_end = {};        ///< of its last stretch
+        std::size_t partner = Tracks::none;       ///< with whom it communicated during the present wait
+        std::vector<MessageEnd> here = {};        ///< in the next stretch that lasts
+        std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
+    };
+    /// What a processor executes, or a link carries.
+    struct Use {
+        std::string subject;
+        Time since;
+        std::optional<Time> stopped = {};
+        std::uint64_t bytes = 0;
+    };
+    struct Message {
+        std::string channel;
+        Time at;
+        std::size_t from = Tracks::none, to = Tracks::none;
+        Time left{}, arrived{};
+    };
+
+    bool taking(Time now);
+    void shut(Time now, const std::string& why);
+    Lane* lane_of(const Process&);
+    void turn_to(Lane&, Doing, Time now);
+    void settle(Lane&, Time now);
+    void close(Lane&, Time end, bool open = false);
+    void describe_wait(const Lane&, Stretch&) const;
+    std::string partner(const Lane&, const AnyChannel&, bool open) const;
+    void use(std::size_t track, const std::string& subject, Time now);
+    void close_use(std::size_t track, Time now);
+    void shut_lane(Lane&, Time now);
+    void place(const MessageEnd&, std::size_t track, Time);
+    void give_up(Lane&);
+    bool write(Stretch);
+
+    Tracks& tracks_;
+    TraceWindow window_;
+    TraceWriter& writer_;
+    std::map<std::uint32_t, Lane> lanes_;       ///< of the processes that live, by ordinal
+    std::map<std::size_t, Use> uses_;           ///< by track: the present one, or the last
+    std::map<std::uint64_t, Message> messages_; ///< of which an end is not known yet
+    std::uint64_t message_count_ = 0;
+    std::size_t entries_ = 0;
+    std::optional<Time> full_at_;
+    std::optional<Time> end_; ///< of the trace
+    std::string why_;         ///< it ended before the run; else empty
+};
+
+} // namespace placedpar
