@@ -16,7 +16,8 @@ TEST_CASE("devices are listed by the names that they are declared by, each once"
     std::string all = print_kinds(Catalogue());
     CHECK(contains(all, "  C004             A crossbar switch"));
     CHECK(contains(all, "  workstation      A host computer"));
-    CHECK(contains(all, "  processor        A transputer, bare or on a module; B403_T414 is a B403 with a T414.\n                   T805 "));
+    CHECK(contains(all, "  processor        A transputer, bare or on a module; B403_T414 is a B403 with a T414.\n      "
+                        "             T805 "));
     CHECK(contains(all, " T800 B011 B401 B403 B404 "));
     CHECK_FALSE(contains(all, "t800"));
     CHECK(contains(all, "bus masters. Cannot be declared yet.\n                   C011 C012 VME busmaster\n"));
