@@ -23,6 +23,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
+using identification::lower_median;
 using identification::quantile;
 
 namespace {

@@ -7,6 +7,9 @@
 
 #include <doctest/doctest.h>
 
+#include <optional>
+#include <string>
+
 using namespace placedpar;
 using namespace placedpar::hardware;
 using std::chrono::milliseconds;
@@ -97,10 +100,19 @@ TEST_CASE("several go on at once, and may wait for the end again") {
 
 TEST_CASE("only the work is traced") {
     struct Sink final : TraceSink {
-        int waits = 0;
-        void computed(const Process&, Time, Time) override {}
-        void waited(const Process&, Time, Time) override { ++waits; }
-        void communicated(const AnyChannel&, Time) override {}
+        int told = 0, told_after_work = 0;
+        std::optional<Time> work_over;
+        void note() { ++(work_over ? told_after_work : told); }
+        void began(const Process&, Time) override { note(); }
+        void waits(const Process&, Time) override { note(); }
+        void goes_on(const Process&, Time) override { note(); }
+        void computes(const Process&, Time) override { note(); }
+        void stops_computing(const Process&, Time) override { note(); }
+        void ended(const Process&, Time) override { note(); }
+        void communicated(const AnyChannel&, Time) override { note(); }
+        void carries(const std::string&, const AnyChannel&, Time, Time) override { note(); }
+        void carried(const std::string&, std::uint64_t, Time, Time) override { note(); }
+        void over(Time now) override { work_over = now; }
     } sink;
     Simulation simulation;
     simulation.process("process", [] {
@@ -111,5 +123,7 @@ TEST_CASE("only the work is traced") {
     simulation.process("another", [] { wait_for(milliseconds{2}); });
     simulation.trace_to(sink);
     simulation.run();
-    CHECK(sink.waits == 2);
+    CHECK(sink.work_over == milliseconds{2});
+    CHECK(sink.told > 0);
+    CHECK(sink.told_after_work == 0);
 }
