@@ -68,7 +68,7 @@ class Files(unittest.TestCase):
         (self.folder / "link.json").symlink_to(netlist)
         both = self.folder / "both.json"
         for arguments, reason in ((["--json", netlist], "the output file is also the input"),
-                                  (["--trace", self.folder / ".." / self.folder.name / "mine.cfs"], "the output file is also the input"),
+                                  (["--trace", self.folder / ".." / self.folder.name / "link.json"], "the output file is also the input"),
                                   (["--json", self.folder / "link.json"], "the output file is also the input"),
                                   (["--json", both, "--trace", self.folder / "." / "both.json"], "written twice"),
                                   (["--json", ""], "it takes a name"), (["--trace", ""], "it takes a name")):
@@ -81,8 +81,8 @@ class Files(unittest.TestCase):
 
     def test_no_command_overwrites_what_it_reads(self):
         including = self.folder / "including.cfs"
-        included = self.folder / "included.cfs"
-        including.write_text('#include "included.cfs"\n', encoding="utf-8")
+        included = self.folder / "included.json"
+        including.write_text('#include "included.json"\n', encoding="utf-8")
         included.write_text(COMMSTIME.read_text(encoding="utf-8"), encoding="utf-8")
         machine = self.folder / "machine.csv"
         machine.write_text(placedpar("parameters").stdout, encoding="utf-8")
