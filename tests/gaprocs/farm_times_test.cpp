@@ -53,6 +53,26 @@ TEST_CASE("a run that takes no time has no rate") {
     CHECK_FALSE(has(report, "generations_per_second"));
 }
 
+TEST_CASE("rehearsals disturb none of the work's figures") {
+    auto run = [](int islands, int rehearsals) {
+        return run_on_line(
+            Cluster{.slaves = 2, .islands = islands, .master_parameters = fmt::format("rehearsals = {}", rehearsals)}
+                .netlist());
+    };
+    for (int islands : {1, 3}) {
+        RunReport few = run(islands, 1), many = run(islands, 50), none = run(islands, 0);
+        CHECK(many.result.ending == Ending::completed);
+        CHECK(many.result.time == few.result.time);
+        CHECK(std::ranges::equal(many.processors, few.processors, {}, &ProcessorUse::busy, &ProcessorUse::busy));
+        CHECK(std::ranges::equal(many.links, few.links, {}, &LinkUse::bytes, &LinkUse::bytes));
+        CHECK(std::ranges::equal(many.processes, few.processes, {}, &ProcessUse::waiting, &ProcessUse::waiting));
+        for (const char* time : {"T_exe", "T_sr", "P_time2", "S_time2"})
+            CHECK(many.measured("master0", time) == none.measured("master0", time));
+        CHECK(many.measured("master0", "C_time2") == doctest::Approx(few.measured("master0", "C_time2")).epsilon(0.1));
+        CHECK_FALSE(has(none, "C_time2"));
+    }
+}
+
 TEST_CASE("results in the order of the chain take longer than those that are passed on when they are ready") {
     Cluster in_order{.slaves = 3};
     Cluster ready{.slaves = 3, .master_parameters = "rehearsals = 2, results = \"ready\""};
