@@ -10,7 +10,8 @@
 #include "runtime/random.hpp"
 
 #include <algorithm>
-#include <deque>
+#include <string>
+#include <vector>
 
 namespace placedpar {
 
