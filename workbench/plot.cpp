@@ -19,7 +19,7 @@ constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#
                                              "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
 
 // Sizes in pixels.
-constexpr int width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
+constexpr int plot_width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
               bottom_margin = 66;
 constexpr int legend_sample = 70, legend_letter = 9; // of the widest of the fonts that a viewer may take
 
@@ -90,11 +90,11 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
 std::string place_commands(std::size_t number, int legend, int height) {
     int top = title_height + static_cast<int>(number) * panel_height;
     auto from_bottom = [&](int pixels) { return static_cast<double>(height - pixels) / height; };
-    double right = static_cast<double>(width - legend) / width;
+    double right = static_cast<double>(plot_width - legend) / plot_width;
     return fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
                        "set bmargin at screen {}\nset key at screen {}, screen {} left top Left reverse "
                        "samplen 2 spacing 1.25\n",
-                       static_cast<double>(left_margin) / width, right, from_bottom(top + top_margin),
+                       static_cast<double>(left_margin) / plot_width, right, from_bottom(top + top_margin),
                        from_bottom(top + panel_height - bottom_margin), right + 0.01,
                        from_bottom(top + top_margin - 4));
 }
@@ -130,7 +130,7 @@ std::string script_of(const Plot& plot) {
                     "set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
                     "set border linecolor rgb '#404040'\nset grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.7\n"
                     "set samples 2\nset tics nomirror\nset multiplot title {} font ',18'\n",
-                    width, height, quoted(plot.title));
+                    plot_width, height, quoted(plot.title));
     int legend = legend_width(plot);
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
         out += place_commands(i, legend, height) + panel_commands(plot.panels[i], i);

@@ -41,12 +41,12 @@ struct Known {
     std::size_t generation;
     double percent;
 };
-constexpr std::array<Known, 5> known{{{75, 68}, {200, 18}, {350, 2}, {425, 2}, {500, 2}}};
+constexpr std::array<Known, 5> looked_at{{{75, 68}, {200, 18}, {350, 2}, {425, 2}, {500, 2}}};
 
 std::string column_of(const Known& each) { return fmt::format("generation {}", each.generation); }
 
 void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
-    for (const Known& each : known)
+    for (const Known& each : looked_at)
         comparison.add(plain_cell(row, column_of(each), "% of records",
                                   both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
@@ -59,7 +59,7 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
             "in the others",
             plain.size(), shown.size()),
         .against = "known"};
-    for (const Known& each : known)
+    for (const Known& each : looked_at)
         comparison.add(judged_cell("without a gate", column_of(each), "% of records", each.percent,
                                    both_within_ten_percent(plain, each.generation, trials_a_sample),
                                    share_tolerance(each.percent, plain.size()), 0));

@@ -21,8 +21,8 @@ std::string microseconds(Time t) {
 }
 
 /// The viewers colour slices by their names.
-const char* category(const Stretch& stretch) {
-    switch (stretch.doing) {
+const char* category(const Slice& slice) {
+    switch (slice.doing) {
     case Doing::executes: return "processor";
     case Doing::carries: return "link";
     case Doing::ready: return "ready";
@@ -32,42 +32,42 @@ const char* category(const Stretch& stretch) {
 }
 
 /// Where nobody is known yet, the channel.
-std::string partners_of(const Stretch& stretch, const char* joined_by) {
+std::string partners_of(const Slice& slice, const char* joined_by) {
     std::vector<std::string> partners;
-    for (const Awaited& awaited : stretch.awaited)
+    for (const Awaited& awaited : slice.awaited)
         partners.push_back(awaited.partner.empty() ? awaited.channel : awaited.partner);
     return fmt::format("{}", fmt::join(partners, joined_by));
 }
 
 /// More than a few partners are listed among the arguments only.
-std::string name_of_alternation(const Stretch& stretch) {
+std::string name_of_alternation(const Slice& slice) {
     constexpr std::size_t most_named = 3;
-    std::size_t count = stretch.awaited.size();
+    std::size_t count = slice.awaited.size();
     std::string name = count > most_named ? fmt::format("alternates between {} channels", count)
-                                          : "alternates: input from " + partners_of(stretch, " or ");
-    return count == 0 ? "waits for its timer" : name + (stretch.awaits_timer ? ", or its timer" : "");
+                                          : "alternates: input from " + partners_of(slice, " or ");
+    return count == 0 ? "waits for its timer" : name + (slice.awaits_timer ? ", or its timer" : "");
 }
 
 /// A process of the machine waits on no channel while it has no packet to send.
-std::string name_of_wait(const Stretch& stretch) {
-    switch (stretch.doing) {
-    case Doing::outputs: return "outputs to " + partners_of(stretch, " ");
+std::string name_of_wait(const Slice& slice) {
+    switch (slice.doing) {
+    case Doing::outputs: return "outputs to " + partners_of(slice, " ");
     case Doing::inputs:
-        return stretch.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(stretch, " ");
-    case Doing::alternates: return name_of_alternation(stretch);
+        return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
+    case Doing::alternates: return name_of_alternation(slice);
     case Doing::joins: return "waits for its components";
     case Doing::after_work: return "waits for the end of the work";
     default: return "waits for its timer";
     }
 }
 
-std::string name_of(const Stretch& stretch) {
-    switch (stretch.doing) {
+std::string name_of(const Slice& slice) {
+    switch (slice.doing) {
     case Doing::executes:
-    case Doing::carries: return stretch.subject;
+    case Doing::carries: return slice.subject;
     case Doing::ready: return "waits for its processor";
     case Doing::computes: return "computes";
-    default: return name_of_wait(stretch);
+    default: return name_of_wait(slice);
     }
 }
 
@@ -77,15 +77,15 @@ std::string described(const Awaited& awaited) {
 }
 
 /// What more is to be said: the bytes that a link carries, the channels of a wait. "" for nothing.
-std::string arguments(const Stretch& stretch) {
-    if (stretch.doing == Doing::carries && !stretch.open)
-        return fmt::format(R"({{"bytes":{}}})", stretch.bytes);
-    if (stretch.awaited.empty())
+std::string arguments(const Slice& slice) {
+    if (slice.doing == Doing::carries && !slice.open)
+        return fmt::format(R"({{"bytes":{}}})", slice.bytes);
+    if (slice.awaited.empty())
         return "";
-    if (stretch.doing != Doing::alternates)
-        return described(stretch.awaited.front());
+    if (slice.doing != Doing::alternates)
+        return described(slice.awaited.front());
     std::vector<std::string> channels;
-    for (const Awaited& awaited : stretch.awaited)
+    for (const Awaited& awaited : slice.awaited)
         channels.push_back(described(awaited));
     return fmt::format(R"({{"channels":[{}]}})", fmt::join(channels, ","));
 }
@@ -112,13 +112,13 @@ std::string PerfettoTrace::place(std::size_t track) const {
     return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1, tracks_.nodes().size() + 1 + track);
 }
 
-void PerfettoTrace::write(const Stretch& stretch) {
+void PerfettoTrace::write(const Slice& slice) {
     std::string event =
-        fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", stretch.open ? 'B' : 'X',
-                    json_text(name_of(stretch)), category(stretch), place(stretch.track), microseconds(stretch.begin));
-    if (!stretch.open)
-        event += fmt::format(R"(,"dur":{})", microseconds(stretch.end - stretch.begin));
-    if (std::string more = arguments(stretch); !more.empty())
+        fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", slice.open ? 'B' : 'X', json_text(name_of(slice)),
+                    category(slice), place(slice.track), microseconds(slice.begin));
+    if (!slice.open)
+        event += fmt::format(R"(,"dur":{})", microseconds(slice.end - slice.begin));
+    if (std::string more = arguments(slice); !more.empty())
         event += R"(,"args":)" + more;
     add(event + "}");
 }

@@ -11,14 +11,14 @@ namespace placedpar {
 /// A trace in the Trace Event Format (JSON), which ui.perfetto.dev and chrome://tracing show as a timeline. A node is a
 /// process of that format, a track one of its threads. It is written as the run goes.
 ///
-/// A stretch is a complete event (X), or one that begins and does not end (B) if it is open. A message is a flow (s, f)
-/// from stretch to stretch. The end of the trace is an instant (i) that says why. Names and order are metadata (M).
+/// A slice is a complete event (X), or one that begins and does not end (B) if it is open. A message is a flow (s, f)
+/// from slice to slice. The end of the trace is an instant (i) that says why. Names and order are metadata (M).
 class PerfettoTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
     PerfettoTrace(OutputFile&, const Tracks&);
 
-    void write(const Stretch&) override;
+    void write(const Slice&) override;
     void write(const Passage&) override;
     void finish(Time begin, Time end, const std::string& why) override;
 

@@ -102,7 +102,7 @@ void Timeline::ended(const Process& process, Time now) {
 }
 
 /// A process that waited in the channel goes on later: its message arrives when it does. For the other one, what it did
-/// before the message and what it does after it are two stretches.
+/// before the message and what it does after it are two slices.
 void Timeline::communicated(const AnyChannel& channel, Time now) {
     if (!taking(now) || now < window_.from)
         return;
@@ -158,24 +158,24 @@ void Timeline::settle(Lane& lane, Time now) {
     close(lane, now);
 }
 
-/// The messages that lie in the stretch do so at its beginning.
+/// The messages that lie in the slice do so at its beginning.
 void Timeline::close(Lane& lane, Time end, bool open) {
     if (end <= window_.from && !open)
         return;
-    Stretch stretch{lane.track, lane.doing, lane.since, end, open};
+    Slice slice{lane.track, lane.doing, lane.since, end, open};
     if (is_waiting(lane.doing))
-        describe_wait(lane, stretch);
-    if (!write(std::move(stretch)))
+        describe_wait(lane, slice);
+    if (!write(std::move(slice)))
         return;
     for (const MessageEnd& message : std::exchange(lane.here, {}))
         place(message, lane.track, std::max(lane.since, window_.from));
     lane.last_end = end;
 }
 
-void Timeline::describe_wait(const Lane& lane, Stretch& stretch) const {
+void Timeline::describe_wait(const Lane& lane, Slice& slice) const {
     for (const AnyChannel* channel : lane.process->awaited_channels())
-        stretch.awaited.push_back({channel->name(), partner(lane, *channel, stretch.open)});
-    stretch.awaits_timer = lane.process->awaits_timer();
+        slice.awaited.push_back({channel->name(), partner(lane, *channel, slice.open)});
+    slice.awaits_timer = lane.process->awaits_timer();
 }
 
 /// Who came to the other end of the channel. Else who has to come, as far as can be known: its last user, or the
@@ -212,11 +212,11 @@ void Timeline::close_use(std::size_t track, Time now) {
 }
 
 /// Returns whether there is anything to be seen of it.
-bool Timeline::write(Stretch stretch) {
-    stretch.begin = std::max(stretch.begin, window_.from);
-    if (stretch.end < stretch.begin || (stretch.end == stretch.begin && !(stretch.open && is_waiting(stretch.doing))))
+bool Timeline::write(Slice slice) {
+    slice.begin = std::max(slice.begin, window_.from);
+    if (slice.end < slice.begin || (slice.end == slice.begin && !(slice.open && is_waiting(slice.doing))))
         return false;
-    writer_.write(stretch);
+    writer_.write(slice);
     ++entries_;
     return true;
 }
@@ -238,7 +238,7 @@ void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     messages_.erase(found);
 }
 
-/// The process ended with a message: that lies at the end of its last stretch. One that never took any time has none,
+/// The process ended with a message: that lies at the end of its last slice. One that never took any time has none,
 /// and the message cannot be shown.
 void Timeline::give_up(Lane& lane) {
     for (const MessageEnd& message : std::exchange(lane.here, {}))

@@ -17,10 +17,10 @@ namespace placedpar {
 /// Which part of a run is traced.
 struct TraceWindow {
     Time from{}, until = Time::max();
-    std::size_t most_entries = 2'000'000; ///< stretches and messages; the trace ends when there are so many
+    std::size_t most_entries = 2'000'000; ///< slices and messages; the trace ends when there are so many
 };
 
-/// Makes stretches on tracks of what it is told of a run. A stretch ends when a process does something else; one that
+/// Makes slices on tracks of what it is told of a run. A slice ends when a process does something else; one that
 /// computes again at once goes on, unless a message was handed over in between.
 class Timeline final : public TraceSink {
 public:
@@ -46,7 +46,7 @@ public:
     void over(Time) override;
 
 private:
-    /// One end of a message, until the stretch in which it lies is known.
+    /// One end of a message, until the slice in which it lies is known.
     struct MessageEnd {
         std::uint64_t message;
         bool arrives;
@@ -58,9 +58,9 @@ private:
         Doing doing;
         Time since;
         std::optional<Time> stopped = {};         ///< of one that computes: until then
-        std::optional<Time> last_end = {};        ///< of its last stretch
+        std::optional<Time> last_end = {};        ///< of its last slice
         std::size_t partner = Tracks::none;       ///< with whom it communicated during the present wait
-        std::vector<MessageEnd> here = {};        ///< in the next stretch that lasts
+        std::vector<MessageEnd> here = {};        ///< in the next slice that lasts
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
     };
     /// What a processor executes, or a link carries.
@@ -83,14 +83,14 @@ private:
     void turn_to(Lane&, Doing, Time now);
     void settle(Lane&, Time now);
     void close(Lane&, Time end, bool open = false);
-    void describe_wait(const Lane&, Stretch&) const;
+    void describe_wait(const Lane&, Slice&) const;
     std::string partner(const Lane&, const AnyChannel&, bool open) const;
     void use(std::size_t track, const std::string& subject, Time now);
     void close_use(std::size_t track, Time now);
     void shut_lane(Lane&, Time now);
     void place(const MessageEnd&, std::size_t track, Time);
     void give_up(Lane&);
-    bool write(Stretch);
+    bool write(Slice);
 
     Tracks& tracks_;
     TraceWindow window_;

@@ -22,19 +22,19 @@ struct Awaited {
     std::string partner; ///< "" where none ever used the channel
 };
 
-/// A stretch of time in which the same goes on on a track. Those of one track do not overlap and come in order.
-struct Stretch {
+/// A slice of time in which the same goes on on a track. Those of one track do not overlap and come in order.
+struct Slice {
     std::size_t track;
     Doing doing;
     Time begin, end;                   ///< begin < end, unless it is open
     bool open;                         ///< it goes on when the trace ends
     std::string subject = {};          ///< the process that is executed; the channel that is carried
-    std::uint64_t bytes = 0;           ///< that were carried; of an open stretch not known
+    std::uint64_t bytes = 0;           ///< that were carried; of an open slice not known
     std::vector<Awaited> awaited = {}; ///< channels of a wait
     bool awaits_timer = false;
 };
 
-/// A message on its way: it leaves within a stretch of one track, and arrives at or after that within one of another.
+/// A message on its way: it leaves within a slice of one track, and arrives at or after that within one of another.
 struct Passage {
     const std::string& channel;
     std::size_t from, to;
@@ -45,8 +45,8 @@ struct Passage {
 class TraceWriter {
 public:
     virtual ~TraceWriter() = default;
-    virtual void write(const Stretch&) = 0;
-    /// Both of its stretches have been written.
+    virtual void write(const Slice&) = 0;
+    /// Both of its slices have been written.
     virtual void write(const Passage&) = 0;
     /// The trace covers the time from `begin` to `end`; `why` says what happened then: "deadlock".
     virtual void finish(Time begin, Time end, const std::string& why) = 0;

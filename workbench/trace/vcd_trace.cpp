@@ -78,13 +78,13 @@ constexpr const char* end_of_scope = "$upscope $end\n";
 
 VcdTrace::VcdTrace(OutputFile& file, const Tracks& tracks) : file_(file), tracks_(tracks) {}
 
-void VcdTrace::write(const Stretch& stretch) {
-    if (stretch.doing == Doing::joins)
+void VcdTrace::write(const Slice& slice) {
+    if (slice.doing == Doing::joins)
         return;
-    std::uint32_t wire = wire_of(tracks_.all()[stretch.track].outermost, stretch.doing);
-    changes_.push_back({stretch.begin, wire, 1});
-    if (!stretch.open)
-        changes_.push_back({stretch.end, wire, -1});
+    std::uint32_t wire = wire_of(tracks_.all()[slice.track].outermost, slice.doing);
+    changes_.push_back({slice.begin, wire, 1});
+    if (!slice.open)
+        changes_.push_back({slice.end, wire, -1});
 }
 
 void VcdTrace::finish(Time begin, Time end, const std::string& why) {

@@ -16,13 +16,13 @@ namespace placedpar {
 /// do, which is 1 while any of them does it; of a direction of a link one that is 1 while it carries bytes. A node is a
 /// scope, and in it each of its processes. Times are in picoseconds.
 ///
-/// Changes are kept until the end, since a stretch is known only when it is over.
+/// Changes are kept until the end, since a slice is known only when it is over.
 class VcdTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
     VcdTrace(OutputFile&, const Tracks&);
 
-    void write(const Stretch&) override;
+    void write(const Slice&) override;
     void write(const Passage&) override {}
     void finish(Time begin, Time end, const std::string& why) override;
 

@@ -12,7 +12,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-const Circuit circuit = boom_circuit();
+const Circuit one_link = boom_circuit();
 
 LinkCalibrations calibrations() { return boom_calibrations(single_boom_mechanics()); }
 
@@ -22,7 +22,7 @@ Record exact_record() {
 }
 
 std::vector<CircuitSample> usable(const Record& record) {
-    return usable_samples(circuit_samples(record, circuit, calibrations()), circuit, fitted_flow_constants());
+    return usable_samples(circuit_samples(record, one_link, calibrations()), one_link, fitted_flow_constants());
 }
 
 /// The record's instants [first, last).
@@ -92,7 +92,7 @@ TEST_CASE("skipped samples are the first usable ones") {
     rule.skipped = 2;
     rule.count = 5;
     auto samples =
-        usable_samples(circuit_samples(record, circuit, calibrations()), circuit, fitted_flow_constants(), rule);
+        usable_samples(circuit_samples(record, one_link, calibrations()), one_link, fitted_flow_constants(), rule);
     REQUIRE(samples.size() == 5);
     CHECK(samples[0].index == 12);
 }
@@ -103,8 +103,8 @@ TEST_CASE("a spool that reads too high by an offset gives the areas of the true 
         spool += 0.01;
     LinkCalibrations offset = calibrations();
     offset[index_of(Link::boom)].spool_offset_in = 0.01;
-    auto mended = circuit_samples(record, circuit, offset);
-    auto exact = circuit_samples(exact_record(), circuit, calibrations());
+    auto mended = circuit_samples(record, one_link, offset);
+    auto exact = circuit_samples(exact_record(), one_link, calibrations());
     for (std::size_t i = 0; i < exact.size(); ++i)
         CHECK(mended[i].links[0].bypass_in2 == doctest::Approx(exact[i].links[0].bypass_in2).epsilon(1e-12));
 }
@@ -113,11 +113,11 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
     Record record = exact_record();
     record.of(Link::boom, Sensor::inlet_area).assign(record.size(), 0.1);
     record.of(Link::boom, Sensor::bypass_area).assign(record.size(), 0.2);
-    auto samples = circuit_samples(record, circuit, calibrations());
+    auto samples = circuit_samples(record, one_link, calibrations());
     CHECK(samples[0].links[0].inlet_in2 == 0.1);
     CHECK(samples[0].links[0].bypass_in2 == 0.2);
     record.of(Link::boom, Sensor::angle).clear();
-    CHECK_THROWS_WITH_AS(circuit_samples(record, circuit, {}),
+    CHECK_THROWS_WITH_AS(circuit_samples(record, one_link, {}),
                          "the record has no channel boom.angle; it has boom.inlet_pressure, boom.spool, "
                          "boom.inlet_area, boom.bypass_area",
                          UnfitRecord);
@@ -142,9 +142,9 @@ TEST_CASE("the areas come from the voltage where only that was read") {
     const SpoolStep& step = valve.steps[0];
     for (double time_s : record.time_s) // the step of scenario A, commanded
         volts.push_back(servo_volts(time_s >= step.time_s - 1e-9 ? step.desired_in : valve.rest_in));
-    auto by_spool = circuit_samples(record, circuit, calibrations());
+    auto by_spool = circuit_samples(record, one_link, calibrations());
     record.of(Link::boom, Sensor::spool).clear();
-    auto by_servo = circuit_samples(record, circuit, calibrations());
+    auto by_servo = circuit_samples(record, one_link, calibrations());
     REQUIRE(by_servo.size() == by_spool.size());
     for (std::size_t i = 0; i < by_servo.size(); ++i) // the lag of A.2 is exact for a held command
         CHECK(by_servo[i].links[0].bypass_in2 == doctest::Approx(by_spool[i].links[0].bypass_in2).epsilon(1e-5));

@@ -10,13 +10,13 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using test::flow;
+using test::rounded_flow;
 
 namespace {
 
 FlowSplit boom_split(double spool_in, double inlet_psi) {
     OrificeAreas areas = boom_orifices(spool_in);
-    return split_flow(areas.inlet_in2, areas.bypass_in2, inlet_psi, flow);
+    return split_flow(areas.inlet_in2, areas.bypass_in2, inlet_psi, rounded_flow);
 }
 
 /// The spool that gives this flow, by bisection: the flow grows with the spool.
@@ -56,15 +56,15 @@ TEST_CASE("the load check is shut where the pump cannot reach the cylinder's pre
 }
 
 TEST_CASE("the relief valve opens at 4500 psi") {
-    FlowSplit both_shut = split_flow(0, 0, 1500, flow);
+    FlowSplit both_shut = split_flow(0, 0, 1500, rounded_flow);
     CHECK(both_shut.pump_psi == 4500);
     CHECK(both_shut.relief_in3_per_s == 175);
 
-    FlowSplit small_inlet = split_flow(0.01, 0, 2900, flow); // .01 * 100 * sqrt(1600) = 40
+    FlowSplit small_inlet = split_flow(0.01, 0, 2900, rounded_flow); // .01 * 100 * sqrt(1600) = 40
     CHECK(small_inlet.inlet_in3_per_s == doctest::Approx(40));
     CHECK(small_inlet.relief_in3_per_s == doctest::Approx(135));
 
-    FlowSplit overloaded = split_flow(0.2, 0, 5000, flow);
+    FlowSplit overloaded = split_flow(0.2, 0, 5000, rounded_flow);
     CHECK(overloaded.inlet_in3_per_s == 0);
     CHECK(overloaded.relief_in3_per_s == 175);
 }
@@ -76,12 +76,12 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
         double inlet_in2 = random.chance(0.1) ? 0 : 0.3 * random.uniform();
         double bypass_in2 = random.chance(0.1) ? 0 : 0.3 * random.uniform();
         double inlet_psi = -10 + 4000 * random.uniform() * random.uniform();
-        FlowSplit split = split_flow(inlet_in2, bypass_in2, inlet_psi, flow);
+        FlowSplit split = split_flow(inlet_in2, bypass_in2, inlet_psi, rounded_flow);
         CAPTURE(inlet_in2);
         CAPTURE(bypass_in2);
         CAPTURE(inlet_psi);
         double drop_in = std::max(split.pump_psi - inlet_psi, 0.0);
-        double drop_by = std::max(split.pump_psi - flow.tank_psi, 0.0);
+        double drop_by = std::max(split.pump_psi - rounded_flow.tank_psi, 0.0);
         CHECK(std::abs(split.inlet_in3_per_s - 100 * inlet_in2 * std::sqrt(drop_in)) < 1e-6 * 175);
         CHECK(std::abs(split.bypass_in3_per_s - 100 * bypass_in2 * std::sqrt(drop_by)) < 1e-6 * 175);
         double total = split.inlet_in3_per_s + split.bypass_in3_per_s + split.relief_in3_per_s;
@@ -90,7 +90,7 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
         CHECK(split.pump_psi <= 4500);
         shut += split.inlet_in3_per_s == 0;
         relieved += split.relief_in3_per_s > 0;
-        reversed += inlet_psi < flow.tank_psi;
+        reversed += inlet_psi < rounded_flow.tank_psi;
     }
     CHECK(shut > 100); // each case has been met
     CHECK(relieved > 100);
@@ -100,7 +100,7 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
 TEST_CASE("the path is predicted open where the split finds it open") {
     for (double spool_in = 0.189; spool_in < 0.25; spool_in += 0.0007) {
         CAPTURE(spool_in);
-        bool predicted = bypass_only_psi(boom_orifices(spool_in).bypass_in2, flow) > 1600;
+        bool predicted = bypass_only_psi(boom_orifices(spool_in).bypass_in2, rounded_flow) > 1600;
         CHECK((boom_split(spool_in, 1600).inlet_in3_per_s > 0) == predicted);
     }
 }

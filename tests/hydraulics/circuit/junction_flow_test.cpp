@@ -12,7 +12,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using test::flow;
+using test::rounded_flow;
 
 namespace {
 
@@ -22,7 +22,7 @@ Circuit bucket_then_boom() { return circuit_of(Configuration::a, {Link::bucket, 
 
 /// The junction's pressure beyond the bypass.
 double next_psi(const Circuit& circuit, std::size_t j, const std::vector<JunctionFlow>& flows) {
-    return circuit[j].through == Through::junction ? flows[circuit[j].next].psi : flow.tank_psi;
+    return circuit[j].through == Through::junction ? flows[circuit[j].next].psi : rounded_flow.tank_psi;
 }
 
 double inflow(const Circuit& circuit, std::size_t j, const std::vector<JunctionFlow>& flows) {
@@ -52,10 +52,10 @@ void check_solution(const Circuit& circuit, const std::vector<JunctionOpening>& 
         CHECK(at.inlet_in3_per_s >= 0);
         CHECK(at.bypass_in3_per_s >= 0);
         CHECK(at.relief_in3_per_s >= 0);
-        CHECK(at.psi <= flow.relief_psi);
+        CHECK(at.psi <= rounded_flow.relief_psi);
         if (at.relief_in3_per_s > 0) {
             CHECK(circuit[j].pumps > 0);
-            CHECK(at.psi == flow.relief_psi);
+            CHECK(at.psi == rounded_flow.relief_psi);
         }
     }
 }
@@ -99,7 +99,7 @@ MadeUp made_up(const Circuit& circuit, RandomStream& random) {
 } // namespace
 
 TEST_CASE("bucket and boom of configuration a: B.3 and B.4 at given pressures") {
-    auto flows = solve_junctions(bucket_then_boom(), {{{2000, 0.1, 0.068}, {1700, 0.096, 0.016}}}, flow);
+    auto flows = solve_junctions(bucket_then_boom(), {{{2000, 0.1, 0.068}, {1700, 0.096, 0.016}}}, rounded_flow);
     CHECK(std::abs(flows[0].psi - 2032.168) < 1e-3);
     CHECK(std::abs(flows[1].psi - 1729.594) < 1e-3);
     CHECK(std::abs(flows[0].inlet_in3_per_s - 56.7165) < 1e-3);
@@ -113,8 +113,8 @@ TEST_CASE("one junction is the flow split") {
     Circuit boom = circuit_of(Configuration::a, {Link::boom});
     for (int i = 0; i < 5000; ++i) {
         auto openings = random_openings(boom, random);
-        FlowSplit split = split_flow(openings[0].inlet_in2, openings[0].bypass_in2, openings[0].link_psi, flow);
-        auto flows = solve_junctions(boom, openings, flow);
+        FlowSplit split = split_flow(openings[0].inlet_in2, openings[0].bypass_in2, openings[0].link_psi, rounded_flow);
+        auto flows = solve_junctions(boom, openings, rounded_flow);
         CHECK(flows[0].psi == split.pump_psi);
         CHECK(flows[0].inlet_in3_per_s == split.inlet_in3_per_s);
         CHECK(flows[0].bypass_in3_per_s == split.bypass_in3_per_s);
@@ -130,7 +130,7 @@ TEST_CASE("any areas and pressures, in every configuration with every set of lin
             CAPTURE(std::string(1, name_of(configuration)));
             CAPTURE(circuit.size());
             auto openings = random_openings(circuit, random);
-            auto flows = solve_junctions(circuit, openings, flow);
+            auto flows = solve_junctions(circuit, openings, rounded_flow);
             check_solution(circuit, openings, flows);
             ++draws;
             for (std::size_t j = 0; j < circuit.size(); ++j) {
@@ -152,7 +152,7 @@ TEST_CASE("a solution made up first is found again, in every configuration with 
             CAPTURE(std::string(1, name_of(configuration)));
             CAPTURE(circuit.size());
             MadeUp made = made_up(circuit, random);
-            auto flows = solve_junctions(circuit, made.openings, flow);
+            auto flows = solve_junctions(circuit, made.openings, rounded_flow);
             for (std::size_t j = 0; j < circuit.size(); ++j) {
                 CHECK(flows[j].psi == doctest::Approx(made.flows[j].psi).epsilon(1e-9));
                 CHECK(flows[j].inlet_in3_per_s == doctest::Approx(made.flows[j].inlet_in3_per_s).epsilon(1e-7));
@@ -167,10 +167,10 @@ TEST_CASE("a heavier load on any link lowers no junction's pressure and adds not
     for (int round = 0; round < 50; ++round)
         for_each_circuit([&](Configuration, LinkSet, const Circuit& circuit) {
             auto openings = random_openings(circuit, random);
-            auto before = solve_junctions(circuit, openings, flow);
+            auto before = solve_junctions(circuit, openings, rounded_flow);
             auto link = static_cast<std::size_t>(random.uniform() * static_cast<double>(circuit.size()));
             openings[link].link_psi += 300 * random.uniform();
-            auto behind = solve_junctions(circuit, openings, flow);
+            auto behind = solve_junctions(circuit, openings, rounded_flow);
             for (std::size_t j = 0; j < circuit.size(); ++j)
                 CHECK(behind[j].psi >= before[j].psi - 1e-6);
             CHECK(behind[link].inlet_in3_per_s <= before[link].inlet_in3_per_s + 1e-4);
@@ -179,43 +179,43 @@ TEST_CASE("a heavier load on any link lowers no junction's pressure and adds not
 
 TEST_CASE("the bucket alone in configuration b takes its pump's whole flow, up to the relief pressure") {
     Circuit bucket = circuit_of(Configuration::b, {Link::bucket});
-    auto flows = solve_junctions(bucket, {{{1600, 0.1, 0.2}}}, flow); // the bypass is of no effect
+    auto flows = solve_junctions(bucket, {{{1600, 0.1, 0.2}}}, rounded_flow); // the bypass is of no effect
     CHECK(flows[0].inlet_in3_per_s == 175);
     CHECK(flows[0].psi == doctest::Approx(1600 + 17.5 * 17.5));
-    flows = solve_junctions(bucket, {{{4400, 0.1, 0.2}}}, flow);
+    flows = solve_junctions(bucket, {{{4400, 0.1, 0.2}}}, rounded_flow);
     CHECK(flows[0].psi == 4500);
     CHECK(flows[0].inlet_in3_per_s == doctest::Approx(100));
     CHECK(flows[0].relief_in3_per_s == doctest::Approx(75));
 }
 
 TEST_CASE("the boom alone in configuration d is fed by both pumps") {
-    auto flows = solve_junctions(circuit_of(Configuration::d, {Link::boom}), {{{9000, 0.1, 0.07}}}, flow);
+    auto flows = solve_junctions(circuit_of(Configuration::d, {Link::boom}), {{{9000, 0.1, 0.07}}}, rounded_flow);
     CHECK(flows[0].bypass_in3_per_s == 350);
     CHECK(flows[0].psi == doctest::Approx(25 + 50 * 50));
 }
 
 TEST_CASE("a junction that no flow reaches has the pressure before it") {
     // The bucket takes all: its own pressure stays below the tank's.
-    auto flows = solve_junctions(bucket_then_boom(), {{{-100, 2, 0.3}, {50, 0.1, 0.1}}}, flow);
+    auto flows = solve_junctions(bucket_then_boom(), {{{-100, 2, 0.3}, {50, 0.1, 0.1}}}, rounded_flow);
     CHECK(flows[0].psi == doctest::Approx(-100 + 0.875 * 0.875));
     CHECK(flows[1].psi == flows[0].psi);
     CHECK(flows[1].inlet_in3_per_s == 0);
     CHECK(flows[1].bypass_in3_per_s == 0);
     // A dead end: all of the boom's ways are shut.
-    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0.3}, {50, 0, 0}}}, flow);
+    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0.3}, {50, 0, 0}}}, rounded_flow);
     CHECK(flows[0].psi == doctest::Approx(1700 + 17.5 * 17.5));
     CHECK(flows[1].psi == flows[0].psi);
     // Cut off from the pump: where its own ways lead.
-    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0.1, 0.1}}}, flow);
+    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0.1, 0.1}}}, rounded_flow);
     CHECK(flows[1].psi == 25);
-    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0.1, 0}}}, flow);
+    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0.1, 0}}}, rounded_flow);
     CHECK(flows[1].psi == 50);
-    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0, 0}}}, flow);
+    flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0, 0}}}, rounded_flow);
     CHECK(flows[1].psi == 25);
 }
 
 TEST_CASE("all shut before the last junction: the pump's flow goes over its relief valve") {
-    auto flows = solve_junctions(bucket_then_boom(), {{{5000, 0.1, 0.1}, {5000, 0.1, 0}}}, flow);
+    auto flows = solve_junctions(bucket_then_boom(), {{{5000, 0.1, 0.1}, {5000, 0.1, 0}}}, rounded_flow);
     CHECK(flows[0].psi == 4500);
     CHECK(flows[0].relief_in3_per_s == 175);
     CHECK(flows[1].psi == 4500);

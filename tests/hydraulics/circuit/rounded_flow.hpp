@@ -5,6 +5,6 @@
 namespace placedpar::test {
 
 /// k 100, Q 175, P_e 25: the numbers of rounded_flow_constants().
-inline constexpr hydraulics::FlowConstants flow{100, 175, 25, 4500};
+inline constexpr hydraulics::FlowConstants rounded_flow{100, 175, 25, 4500};
 
 } // namespace placedpar::test

@@ -9,7 +9,7 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using test::flow;
+using test::rounded_flow;
 
 TEST_CASE("the circuit with the areas of the feedforward gives each link its flow, in every configuration") {
     for_each_circuit([](Configuration configuration, LinkSet, const Circuit& circuit) {
@@ -18,7 +18,7 @@ TEST_CASE("the circuit with the areas of the feedforward gives each link its flo
         std::vector<FlowTarget> targets;
         for (std::size_t j = 0; j < circuit.size(); ++j)
             targets.push_back({1500 + 170.0 * static_cast<double>(index_of(circuit[j].link)), 40});
-        auto flows = solve_junctions(circuit, openings_for(circuit, targets, flow, 30, 150), flow);
+        auto flows = solve_junctions(circuit, openings_for(circuit, targets, rounded_flow, 30, 150), rounded_flow);
         for (std::size_t j = 0; j < circuit.size(); ++j) {
             bool alone = circuit[j].through == Through::nowhere;
             CHECK(flows[j].inlet_in3_per_s == doctest::Approx(alone ? 175 : 40).epsilon(1e-9));
@@ -30,7 +30,7 @@ TEST_CASE("the circuit with the areas of the feedforward gives each link its flo
 
 TEST_CASE("the feedforward of bucket and boom, by hand") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
-    auto openings = openings_for(circuit, {{{1900, 50}, {1700, 55}}}, flow, 25, 175);
+    auto openings = openings_for(circuit, {{{1900, 50}, {1700, 55}}}, rounded_flow, 25, 175);
     CHECK(openings[1].inlet_in2 == doctest::Approx(55 / 500.0));          // P12 1725: 25 psi over the boom's inlet
     CHECK(openings[1].bypass_in2 == doctest::Approx(70 / 4123.1056256));  // sqrt(1700 psi) to the tank
     CHECK(openings[0].inlet_in2 == doctest::Approx(50 / 500.0));          // P11 1925 > 1725 + 175
@@ -39,8 +39,8 @@ TEST_CASE("the feedforward of bucket and boom, by hand") {
 
 TEST_CASE("what no areas can give is refused") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
-    CHECK_THROWS_WITH_AS(openings_for(circuit, {{{1900, 100}, {1700, 100}}}, flow, 25, 175),
+    CHECK_THROWS_WITH_AS(openings_for(circuit, {{{1900, 100}, {1700, 100}}}, rounded_flow, 25, 175),
                          "the boom needs 100 in^3/s, but only 75.0 reach its junction", UnfitScenario);
-    CHECK_THROWS_WITH_AS(openings_for(circuit, {{{4490, 50}, {1700, 50}}}, flow, 25, 175),
+    CHECK_THROWS_WITH_AS(openings_for(circuit, {{{4490, 50}, {1700, 50}}}, rounded_flow, 25, 175),
                          "the bucket needs 4515 psi at its junction, the relief valve opens at 4500", UnfitScenario);
 }

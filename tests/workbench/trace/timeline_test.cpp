@@ -1,4 +1,4 @@
-// What a run is told to a trace, and what stretches and messages become of it.
+// What a run is told to a trace, and what slices and messages become of it.
 
 #include "workbench/trace/timeline.hpp"
 
@@ -28,7 +28,7 @@ const char* word(Doing doing) {
 /// Notes what it is given as text.
 struct Notes final : TraceWriter {
     explicit Notes(const Tracks& t) : tracks(t) {}
-    void write(const Stretch& s) override {
+    void write(const Slice& s) override {
         std::string line = fmt::format("{}: {} {} to {}", tracks.all()[s.track].name, word(s.doing), s.begin / 1ns,
                                        s.open ? "the end" : std::to_string(s.end / 1ns));
         for (const Awaited& awaited : s.awaited)
