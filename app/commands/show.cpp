@@ -19,6 +19,7 @@ struct ShowOptions {
 ExitCode show(const ShowOptions& options) {
     Network network = load_network(options.netlist);
     print_out(options.format == "cfs"   ? print_cfs(network)
+              : options.format == "svg" ? print_svg(network)
               : options.format == "dot" ? print_dot(network)
                                         : print_json(network));
     return ExitCode::success;
@@ -27,8 +28,8 @@ ExitCode show(const ShowOptions& options) {
 Action declare_show(CLI::App& command, const std::string&) {
     auto options = std::make_shared<ShowOptions>();
     add_netlist(command, options->netlist);
-    command.add_option("--format", options->format, "the netlist language, Graphviz, or JSON")
-        ->check(CLI::IsMember({"cfs", "dot", "json"}))
+    command.add_option("--format", options->format, "the netlist language, a drawing, a drawing for Graphviz, or JSON")
+        ->check(CLI::IsMember({"cfs", "svg", "dot", "json"}))
         ->capture_default_str();
     return [options] { return show(*options); };
 }

@@ -50,10 +50,11 @@ struct NodeExecutive {
 
 /// How a device looks in the drawing of a network.
 struct Drawing {
-    enum class Shape { hidden, box, ellipse };
+    enum class Shape { box, crossed_box, ellipse };
     Shape shape = Shape::box;
-    std::string frame = "", heading = ""; ///< colours of a box
+    std::string frame = "", heading = ""; ///< colours of the border, and of what the name stands on
     bool in_first_row = false;
+    std::string legend = ""; ///< what it stands for
 };
 
 /// A kind of device that a netlist can declare nodes of. It says all that reading, checking and printing a netlist must

@@ -8,7 +8,7 @@ DeviceKind edge() {
             .about = "Where the network ends; what lies behind it is not simulated.",
             .models = {{.name = "edge"}},
             .links = LinkRole::edge,
-            .drawing = {.shape = Drawing::Shape::ellipse}};
+            .drawing = {.shape = Drawing::Shape::ellipse, .frame = "#777777", .legend = "edge of the network"}};
 }
 
 } // namespace placedpar

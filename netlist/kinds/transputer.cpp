@@ -116,7 +116,7 @@ DeviceKind transputer() {
             .kept = attributes_of_the_real_tool(),
             .runs_processes = true,
             .make_executive = make_transputer,
-            .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0"}};
+            .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "transputer with its processes"}};
 }
 
 } // namespace placedpar

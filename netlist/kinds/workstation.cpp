@@ -18,7 +18,7 @@ DeviceKind workstation() {
             .attributes = computer_attributes(),
             .kept = attributes_of_the_real_tool(),
             .runs_processes = true,
-            .drawing = {.frame = "#7a6a3b", .heading = "#f3e9c9", .in_first_row = true}};
+            .drawing = {.frame = "#7a6a3b", .heading = "#f3e9c9", .in_first_row = true, .legend = "workstation"}};
 }
 
 } // namespace placedpar

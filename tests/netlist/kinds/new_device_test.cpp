@@ -21,7 +21,7 @@ DeviceKind repeater() {
             .attributes = {{.value = real("gain", {.unit = "V/V", .by_default = 1.0, .least = 0, .most = 10}, "of it"),
                             .json_name = "gain"},
                            {.value = text("label", {.by_default = ""}, "on its case"), .json_name = "label"}},
-            .drawing = {.shape = Drawing::Shape::hidden}};
+            .drawing = {.shape = Drawing::Shape::crossed_box}};
 }
 
 ReadResult read(const std::string& text) {

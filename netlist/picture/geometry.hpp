@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar::picture {
+
+/// x grows to the right, y downwards.
+struct Point {
+    double x = 0, y = 0;
+
+    bool operator==(const Point&) const = default;
+};
+
+Point operator+(Point, Point);
+Point operator-(Point, Point);
+Point operator*(double, Point);
+double distance(Point, Point);
+
+struct Box {
+    Point centre;
+    double width = 0, height = 0;
+
+    double left() const { return centre.x - width / 2; }
+    double right() const { return centre.x + width / 2; }
+    double top() const { return centre.y - height / 2; }
+    double bottom() const { return centre.y + height / 2; }
+};
+
+/// Larger by this much on every side.
+Box grown(const Box&, double by);
+/// Whether they share more than a border.
+bool overlap(const Box&, const Box&);
+/// Whether some of the line from a to b lies within the box.
+bool crosses(const Box&, Point a, Point b);
+/// Where the line from a point in the box to one outside leaves it.
+Point way_out(const Box&, Point inside, Point outside);
+/// The smallest box that holds them all. REQUIRES: there is one.
+Box around(const std::vector<Box>&);
+
+} // namespace placedpar::picture

@@ -1,0 +1,29 @@
+#include "netlist/picture/picture.hpp"
+
+#include "netlist/picture/arrange.hpp"
+
+namespace placedpar::picture {
+
+Picture draw(const Network& network) {
+    auto spans = spans_of(network);
+    Picture picture;
+    picture.nodes = draw_nodes(network, spans, arrange(network, Wiring(network)));
+    picture.wires = draw_wires(network, spans, picture.nodes);
+    return picture;
+}
+
+Box extent_of(const Picture& picture) {
+    std::vector<Box> boxes;
+    for (const DrawnNode& node : picture.nodes)
+        boxes.push_back(node.box);
+    for (const DrawnWire& wire : picture.wires) {
+        for (const Path& path : wire.spans)
+            for (Point p : path)
+                boxes.push_back({p, 0, 0});
+        for (const LinkLabel& label : wire.links)
+            boxes.push_back(label.box);
+    }
+    return around(boxes);
+}
+
+} // namespace placedpar::picture

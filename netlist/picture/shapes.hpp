@@ -1,0 +1,31 @@
+#pragma once
+
+#include "netlist/picture/blocks.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace placedpar::picture {
+
+// Figures that nodes can stand in, in the order of the nodes. In each, any two nodes are a cell apart across or down.
+
+Shape row(std::size_t count);
+Shape column(std::size_t count);
+/// Rows of at most so many, every second one from right to left: neighbours stay neighbours.
+Shape snake(std::size_t count, std::size_t longest);
+/// Rows of about as many as there are rows, each from left to right.
+Shape rectangle(std::size_t count);
+/// Clockwise from the top; four of them are a square.
+Shape circle(std::size_t count);
+/// The same with room for a node in the centre.
+Shape star(std::size_t count);
+/// Each node below the one that it hangs from, which stands above the middle of all that hang from it. One node hangs
+/// from none (nowhere).
+Shape tree(const std::vector<std::size_t>& hangs_from);
+/// By subscripts: the last goes across, the one before it down, the one before that across again.
+Shape grid(const std::vector<std::vector<std::int64_t>>& subscripts);
+/// Of a hypercube: three dimensions as a cube is drawn, more as a torus, in the order of Gray's code.
+Shape hypercube(std::size_t dimensions);
+
+} // namespace placedpar::picture

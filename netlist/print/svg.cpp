@@ -1,0 +1,313 @@
+#include "netlist/kinds/device_kind.hpp"
+#include "netlist/picture/picture.hpp"
+#include "netlist/print/print.hpp"
+#include "netlist/print/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+using namespace picture;
+
+constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
+
+/// Readable in grey: what is drawn by colour is drawn by shape, too.
+constexpr const char* style =
+    R"(text { font-family: Helvetica, Arial, "DejaVu Sans", sans-serif; fill: #16202a; }
+.title { font-size: 14px; font-weight: bold; }
+.name { font-size: 13px; font-weight: bold; text-anchor: middle; }
+.facts, .key { font-size: 10px; }
+.facts { fill: #445566; text-anchor: middle; }
+.process { font-size: 11px; }
+.kind { font-size: 9px; fill: #667788; text-anchor: end; }
+.inside { font-size: 9px; fill: #667788; text-anchor: middle; }
+.link { font-size: 9px; fill: #16324a; text-anchor: middle; }
+.count { font-size: 10px; fill: #16324a; }
+.over { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; stroke-linejoin: round; }
+.frame { fill: #ffffff; stroke-width: 1.4; }
+.cross { stroke-width: 0.6; }
+.edge .frame { stroke-dasharray: 5 3; }
+.wire { fill: none; stroke: #3b5b7a; stroke-width: 1.6; }
+.idle { stroke: #8898a8; stroke-dasharray: 2 3; }
+.channels rect { fill: #ffffff; stroke: #3b5b7a; stroke-width: 0.8; }
+.channels path { fill: #3b5b7a; }
+)";
+
+/// For the text of an element or the value of an attribute.
+std::string xml(std::string_view text) {
+    std::string result;
+    for (char c : as_utf8(text))
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    return result;
+}
+
+/// To a tenth of a pixel.
+std::string number(double length) { return fmt::format("{}", std::round(length * 10) / 10 + 0.0); }
+
+std::string pair(Point p) { return number(p.x) + " " + number(p.y); }
+
+std::string rectangle_of(const Box& box, const std::string& attributes) {
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>", number(box.left()), number(box.top()),
+                       number(box.width), number(box.height), attributes);
+}
+
+std::string text_at(Point at, const char* style_class, std::string_view text) {
+    return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>", style_class, number(at.x), number(at.y),
+                       xml(text));
+}
+
+std::string tooltip(const std::string& text) { return "<title>" + xml(text) + "</title>"; }
+
+std::string crossed_box(const Box& box, const std::string& attributes, const std::string& colour) {
+    return rectangle_of(box, attributes) + fmt::format("<path class=\"cross\" d=\"M{} L{} M{} L{}\" stroke=\"{}\"/>",
+                                                       pair({box.left(), box.top()}), pair({box.right(), box.bottom()}),
+                                                       pair({box.left(), box.bottom()}),
+                                                       pair({box.right(), box.top()}), colour);
+}
+
+std::string ellipse(const Box& box, const std::string& attributes) {
+    return fmt::format("<ellipse cx=\"{}\" cy=\"{}\" rx=\"{}\" ry=\"{}\" {}/>", number(box.centre.x),
+                       number(box.centre.y), number(box.width / 2), number(box.height / 2), attributes);
+}
+
+std::string frame(const Box& box, const Drawing& drawing) {
+    std::string colours = fmt::format("class=\"frame\" stroke=\"{}\"", drawing.frame);
+    std::string filled = fmt::format("class=\"frame\" stroke=\"{}\" style=\"fill: {}\"", drawing.frame, drawing.heading);
+    switch (drawing.shape) {
+    case Drawing::Shape::crossed_box: return crossed_box(box, filled, drawing.frame);
+    case Drawing::Shape::ellipse: return ellipse(box, colours);
+    case Drawing::Shape::box: break;
+    }
+    std::string rounded = drawing.in_first_row ? " rx=\"10\"" : "";
+    if (box.height < heading_height + process_height)
+        return rectangle_of(box, filled + rounded);
+    Box heading{{box.centre.x, box.top() + 18}, box.width, 36};
+    return rectangle_of(box, colours + rounded) +
+           rectangle_of(heading, fmt::format("fill=\"{}\" stroke=\"{}\"{}", drawing.heading, drawing.frame, rounded));
+}
+
+/// A line that turns its corners in curves.
+std::string curved(const Path& path) {
+    std::string data = "M" + pair(path.front());
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        Point before = path[i - 1] - path[i], after = path[i + 1] - path[i];
+        double reach = std::min({curve, distance({}, before) / 2, distance({}, after) / 2});
+        data += fmt::format(" L{} Q{} {}", pair(path[i] + (reach / distance({}, before)) * before), pair(path[i]),
+                            pair(path[i] + (reach / distance({}, after)) * after));
+    }
+    return data + " L" + pair(path.back());
+}
+
+/// Points to the right, below, to the left or above; about 7 pixels long.
+std::string arrow(Point centre, bool upright, bool onward) {
+    Point along = upright ? Point{0, 1} : Point{1, 0}, aside{along.y, along.x};
+    Point tip = centre + (onward ? 3.5 : -3.5) * along, back = centre - (onward ? 3 : -3) * along;
+    return fmt::format("<path d=\"M{} L{} L{} Z\"/>", pair(tip), pair(back + 3.2 * aside), pair(back - 3.2 * aside));
+}
+
+class SvgPrinter {
+public:
+    explicit SvgPrinter(const Network& network) : n_(network), picture_(draw(network)), carried_(channels_on_wires()) {}
+
+    std::string print() {
+        Box drawing = n_.nodes.empty() ? Box{} : extent_of(picture_);
+        std::string legend = print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
+        std::string title = title_of();
+        double width = std::max({drawing.width, legend_right_ - drawing.left(), width_of(title, 14, true)}) + 2 * border;
+        double top = drawing.top() - border - title_height, height = legend_bottom_ - top + border;
+        text_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"{}\" "
+                            "height=\"{}\">\n<style>\n{}</style>\n",
+                            number(drawing.left() - border), number(top), number(width), number(height), number(width),
+                            number(height), style);
+        text_ += rectangle_of({{drawing.left() - border + width / 2, top + height / 2}, width, height},
+                              "fill=\"#ffffff\"") + "\n";
+        text_ += text_at({drawing.left(), top + border}, "title", title) + "\n";
+        for (std::size_t i = 0; i < n_.nodes.size(); ++i)
+            print_frame(i);
+        for (std::size_t i = 0; i < n_.connections.size(); ++i)
+            print_wire(i);
+        for (std::size_t i = 0; i < n_.nodes.size(); ++i)
+            print_texts(i);
+        for (const DrawnWire& wire : picture_.wires)
+            print_labels(wire);
+        return std::move(text_) + legend + "</svg>\n";
+    }
+
+private:
+    static std::string counted(std::size_t count, const std::string& one, const std::string& more) {
+        return fmt::format("{} {}", count, count == 1 ? one : more);
+    }
+
+    std::string title_of() const {
+        return fmt::format("{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
+                           counted(count_processors(n_), "processor", "processors"),
+                           counted(n_.connections.size(), "wire", "wires"),
+                           counted(n_.processes.size(), "process", "processes"),
+                           counted(n_.channels.size(), "channel", "channels"));
+    }
+
+    /// The names of the channels on each wire.
+    std::vector<std::string> channels_on_wires() const {
+        std::vector<std::string> names(n_.connections.size());
+        for (const NetworkChannel& channel : n_.channels)
+            if (channel.placement.kind != ChannelPlacement::Kind::soft)
+                names[channel.placement.connection] += "\n" + channel.name;
+        return names;
+    }
+
+    void print_frame(std::size_t index) {
+        const Node& node = n_.nodes[index];
+        text_ += fmt::format("<g class=\"node {}\" data-node=\"{}\">{}{}</g>\n", xml(class_of(*node.kind)),
+                             xml(node.name), tooltip(node.name + " (" + node.type + ")"),
+                             frame(picture_.nodes[index].box, node.kind->drawing));
+    }
+
+    static std::string class_of(const DeviceKind& kind) { return kind.links == LinkRole::edge ? "edge" : kind.name; }
+
+    void print_wire(std::size_t index) {
+        const LinkConnection& wire = n_.connections[index];
+        std::string ends = link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
+        std::string about = fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
+        text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">", carried_[index].empty() ? " idle" : "",
+                             xml(ends), data_of(picture_.wires[index])) +
+                 tooltip_lines(about + carried_[index]) + "</path>\n";
+    }
+
+    static std::string tooltip_lines(const std::string& text) {
+        std::string lines;
+        for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
+            end = text.find('\n', start);
+            lines += (start == 0 ? "" : "\n") + xml(text.substr(start, end - start));
+        }
+        return "<title>" + lines + "</title>";
+    }
+
+    /// Within a switch, a straight line leads from one link to the other.
+    static std::string data_of(const DrawnWire& wire) {
+        std::string data;
+        for (const Path& path : wire.spans)
+            data += (data.empty() ? "" : " L" + pair(path.front()) + " ") + curved(path);
+        return data;
+    }
+
+    void print_texts(std::size_t index) {
+        const DrawnNode& node = picture_.nodes[index];
+        const Drawing& drawing = n_.nodes[index].kind->drawing;
+        bool headed = drawing.shape == Drawing::Shape::box;
+        bool only_heading = node.box.height < heading_height + process_height;
+        double top = headed && !only_heading ? node.box.top() : node.box.centre.y - (node.facts.empty() ? 9 : 18);
+        const char* over = drawing.shape == Drawing::Shape::crossed_box ? " over" : "";
+        text_ += "<g class=\"texts\">";
+        text_ += text_at({node.box.centre.x, top + (node.facts.empty() ? 14 : 16)}, fmt::format("name{}", over).c_str(),
+                         node.name);
+        if (!node.facts.empty())
+            text_ += text_at({node.box.centre.x, top + 29}, fmt::format("facts{}", over).c_str(), node.facts);
+        for (const ProcessLine& line : node.processes)
+            print_process(line);
+        if (!node.inside.empty())
+            text_ += text_at({node.box.centre.x, node.box.bottom() - 6}, "inside", node.inside);
+        text_ += "</g>\n";
+    }
+
+    void print_process(const ProcessLine& line) {
+        const ProcessInstance& process = n_.processes[line.process];
+        text_ += fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", xml(process.name),
+                             tooltip(process.name + ", " + (process.kind.empty() ? "no program" : process.kind)),
+                             text_at(line.at, "process", line.name),
+                             text_at({line.kind_at, line.at.y}, "kind", line.kind));
+    }
+
+    void print_labels(const DrawnWire& wire) {
+        for (const LinkLabel& link : wire.links)
+            text_ += text_at({link.box.centre.x, link.box.bottom() - 1.5}, "link over", link.text) + "\n";
+        if (wire.channels)
+            text_ += print_count(*wire.channels) + "\n";
+    }
+
+    /// In the way of the channels: back on the left, onward on the right.
+    static std::string print_count(const ChannelCount& count) {
+        std::string out = "<g class=\"channels\">" + rectangle_of(count.box, "rx=\"4\"");
+        if (count.back > 0)
+            out += print_half(count, count.box.left() + 4, count.back, false);
+        if (count.onward > 0)
+            out += print_half(count, count.box.right() - 4, count.onward, true);
+        return out + "</g>";
+    }
+
+    /// With its arrow at the outer end.
+    static std::string print_half(const ChannelCount& count, double end, std::size_t channels, bool onward) {
+        auto digits = fmt::format("{}", channels);
+        Point text{onward ? end - arrow_width - digit_width * static_cast<double>(digits.size()) : end + arrow_width,
+                   count.box.centre.y + 3.5};
+        return arrow({end + (onward ? -3.5 : 3.5), count.box.centre.y}, count.upright, onward) +
+               text_at(text, "count", digits);
+    }
+
+    /// One after the other from this corner on, in lines of at most this width.
+    std::string print_legend(Point corner, double width) {
+        legend_start_ = legend_at_ = corner;
+        legend_width_ = width;
+        std::set<std::string> seen;
+        for (const Node& node : n_.nodes)
+            if (seen.insert(node.kind->name).second)
+                add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend, class_of(*node.kind));
+        add_wires_to_legend();
+        if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority))
+            add_to_legend(12, text_at({2, 4}, "process", "!"), "process of high priority");
+        legend_bottom_ = legend_at_.y + 8;
+        return std::move(legend_);
+    }
+
+    void add_wires_to_legend() {
+        auto idle = [](const std::string& channels) { return channels.empty(); };
+        if (!std::ranges::all_of(carried_, idle)) {
+            add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>", "wire that carries channels");
+            add_to_legend(48, print_count({{{22, 0}, width_of_count(2, 1), 14}, 1, 2, false}), "how many, each way");
+        }
+        if (std::ranges::any_of(carried_, idle))
+            add_to_legend(40, "<path class=\"wire idle\" d=\"M0 0 L36 0\"/>", "wire without a channel");
+        if (!carried_.empty())
+            add_to_legend(12, text_at({5, 3}, "link", "0"), "number of a link");
+    }
+
+    void add_to_legend(double room, const std::string& sign, const std::string& about, const std::string& kind = "") {
+        double width = room + width_of(about, fact_size) + 20;
+        if (legend_at_.x > legend_start_.x && legend_at_.x + width > legend_start_.x + legend_width_)
+            legend_at_ = {legend_start_.x, legend_at_.y + legend_line};
+        legend_ += fmt::format("<g class=\"legend {}\" transform=\"translate({} {})\">{}{}</g>\n", xml(kind),
+                               number(legend_at_.x), number(legend_at_.y), sign, text_at({room, 3.5}, "key", about));
+        legend_at_.x += width;
+        legend_right_ = std::max(legend_right_, legend_at_.x);
+    }
+
+    const Network& n_;
+    Picture picture_;
+    std::vector<std::string> carried_; ///< by each wire; "" where there is none
+    std::string text_, legend_;
+    Point legend_start_, legend_at_;
+    double legend_width_ = 0, legend_right_ = 0, legend_bottom_ = 0;
+};
+
+} // namespace
+
+std::string print_svg(const Network& network) { return SvgPrinter(network).print(); }
+
+} // namespace placedpar
