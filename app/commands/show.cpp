@@ -2,6 +2,7 @@
 #include "app/options/netlist_options.hpp"
 #include "netlist/print/print.hpp"
 #include "text/output_file.hpp"
+#include "workbench/picture/svg.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -11,7 +11,10 @@ DeviceKind crossbar() {
             .models = {{.name = "C004", .links = 32}},
             .links = LinkRole::crosses,
             .crossing_delay = 175,
-            .drawing = {.shape = Drawing::Shape::crossed_box, .frame = "#4b6b3b", .heading = "#dfeed6", .legend = "crossbar switch"}};
+            .drawing = {.shape = Drawing::Shape::crossed_box,
+                        .frame = "#4b6b3b",
+                        .heading = "#dfeed6",
+                        .legend = "crossbar switch"}};
 }
 
 } // namespace placedpar

@@ -12,9 +12,6 @@ namespace placedpar {
 std::string print_cfs(const Network& network);
 /// For Graphviz: processors as boxes with their processes, wires labelled with their links.
 std::string print_dot(const Network& network);
-/// A drawing in SVG: nodes where their subscripts put them, with their processes; wires with the numbers of their links and
-/// the channels they carry; a legend.
-std::string print_svg(const Network& network);
 /// One JSON document with keys in a fixed order; ends with a newline.
 std::string print_json(const Network& network);
 

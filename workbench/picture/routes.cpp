@@ -1,4 +1,4 @@
-#include "netlist/picture/routes.hpp"
+#include "workbench/picture/routes.hpp"
 
 #include "netlist/network/names.hpp"
 
@@ -79,8 +79,6 @@ private:
 
     void draw_straight(std::size_t index) {
         const Span& span = spans_[index];
-        if (span.from.node == span.to.node)
-            return;
         Path path = level(span);
         if (path.empty())
             path = upright(span);
@@ -162,8 +160,10 @@ private:
         for (const Path& path : paths_)
             raster.add(path);
         for (const Box& label : labels_)
-            raster.block(label);
-        auto length = [&](std::size_t i) { return distance(box_of(spans_[i].from).centre, box_of(spans_[i].to).centre); };
+            raster.block(grown(label, pitch / 2));
+        auto length = [&](std::size_t i) {
+            return distance(box_of(spans_[i].from).centre, box_of(spans_[i].to).centre);
+        };
         std::ranges::stable_sort(left, {}, length);
         for (auto index : left)
             draw_around(index, raster);
@@ -185,8 +185,6 @@ private:
 
     std::pair<Sides, Sides> sides_of(const Span& span) const {
         const Box &a = box_of(span.from), &b = box_of(span.to);
-        if (span.from.node == span.to.node)
-            return {{.right = false, .below = false, .left = false}, {.below = false, .left = false, .above = false}};
         bool row = a.centre.y == b.centre.y && is_outmost(span, &Point::y, &Point::x);
         bool column = a.centre.x == b.centre.x && is_outmost(span, &Point::x, &Point::y);
         if (!row && !column)

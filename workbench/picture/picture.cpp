@@ -1,6 +1,6 @@
-#include "netlist/picture/picture.hpp"
+#include "workbench/picture/picture.hpp"
 
-#include "netlist/picture/arrange.hpp"
+#include "workbench/picture/arrange.hpp"
 
 namespace placedpar::picture {
 

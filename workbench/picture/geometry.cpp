@@ -1,4 +1,4 @@
-#include "netlist/picture/geometry.hpp"
+#include "workbench/picture/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
-#include "netlist/picture/blocks.hpp"
+#include "workbench/picture/blocks.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
-#include "netlist/picture/shapes.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -49,7 +48,7 @@ public:
     /// What each hangs from, if the nodes are wired into a tree; the one that a wire leads to from elsewhere is its
     /// root, or the first one. Empty where they are not.
     std::vector<std::size_t> tree() const {
-        std::vector<std::size_t> above(nodes_.size(), nowhere);
+        std::vector<std::size_t> above(nodes_.size(), no_node);
         std::vector<std::size_t> reached{root()};
         std::set<std::size_t> seen{root()};
         for (std::size_t next = 0; next < reached.size(); ++next)
@@ -191,9 +190,7 @@ private:
         blocks_.push_back({nodes, shapes_in_order(Pattern(n_, wiring_, nodes), nodes.size())});
     }
 
-    bool is_single_processor(std::size_t node) const {
-        return is_single(node) && n_.nodes[node].kind->make_executive;
-    }
+    bool is_single_processor(std::size_t node) const { return is_single(node) && n_.nodes[node].kind->make_executive; }
 
     /// The single processors that a single processor is wired to, each once; none for other nodes.
     std::set<std::size_t> singles_beside(std::size_t node) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "netlist/picture/geometry.hpp"
+#include "workbench/picture/geometry.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
-#include "netlist/picture/arrange.hpp"
+#include "workbench/picture/arrange.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
-#include "netlist/picture/blocks.hpp"
+#include "workbench/picture/blocks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "netlist/picture/wiring.hpp"
+#include "workbench/picture/wiring.hpp"
 
 namespace placedpar::picture {
 
@@ -24,8 +24,6 @@ std::vector<Span> spans_of(const Network& network) {
 
 Wiring::Wiring(const Network& network) : neighbours_(network.nodes.size()) {
     for (const Span& span : spans_of(network)) {
-        if (span.from.node == span.to.node)
-            continue;
         neighbours_[span.from.node].push_back(span.to.node);
         neighbours_[span.to.node].push_back(span.from.node);
         pairs_.emplace(span.from.node, span.to.node);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "netlist/network/network.hpp"
-#include "netlist/picture/boxes.hpp"
-#include "netlist/picture/routes.hpp"
+#include "workbench/picture/boxes.hpp"
+#include "workbench/picture/routes.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "netlist/picture/raster.hpp"
+#include "workbench/picture/raster.hpp"
 
-#include "netlist/picture/boxes.hpp"
+#include "workbench/picture/boxes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace placedpar::picture {
 namespace {
 
 /// In steps of a pitch: a bend is worth a detour, and so is not to cross a wire or to run close to a box.
-constexpr unsigned step_cost = 1, bend_cost = 4, crossing_cost = 3, near_cost = 2;
+constexpr unsigned step_cost = 1, bend_cost = 4, crossing_cost = 1, near_cost = 2;
 constexpr std::size_t most_points = 4'000'000, most_steps = 40'000'000;
 
 constexpr std::ptrdiff_t across_of[] = {1, 0, -1, 0}, down_of[] = {0, 1, 0, -1};
@@ -51,7 +51,9 @@ Point Raster::point_of(std::size_t index) const {
 
 template <class Change>
 void Raster::mark(const Box& box, Change change) {
-    auto first = [](double from, double origin) { return static_cast<std::ptrdiff_t>(std::ceil((from - origin) / pitch)); };
+    auto first = [](double from, double origin) {
+        return static_cast<std::ptrdiff_t>(std::ceil((from - origin) / pitch));
+    };
     auto last = [](double to, double origin) { return static_cast<std::ptrdiff_t>(std::floor((to - origin) / pitch)); };
     for (auto line = first(box.top(), origin_.y); line <= last(box.bottom(), origin_.y); ++line)
         for (auto column = first(box.left(), origin_.x); column <= last(box.right(), origin_.x); ++column)

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "netlist/network/network.hpp"
-#include "netlist/picture/geometry.hpp"
-#include "netlist/picture/wiring.hpp"
+#include "workbench/picture/geometry.hpp"
+#include "workbench/picture/wiring.hpp"
 
 #include <cstddef>
 #include <string>

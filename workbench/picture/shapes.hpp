@@ -1,12 +1,18 @@
 #pragma once
 
-#include "netlist/picture/blocks.hpp"
+#include "workbench/picture/geometry.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace placedpar::picture {
+
+/// Where the nodes of a block can stand, each relative to the block, in cells: a node takes a cell of its own.
+using Shape = std::vector<Point>;
+
+/// The node that a tree's root hangs from.
+inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
 // Figures that nodes can stand in, in the order of the nodes. In each, any two nodes are a cell apart across or down.
 
@@ -20,8 +26,8 @@ Shape rectangle(std::size_t count);
 Shape circle(std::size_t count);
 /// The same with room for a node in the centre.
 Shape star(std::size_t count);
-/// Each node below the one that it hangs from, which stands above the middle of all that hang from it. One node hangs
-/// from none (nowhere).
+/// Each node below the one that it hangs from, which stands above the middle of all that hang from it. The
+/// root hangs from no_node.
 Shape tree(const std::vector<std::size_t>& hangs_from);
 /// By subscripts: the last goes across, the one before it down, the one before that across again.
 Shape grid(const std::vector<std::vector<std::int64_t>>& subscripts);

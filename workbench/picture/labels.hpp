@@ -1,7 +1,7 @@
 #pragma once
 
-#include "netlist/picture/geometry.hpp"
-#include "netlist/picture/raster.hpp"
+#include "workbench/picture/geometry.hpp"
+#include "workbench/picture/raster.hpp"
 
 #include <cstddef>
 #include <map>

@@ -1,4 +1,4 @@
-#include "netlist/picture/boxes.hpp"
+#include "workbench/picture/boxes.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
@@ -109,8 +109,8 @@ private:
 
     Size size_of(std::size_t index) const {
         const DrawnNode& node = nodes_[index];
-        double text = std::max({width_of(node.name, name_size, true), width_of(node.facts, fact_size),
-                                width_of(node.inside, kind_size)});
+        double text = std::max(
+            {width_of(node.name, name_size, true), width_of(node.facts, fact_size), width_of(node.inside, kind_size)});
         auto columns = columns_of(node);
         double width = std::max(text, static_cast<double>(columns) * width_of_column(node)) + 2 * inset;
         auto rows = std::min(node.processes.size(), most_in_column) + (node.inside.empty() ? 0 : 1);

@@ -1,7 +1,8 @@
+#include "workbench/picture/svg.hpp"
+
 #include "netlist/kinds/device_kind.hpp"
-#include "netlist/picture/picture.hpp"
-#include "netlist/print/print.hpp"
 #include "netlist/print/text.hpp"
+#include "workbench/picture/picture.hpp"
 
 #include <fmt/format.h>
 
@@ -79,8 +80,8 @@ std::string tooltip(const std::string& text) { return "<title>" + xml(text) + "<
 std::string crossed_box(const Box& box, const std::string& attributes, const std::string& colour) {
     return rectangle_of(box, attributes) + fmt::format("<path class=\"cross\" d=\"M{} L{} M{} L{}\" stroke=\"{}\"/>",
                                                        pair({box.left(), box.top()}), pair({box.right(), box.bottom()}),
-                                                       pair({box.left(), box.bottom()}),
-                                                       pair({box.right(), box.top()}), colour);
+                                                       pair({box.left(), box.bottom()}), pair({box.right(), box.top()}),
+                                                       colour);
 }
 
 std::string ellipse(const Box& box, const std::string& attributes) {
@@ -90,7 +91,8 @@ std::string ellipse(const Box& box, const std::string& attributes) {
 
 std::string frame(const Box& box, const Drawing& drawing) {
     std::string colours = fmt::format("class=\"frame\" stroke=\"{}\"", drawing.frame);
-    std::string filled = fmt::format("class=\"frame\" stroke=\"{}\" style=\"fill: {}\"", drawing.frame, drawing.heading);
+    std::string filled =
+        fmt::format("class=\"frame\" stroke=\"{}\" style=\"fill: {}\"", drawing.frame, drawing.heading);
     switch (drawing.shape) {
     case Drawing::Shape::crossed_box: return crossed_box(box, filled, drawing.frame);
     case Drawing::Shape::ellipse: return ellipse(box, colours);
@@ -129,16 +131,19 @@ public:
 
     std::string print() {
         Box drawing = n_.nodes.empty() ? Box{} : extent_of(picture_);
-        std::string legend = print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
+        std::string legend =
+            print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
         std::string title = title_of();
-        double width = std::max({drawing.width, legend_right_ - drawing.left(), width_of(title, 14, true)}) + 2 * border;
+        double width =
+            std::max({drawing.width, legend_right_ - drawing.left(), width_of(title, 14, true)}) + 2 * border;
         double top = drawing.top() - border - title_height, height = legend_bottom_ - top + border;
         text_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"{}\" "
                             "height=\"{}\">\n<style>\n{}</style>\n",
                             number(drawing.left() - border), number(top), number(width), number(height), number(width),
                             number(height), style);
-        text_ += rectangle_of({{drawing.left() - border + width / 2, top + height / 2}, width, height},
-                              "fill=\"#ffffff\"") + "\n";
+        text_ +=
+            rectangle_of({{drawing.left() - border + width / 2, top + height / 2}, width, height}, "fill=\"#ffffff\"") +
+            "\n";
         text_ += text_at({drawing.left(), top + border}, "title", title) + "\n";
         for (std::size_t i = 0; i < n_.nodes.size(); ++i)
             print_frame(i);
@@ -157,11 +162,10 @@ private:
     }
 
     std::string title_of() const {
-        return fmt::format("{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
-                           counted(count_processors(n_), "processor", "processors"),
-                           counted(n_.connections.size(), "wire", "wires"),
-                           counted(n_.processes.size(), "process", "processes"),
-                           counted(n_.channels.size(), "channel", "channels"));
+        return fmt::format(
+            "{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
+            counted(count_processors(n_), "processor", "processors"), counted(n_.connections.size(), "wire", "wires"),
+            counted(n_.processes.size(), "process", "processes"), counted(n_.channels.size(), "channel", "channels"));
     }
 
     /// The names of the channels on each wire.
@@ -186,8 +190,8 @@ private:
         const LinkConnection& wire = n_.connections[index];
         std::string ends = link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
         std::string about = fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
-        text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">", carried_[index].empty() ? " idle" : "",
-                             xml(ends), data_of(picture_.wires[index])) +
+        text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">",
+                             carried_[index].empty() ? " idle" : "", xml(ends), data_of(picture_.wires[index])) +
                  tooltip_lines(about + carried_[index]) + "</path>\n";
     }
 
@@ -229,10 +233,10 @@ private:
 
     void print_process(const ProcessLine& line) {
         const ProcessInstance& process = n_.processes[line.process];
-        text_ += fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", xml(process.name),
-                             tooltip(process.name + ", " + (process.kind.empty() ? "no program" : process.kind)),
-                             text_at(line.at, "process", line.name),
-                             text_at({line.kind_at, line.at.y}, "kind", line.kind));
+        text_ +=
+            fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", xml(process.name),
+                        tooltip(process.name + ", " + (process.kind.empty() ? "no program" : process.kind)),
+                        text_at(line.at, "process", line.name), text_at({line.kind_at, line.at.y}, "kind", line.kind));
     }
 
     void print_labels(const DrawnWire& wire) {
@@ -268,7 +272,8 @@ private:
         std::set<std::string> seen;
         for (const Node& node : n_.nodes)
             if (seen.insert(node.kind->name).second)
-                add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend, class_of(*node.kind));
+                add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend,
+                              class_of(*node.kind));
         add_wires_to_legend();
         if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority))
             add_to_legend(12, text_at({2, 4}, "process", "!"), "process of high priority");

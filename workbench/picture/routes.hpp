@@ -1,9 +1,9 @@
 #pragma once
 
-#include "netlist/picture/boxes.hpp"
-#include "netlist/picture/labels.hpp"
-#include "netlist/picture/raster.hpp"
-#include "netlist/picture/wiring.hpp"
+#include "workbench/picture/boxes.hpp"
+#include "workbench/picture/labels.hpp"
+#include "workbench/picture/raster.hpp"
+#include "workbench/picture/wiring.hpp"
 
 #include <optional>
 #include <string>

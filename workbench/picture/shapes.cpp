@@ -1,4 +1,4 @@
-#include "netlist/picture/shapes.hpp"
+#include "workbench/picture/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ public:
     }
 
     Shape find() {
-        put(below_[nowhere].front(), 0);
+        put(below_[no_node].front(), 0);
         return std::move(shape_);
     }
 
@@ -131,9 +131,7 @@ Shape rectangle(std::size_t count) {
     return shape_of(count, [&](std::size_t i) -> Point { return {as_cells(i % length), as_cells(i / length)}; });
 }
 
-Shape circle(std::size_t count) {
-    return smallest_circle(count, neighbours_have_room);
-}
+Shape circle(std::size_t count) { return smallest_circle(count, neighbours_have_room); }
 
 Shape star(std::size_t count) {
     return smallest_circle(count,

@@ -1,15 +1,12 @@
 #pragma once
 
-#include "netlist/picture/geometry.hpp"
-#include "netlist/picture/wiring.hpp"
+#include "workbench/picture/shapes.hpp"
+#include "workbench/picture/wiring.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace placedpar::picture {
-
-/// Where the nodes of a block can stand, each relative to the block, in cells: a node takes a cell of its own.
-using Shape = std::vector<Point>;
 
 /// Nodes that are drawn as one figure: an array, or single nodes that are wired into a line or a ring.
 struct Block {

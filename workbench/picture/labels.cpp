@@ -1,4 +1,4 @@
-#include "netlist/picture/labels.hpp"
+#include "workbench/picture/labels.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "netlist/picture/geometry.hpp"
-#include "netlist/picture/wiring.hpp"
+#include "workbench/picture/geometry.hpp"
+#include "workbench/picture/wiring.hpp"
 
 #include <vector>
 

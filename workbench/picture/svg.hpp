@@ -1,0 +1,13 @@
+#pragma once
+
+#include "netlist/network/network.hpp"
+
+#include <string>
+
+namespace placedpar {
+
+/// The network drawn as SVG: nodes where their subscripts put them, with their processes; wires with the numbers of
+/// their links and the channels that they carry; a legend. The same network gives the same bytes.
+std::string print_svg(const Network& network);
+
+} // namespace placedpar
