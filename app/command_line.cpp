@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 
+#include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
@@ -19,8 +20,23 @@ namespace placedpar {
 
 namespace {
 
-bool is_command(const CLI::App& app, std::string_view name) {
-    return std::ranges::any_of(app.get_subcommands({}), [&](const CLI::App* each) { return each->get_name() == name; });
+std::vector<std::string> commands_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* each : app.get_subcommands({}))
+        names.push_back(each->get_name());
+    return names;
+}
+
+/// As they are typed: "--seed", "-I".
+std::vector<std::string> options_of(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+        for (const std::string& name : option->get_snames())
+            names.push_back("-" + name);
+    }
+    return names;
 }
 
 /// The command line as it was typed, whatever the program's file is called.
@@ -38,8 +54,23 @@ void declare(CLI::App& app, const Command& command, const std::string& command_l
 }
 
 void require_command(const CLI::App& app, int argc, char** argv) {
-    if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
-        throw UserError(fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
+    std::vector<std::string> commands = commands_of(app);
+    if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end())
+        throw UserError(there_is_no("command", argv[1], commands, "say placedpar --help for those there are"));
+}
+
+/// Of arguments that no option takes. Throws UserError.
+[[noreturn]] void refuse_extras(const CLI::App& app) {
+    auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    std::string name = "placedpar" + (chosen.empty() ? "" : " " + command.get_name());
+    std::vector<std::string> extras = command.remaining();
+    auto option =
+        std::ranges::find_if(extras, [](const std::string& each) { return each.size() > 1 && each[0] == '-'; });
+    if (option != extras.end())
+        throw UserError(there_is_no("option", option->substr(0, option->find('=')), options_of(command),
+                                    fmt::format("say {} --help for those there are", name)));
+    throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
 
 /// Parses the command line. What it chose is then in `chosen`, or it was wrong, or asked for help.
@@ -47,6 +78,8 @@ ExitCode parse(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
         return ExitCode::success;
+    } catch (const CLI::ExtrasError&) {
+        refuse_extras(app);
     } catch (const CLI::ParseError& error) {
         std::ostringstream help, wrong;
         bool asked_for_help = app.exit(error, help, wrong) == 0;

@@ -1,5 +1,7 @@
 #include "text/nearest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -57,6 +59,12 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
 std::string did_you_mean(std::string_view wanted, const std::vector<std::string>& candidates) {
     auto best = nearest_name(wanted, candidates);
     return best.empty() ? "" : "did you mean \"" + best + "\"?";
+}
+
+std::string there_is_no(std::string_view what, std::string_view wanted, const std::vector<std::string>& candidates,
+                        std::string_view otherwise) {
+    auto suggestion = did_you_mean(wanted, candidates);
+    return fmt::format("there is no {} \"{}\"; {}", what, wanted, suggestion.empty() ? otherwise : suggestion);
 }
 
 } // namespace placedpar

@@ -1,7 +1,7 @@
 #include "workbench/kinds_report.hpp"
 
 #include "netlist/kinds/catalogue.hpp"
-#include "text/user_error.hpp"
+#include "workbench/kinds_choice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,12 +33,8 @@ std::string print_range(const ParameterDescription& parameter) {
     return least + " .. " + most;
 }
 
-const char* type_name(ParameterType type) {
-    return type == ParameterType::integer ? "int" : type == ParameterType::real ? "double" : "string";
-}
-
 std::string print_parameter(const ParameterDescription& p, const std::optional<Value>& by_default) {
-    return fmt::format("  {:<28} {:<7} default {:<14} {:<28} {}\n", p.name, type_name(p.type),
+    return fmt::format("  {:<28} {:<7} default {:<14} {:<28} {}\n", p.name, word(p.type),
                        by_default ? print_value(*by_default) : "none", print_range(p), p.unit) +
            fmt::format("  {:<28} {}\n", "", p.about);
 }
@@ -103,10 +99,17 @@ std::string print_device_lines(const DeviceKind& kind) {
     return print_line(kind.name, about) + print_line("", fmt::format("{}", fmt::join(names, " ")));
 }
 
-std::string print_process_lines(const Catalogue& catalogue) {
+std::string print_process_lines(const std::vector<const ProcessKind*>& kinds) {
     std::string out;
-    for (const auto& [name, kind] : catalogue.kinds())
-        out += print_line(name, kind.about);
+    for (const ProcessKind* kind : kinds)
+        out += print_line(kind->name, kind->about);
+    return out;
+}
+
+std::string print_devices(const Catalogue& catalogue) {
+    std::string out = "devices\n";
+    for (const auto& [name, kind] : catalogue.devices())
+        out += print_device_lines(*kind);
     return out;
 }
 
@@ -160,10 +163,7 @@ std::string print_device(const std::string& name, const NodeType& type) {
 } // namespace
 
 std::string print_kinds(const Catalogue& catalogue) {
-    std::string out = "processes\n" + print_process_lines(catalogue) + "\ndevices\n";
-    for (const auto& [name, kind] : catalogue.devices())
-        out += print_device_lines(*kind);
-    return out;
+    return "processes\n" + print_process_lines(group_of(catalogue, processes_group)) + "\n" + print_devices(catalogue);
 }
 
 std::string print_kind(const Catalogue& catalogue, const std::string& name) {
@@ -171,8 +171,11 @@ std::string print_kind(const Catalogue& catalogue, const std::string& name) {
         return print_process(*kind);
     if (auto type = catalogue.node_types().find(name); type != catalogue.node_types().end())
         return print_device(name, type->second);
-    throw UserError(
-        fmt::format("there is no process kind and no device \"{}\"; say placedpar kinds for those there are", name));
+    if (auto group = group_of(catalogue, name); !group.empty())
+        return name + "\n" + print_process_lines(group);
+    if (name == devices_group)
+        return print_devices(catalogue);
+    refuse_kind(catalogue, name);
 }
 
 } // namespace placedpar

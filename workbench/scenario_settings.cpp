@@ -76,14 +76,17 @@ const RecordScenario& scenario_called(std::string_view name) {
     if (const RecordScenario* scenario = record_scenario_named(name))
         return *scenario;
     std::string names;
+    std::vector<std::string> known;
     std::span<const RecordScenario> all = record_scenarios();
-    for (const RecordScenario& scenario : all)
+    for (const RecordScenario& scenario : all) {
+        known.emplace_back(scenario.name);
         names += fmt::format("{}{}",
                              &scenario == &all.front()  ? ""
                              : &scenario == &all.back() ? " and "
                                                         : ", ",
                              scenario.name);
-    throw UserError(fmt::format("there is no scenario \"{}\"; there are {}", name, names));
+    }
+    throw UserError(there_is_no("scenario", name, known, "there are " + names));
 }
 
 Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,

@@ -1,6 +1,7 @@
 #include "app/command.hpp"
 #include "text/output_file.hpp"
 #include "workbench/kinds_report.hpp"
+#include "workbench/manifest.hpp"
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,20 +13,29 @@ namespace {
 
 std::string list_kinds(const Catalogue& catalogue) {
     return print_kinds(catalogue) +
-           "\nsay placedpar kinds NAME for ports, parameters and measures, or a device's attributes\n";
+           "\nsay placedpar kinds NAME for ports, parameters and measures, or a device's attributes; --json for all of "
+           "it\n";
 }
 
-ExitCode kinds(const std::string& name) {
+struct KindsOptions {
+    std::string name;
+    bool json = false;
+};
+
+ExitCode kinds(const KindsOptions& options) {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
-    print_out(name.empty() ? list_kinds(catalogue) : print_kind(catalogue, name));
+    print_out(options.json           ? print_pretty(kinds_json(catalogue, options.name))
+              : options.name.empty() ? list_kinds(catalogue)
+                                     : print_kind(catalogue, options.name));
     return ExitCode::success;
 }
 
 Action declare_kinds(CLI::App& command, const std::string&) {
-    auto name = std::make_shared<std::string>();
-    command.add_option("NAME", *name, "everything about this kind");
-    return [name] { return kinds(*name); };
+    auto options = std::make_shared<KindsOptions>();
+    command.add_option("NAME", options->name, "a kind: everything about it; a group, such as csp: its kinds");
+    command.add_flag("--json", options->json, "prints everything about them for machines");
+    return [options] { return kinds(*options); };
 }
 
 } // namespace

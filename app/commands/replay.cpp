@@ -5,6 +5,7 @@
 #include "experiments/kit/examples_folder.hpp"
 #include "experiments/kit/experiment_runs.hpp"
 #include "experiments/kit/replay_report.hpp"
+#include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 #include "workbench/gnuplot.hpp"
@@ -16,6 +17,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -36,8 +39,11 @@ std::string list_experiments() {
 
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
+    std::vector<std::string> names;
+    for (const Experiment& experiment : experiments())
+        names.emplace_back(experiment.name);
     if (found == experiments().end())
-        throw UserError(fmt::format("there is no experiment \"{}\"; there are:\n{}", name, list_experiments()));
+        throw UserError(there_is_no("experiment", name, names, "there are:\n" + list_experiments()));
     return *found;
 }
 

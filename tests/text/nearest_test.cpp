@@ -30,4 +30,7 @@ TEST_CASE("the nearest name, if one is near enough to be meant") {
 TEST_CASE("as a hint") {
     CHECK(did_you_mean("mastr", {"slave", "master"}) == "did you mean \"master\"?");
     CHECK(did_you_mean("island", {"slave", "master"}).empty());
+    CHECK(there_is_no("kind", "mastr", {"slave", "master"}, "ask again") ==
+          "there is no kind \"mastr\"; did you mean \"master\"?");
+    CHECK(there_is_no("kind", "island", {"slave", "master"}, "ask again") == "there is no kind \"island\"; ask again");
 }

@@ -1,0 +1,146 @@
+"""placedpar kinds: one, a group, all; for people and for machines."""
+
+import json
+import re
+import unittest
+
+from program import placedpar
+
+
+def said(*arguments):
+    done = placedpar("kinds", *arguments)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def refusal(*arguments):
+    done = placedpar(*arguments)
+    assert done.returncode == 1, done.stdout
+    return done.stderr
+
+
+def number(value):
+    """As the text form has it."""
+    return f"{value:g}" if isinstance(value, float) and abs(value) < 1e5 else str(int(value))
+
+
+def range_of(parameter):
+    if parameter["choices"]:
+        return " | ".join(parameter["choices"])
+    if parameter["type"] == "string":
+        return "text"
+    ends = ["" if parameter[end] is None else number(parameter[end]) for end in ("least", "most")]
+    return f"{ends[0]} .. {ends[1]}"
+
+
+def default_of(value):
+    return "none" if value is None else f'"{value}"' if isinstance(value, str) else number(value) if value == int(value) \
+        else repr(value)
+
+
+class Kinds(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.all = json.loads(said("--json"))
+
+    def test_a_group_lists_its_kinds(self):
+        names = [kind["name"] for kind in self.all["processes"]]
+        for group in ("csp", "ga"):
+            lines = said(group).splitlines()
+            self.assertEqual(lines[0], group)
+            self.assertEqual([line.split()[0] for line in lines[1:]], [n for n in names if n.startswith(group + ".")])
+            self.assertGreater(len(lines), 4)
+            for line in lines[1:]:
+                self.assertIn(line, said().splitlines())
+        self.assertIn(said("devices"), said())
+        self.assertIn(said("processes"), said())
+
+    def test_both_forms_name_the_same_kinds(self):
+        listed = said().split("\ndevices\n")
+        names = [line.split()[0] for line in listed[0].splitlines()[1:]]
+        self.assertEqual([kind["name"] for kind in self.all["processes"]], names)
+        models = {model["name"] for device in self.all["devices"] for model in device["models"]}
+        for name in ("T800", "t800", "B404", "B403_T414", "C004", "workstation", "edge", "processor", "VME"):
+            self.assertIn(name, models)
+        for word in re.findall(r"^ {19}(.*)$", listed[1], re.MULTILINE)[0].split():
+            self.assertIn(word, models)
+
+    def check_parameter(self, parameter, text, default):
+        line = next(line for line in text.splitlines() if line.split()[:1] == [parameter["name"]] and "default" in line)
+        self.assertEqual(line.split()[1:4:2], [parameter["type"], default_of(default).split()[0]], line)
+        self.assertIn(range_of(parameter), line)
+        self.assertTrue(line.rstrip().endswith(parameter["unit"]), line)
+        self.assertIn(parameter["about"], text)
+
+    def test_processes_are_the_same_in_both_forms(self):
+        for kind in self.all["processes"]:
+            text = said(kind["name"])
+            self.assertTrue(text.startswith(f"{kind['name']}\n{kind['about']}\n"))
+            for port in kind["ports"]:
+                line = next(line for line in text.splitlines() if line.split()[:2] == [port["name"], port["direction"]])
+                self.assertIn(f"{port['protocol']:<14} {port['about']}", line)
+                self.assertEqual("(may stay unconnected)" in line, port["may_stay_unconnected"])
+            for parameter in kind["parameters"]:
+                self.check_parameter(parameter, text, parameter["default"])
+            for measure in kind["measures"]:
+                self.assertIn(f"  {measure['name']:<28} {measure['unit']:<7} {measure['about']}\n", text)
+            entries = len(kind["ports"]) + 2 * len(kind["parameters"]) + len(kind["measures"])
+            self.assertEqual(sum(line.startswith("  ") for line in text.splitlines()), entries)
+
+    def test_devices_are_the_same_in_both_forms(self):
+        for device in self.all["devices"]:
+            for model in device["models"]:
+                text = said(model["name"])
+                self.assertIn(device["about"], text)
+                if device["refusal"]:
+                    self.assertIn(device["refusal"], text)
+                    continue
+                if model["links"] and not model["needs_type"]:
+                    self.assertIn(f"links: {model['links']}", text)
+                self.assertEqual("can be placed on it" in text and "none can" not in text, device["runs_processes"])
+                for attribute in device["attributes"]:
+                    self.check_parameter(attribute, text, model["defaults"].get(attribute["name"], attribute["default"]))
+                for kept in device["without_effect"]:
+                    self.assertIn(kept, text)
+
+    def test_one_kind_or_a_group_for_machines(self):
+        by_name = {kind["name"]: kind for kind in self.all["processes"]}
+        self.assertEqual(json.loads(said("ga.master", "--json")), {"processes": [by_name["ga.master"]], "devices": []})
+        group = json.loads(said("csp", "--json"))["processes"]
+        self.assertEqual(group, [kind for name, kind in by_name.items() if name.startswith("csp.")])
+        module = json.loads(said("B404", "--json"))["devices"]
+        self.assertEqual([model["name"] for model in module[0]["models"]], ["B404"])
+        self.assertEqual(module[0]["models"][0]["defaults"], {"memory": 2 * 1024 * 1024})
+        self.assertEqual(json.loads(said("devices", "--json")), {"processes": [], "devices": self.all["devices"]})
+
+    def test_a_misspelt_name_gets_the_nearest(self):
+        for wrong, right in (("mastr", "ga.master"), ("master", "ga.master"), ("ga.mastr", "ga.master"), ("cps", "csp"),
+                             ("t80", "T800"), ("workstaton", "workstation"), ("device", "devices")):
+            for form in ((), ("--json",)):
+                self.assertEqual(refusal("kinds", wrong, *form), "placedpar: there is no process kind and no device "
+                                                                 f'"{wrong}"; did you mean "{right}"?\n')
+        self.assertIn("say placedpar kinds for those", refusal("kinds", "zebra"))
+
+
+class OtherNames(unittest.TestCase):
+    def test_a_misspelt_name_gets_the_nearest(self):
+        self.assertEqual(refusal("rnu"), 'placedpar: there is no command "rnu"; did you mean "run"?\n')
+        self.assertEqual(refusal("replay", "tabel-e1"),
+                         'placedpar: there is no experiment "tabel-e1"; did you mean "table-e1"?\n')
+        self.assertEqual(refusal("record", "excavatr"),
+                         'placedpar: there is no scenario "excavatr"; did you mean "excavator"?\n')
+        self.assertEqual(refusal("run", "x.cfs", "--sead", "3"),
+                         'placedpar: there is no option "--sead"; did you mean "--seed"?\n')
+        self.assertEqual(refusal("run", "x.cfs", "--jsn=x"),
+                         'placedpar: there is no option "--jsn"; did you mean "--json"?\n')
+        self.assertEqual(refusal("--versoin"), 'placedpar: there is no option "--versoin"; did you mean "--version"?\n')
+
+    def test_what_is_near_to_nothing_is_told_where_to_look(self):
+        self.assertIn("say placedpar run --help for those there are", refusal("run", "x.cfs", "--quux"))
+        self.assertIn("say placedpar --help", refusal("fly"))
+        self.assertIn("there are:\n  table-2-6", refusal("replay", "everything"))
+        self.assertEqual(refusal("check", "a.cfs", "b.cfs"), 'placedpar: placedpar check takes no further argument: "b.cfs"\n')
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,62 @@
+#include "workbench/kinds_choice.hpp"
+
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+namespace {
+
+/// "master" of "ga.master"; the name itself where it has no group.
+std::string_view name_in_group(std::string_view name) { return name.substr(name.find('.') + 1); }
+
+/// The kind whose name without its group is this one, or near it: users leave the group out. "" if none is.
+std::string kind_without_group(const Catalogue& catalogue, const std::string& name) {
+    std::vector<std::string> short_names;
+    for (const auto& [full, kind] : catalogue.kinds()) {
+        if (name_in_group(full) == name)
+            return full;
+        short_names.emplace_back(name_in_group(full));
+    }
+    std::string nearest = nearest_name(name, short_names);
+    return nearest.empty() ? "" : kind_without_group(catalogue, nearest);
+}
+
+std::vector<std::string> all_names(const Catalogue& catalogue) {
+    std::vector<std::string> names{std::string(processes_group), std::string(devices_group)};
+    for (const auto& [name, kind] : catalogue.kinds()) {
+        names.push_back(name);
+        names.push_back(name.substr(0, name.find('.')));
+    }
+    for (const auto& [name, type] : catalogue.node_types())
+        names.push_back(name);
+    return names;
+}
+
+} // namespace
+
+std::vector<const ProcessKind*> group_of(const Catalogue& catalogue, std::string_view group) {
+    std::vector<const ProcessKind*> kinds;
+    for (const auto& [name, kind] : catalogue.kinds())
+        if (group == processes_group || name.starts_with(fmt::format("{}.", group)))
+            kinds.push_back(&kind);
+    return kinds;
+}
+
+void refuse_kind(const Catalogue& catalogue, const std::string& name) {
+    std::vector<std::string> names = all_names(catalogue);
+    std::string meant = nearest_name(name, names);
+    if (meant.empty())
+        meant = kind_without_group(catalogue, name);
+    throw UserError(fmt::format("there is no process kind and no device \"{}\"; {}", name,
+                                meant.empty() ? "say placedpar kinds for those there are"
+                                              : fmt::format("did you mean \"{}\"?", meant)));
+}
+
+const char* word(ParameterType type) {
+    return type == ParameterType::integer ? "int" : type == ParameterType::real ? "double" : "string";
+}
+
+} // namespace placedpar

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "netlist/kinds/catalogue.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+// What a name can stand for where kinds are asked for, besides a kind itself.
+
+inline constexpr std::string_view processes_group = "processes", devices_group = "devices";
+
+/// The kinds of processes whose name begins with that of the group and a point, in order; of "processes" all.
+std::vector<const ProcessKind*> group_of(const Catalogue&, std::string_view group);
+
+/// Throws UserError: there is no kind, device or group of that name, but perhaps a similar one.
+[[noreturn]] void refuse_kind(const Catalogue&, const std::string& name);
+
+/// As a netlist writes it: "int", "double" or "string".
+const char* word(ParameterType);
+
+} // namespace placedpar
