@@ -23,6 +23,8 @@ struct Command {
     /// Gives the subcommand its options, and returns what to do with them. `typed` is the whole command line, for
     /// manifests.
     Action (*declare)(CLI::App& subcommand, const std::string& typed);
+    /// The names that its argument can have, for a shell to complete; null where that is a file, or nothing.
+    std::vector<std::string> (*values)() = nullptr;
 };
 
 /// Every command: one of each file in the folder commands.

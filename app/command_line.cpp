@@ -2,13 +2,17 @@
 
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
+#include "text/paint.hpp"
 #include "text/user_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -53,10 +57,14 @@ void declare(CLI::App& app, const Command& command, const std::string& command_l
     subcommand->callback([&chosen, action] { chosen = action; });
 }
 
-void require_command(const CLI::App& app, int argc, char** argv) {
-    std::vector<std::string> commands = commands_of(app);
-    if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end())
-        throw UserError(there_is_no("command", argv[1], commands, "say placedpar --help for those there are"));
+/// CLI11 would miss a command before it looked at what is there instead.
+void require_command(const CLI::App& app, const std::string& first) {
+    bool option = first.starts_with('-');
+    std::string name = option ? first.substr(0, first.find('=')) : first;
+    std::vector<std::string> known = option ? options_of(app) : commands_of(app);
+    if (std::ranges::find(known, name) == known.end())
+        throw UserError(
+            there_is_no(option ? "option" : "command", name, known, "say placedpar --help for those there are"));
 }
 
 /// Of arguments that no option takes. Throws UserError.
@@ -84,23 +92,24 @@ ExitCode parse(CLI::App& app, int argc, char** argv) {
         std::ostringstream help, wrong;
         bool asked_for_help = app.exit(error, help, wrong) == 0;
         print_out(help.str());
-        fmt::print(stderr, "{}", wrong.str());
+        fmt::print(stderr, "{}", painted(Paint::error, wrong.str()));
         return asked_for_help ? ExitCode::success : ExitCode::bad_input;
     }
 }
 
 /// What the command line asks for. Throws what the command throws.
 ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
-    require_command(app, argc, argv);
+    if (argc > 1)
+        require_command(app, argv[1]);
     ExitCode parsed = parse(app, argc, argv);
     return chosen ? chosen() : parsed;
 }
 
 ExitCode report_defect(const char* what) {
     fmt::print(stderr,
-               "placedpar: defect of PlacedPar: {}\n"
+               "{} defect of PlacedPar: {}\n"
                "please report it, with the command and the files that it was given\n",
-               what);
+               painted(Paint::error, "placedpar:"), what);
     return ExitCode::defect;
 }
 
@@ -112,20 +121,34 @@ ExitCode report_error() {
     } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const UserError& error) {
-        fmt::print(stderr, "placedpar: {}\n", error.what());
+        fmt::print(stderr, "{} {}\n", painted(Paint::error, "placedpar:"), error.what());
     } catch (const std::system_error& error) {
-        fmt::print(stderr, "placedpar: {}\n", error.what());
+        fmt::print(stderr, "{} {}\n", painted(Paint::error, "placedpar:"), error.what());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "placedpar: there is not enough memory\n");
+        fmt::print(stderr, "{} there is not enough memory\n", painted(Paint::error, "placedpar:"));
     } catch (const std::exception& error) {
         return report_defect(error.what());
     }
     return ExitCode::bad_input;
 }
 
+bool is_set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value != '\0';
+}
+
+/// Colours are for terminals, and for users who do not forbid them (no-color.org).
+void choose_paint() {
+    const char* terminal = std::getenv("TERM");
+    bool wanted = !is_set("NO_COLOR") && !(terminal && std::string_view(terminal) == "dumb");
+    set_painted(PaintedStream::errors, wanted && ::isatty(STDERR_FILENO) != 0);
+    set_painted(PaintedStream::output, wanted && ::isatty(STDOUT_FILENO) != 0);
+}
+
 } // namespace
 
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
+    choose_paint();
     Action chosen;
     std::ranges::sort(commands, {}, &Command::place);
     for (const Command& command : commands)

@@ -3,10 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <string>
-
 int main(int argc, char** argv) {
     CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them."};
-    app.set_version_flag("--version", std::string("placedpar ") + placedpar::version);
+    app.set_version_flag("--version", "placedpar " + placedpar::version_text());
     return placedpar::carry_out(app, placedpar::commands(), argc, argv);
 }

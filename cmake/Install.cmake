@@ -10,6 +10,10 @@ endforeach()
 install(TARGETS placedpar_program EXPORT PlacedParTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/include/placedpar DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS placedpar RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set(printed ${PROJECT_BINARY_DIR}/app) # by the program: app/CMakeLists.txt
+install(FILES ${printed}/placedpar.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${printed}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME placedpar)
+install(FILES ${printed}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _placedpar)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar OPTIONAL)
 
 install(EXPORT PlacedParTargets NAMESPACE PlacedPar:: DESTINATION ${package_folder})

@@ -1,5 +1,6 @@
 #include "text/diagnostic.hpp"
 
+#include "text/paint.hpp"
 #include "text/utf8.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ std::string caret_line(std::string_view before) {
     for (char c : before)
         if (!within_character(c))
             result += c == '\t' ? '\t' : ' ';
-    return result + "^\n";
+    return result + painted(Paint::caret, "^") + "\n";
 }
 
 /// Where the part of a long line begins that is shown, so that the caret is about in its middle.
@@ -56,7 +57,7 @@ std::string excerpt(const Location& location) {
 
 std::string heading(const Location& location) {
     auto where = location.text();
-    return where.empty() ? "" : escaped(where) + ": ";
+    return where.empty() ? "" : painted(Paint::place, escaped(where) + ":") + " ";
 }
 
 } // namespace
@@ -74,13 +75,15 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::string render(const Diagnostic& diagnostic) {
-    auto word = diagnostic.severity == Severity::error ? "error" : "warning";
-    auto text = fmt::format("{}{}: {}\n{}", heading(diagnostic.location), word, escaped(diagnostic.message),
+    auto word =
+        diagnostic.severity == Severity::error ? painted(Paint::error, "error:") : painted(Paint::warning, "warning:");
+    auto text = fmt::format("{}{} {}\n{}", heading(diagnostic.location), word, escaped(diagnostic.message),
                             excerpt(diagnostic.location));
     if (!diagnostic.hint.empty())
-        text += "hint: " + escaped(diagnostic.hint) + "\n";
+        text += painted(Paint::note, "hint:") + " " + escaped(diagnostic.hint) + "\n";
     for (const auto& other : diagnostic.others)
-        text += fmt::format("{}note: {}\n{}", heading(other.location), escaped(other.message), excerpt(other.location));
+        text += fmt::format("{}{} {}\n{}", heading(other.location), painted(Paint::note, "note:"),
+                            escaped(other.message), excerpt(other.location));
     return text;
 }
 

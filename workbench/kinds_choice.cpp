@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace placedpar {
 
 namespace {
@@ -24,18 +26,16 @@ std::string kind_without_group(const Catalogue& catalogue, const std::string& na
     return nearest.empty() ? "" : kind_without_group(catalogue, nearest);
 }
 
-std::vector<std::string> all_names(const Catalogue& catalogue) {
-    std::vector<std::string> names{std::string(processes_group), std::string(devices_group)};
-    for (const auto& [name, kind] : catalogue.kinds()) {
-        names.push_back(name);
-        names.push_back(name.substr(0, name.find('.')));
-    }
-    for (const auto& [name, type] : catalogue.node_types())
-        names.push_back(name);
-    return names;
-}
-
 } // namespace
+
+std::vector<std::string> known_names(const Catalogue& catalogue) {
+    std::set<std::string> names{std::string(processes_group), std::string(devices_group)};
+    for (const auto& [name, kind] : catalogue.kinds())
+        names.insert({name, name.substr(0, name.find('.'))});
+    for (const auto& [name, type] : catalogue.node_types())
+        names.insert(name);
+    return {names.begin(), names.end()};
+}
 
 std::vector<const ProcessKind*> group_of(const Catalogue& catalogue, std::string_view group) {
     std::vector<const ProcessKind*> kinds;
@@ -46,8 +46,7 @@ std::vector<const ProcessKind*> group_of(const Catalogue& catalogue, std::string
 }
 
 void refuse_kind(const Catalogue& catalogue, const std::string& name) {
-    std::vector<std::string> names = all_names(catalogue);
-    std::string meant = nearest_name(name, names);
+    std::string meant = nearest_name(name, known_names(catalogue));
     if (meant.empty())
         meant = kind_without_group(catalogue, name);
     throw UserError(fmt::format("there is no process kind and no device \"{}\"; {}", name,

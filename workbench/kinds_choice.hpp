@@ -15,6 +15,9 @@ inline constexpr std::string_view processes_group = "processes", devices_group =
 /// The kinds of processes whose name begins with that of the group and a point, in order; of "processes" all.
 std::vector<const ProcessKind*> group_of(const Catalogue&, std::string_view group);
 
+/// Every name that kinds can be asked for by, in order.
+std::vector<std::string> known_names(const Catalogue&);
+
 /// Throws UserError: there is no kind, device or group of that name, but perhaps a similar one.
 [[noreturn]] void refuse_kind(const Catalogue&, const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "workbench/kinds_report.hpp"
 
 #include "netlist/kinds/catalogue.hpp"
+#include "text/paint.hpp"
 #include "workbench/kinds_choice.hpp"
 
 #include <fmt/format.h>
@@ -40,14 +41,14 @@ std::string print_parameter(const ParameterDescription& p, const std::optional<V
 }
 
 std::string print_parameters(const ProcessKind& kind) {
-    std::string out = "\nparameters\n";
+    std::string out = painted(Paint::heading, "\nparameters\n");
     for (const ParameterDescription& parameter : kind.parameters)
         out += print_parameter(parameter, parameter.default_value);
     return out;
 }
 
 std::string print_ports(const ProcessKind& kind) {
-    std::string out = "\nports\n";
+    std::string out = painted(Paint::heading, "\nports\n");
     for (const PortDescription& port : kind.ports)
         out += fmt::format("  {:<14} {:<7} {:<14} {}{}\n", port.name,
                            port.direction == Direction::input ? "input" : "output", port.protocol, port.about,
@@ -56,14 +57,14 @@ std::string print_ports(const ProcessKind& kind) {
 }
 
 std::string print_measures(const ProcessKind& kind) {
-    std::string out = "\nmeasures\n";
+    std::string out = painted(Paint::heading, "\nmeasures\n");
     for (const MeasurementDescription& measure : kind.measurements)
         out += fmt::format("  {:<28} {:<7} {}\n", measure.name, measure.unit, measure.about);
     return out;
 }
 
 std::string print_process(const ProcessKind& kind) {
-    return fmt::format("{}\n{}\n", kind.name, kind.about) + print_ports(kind) +
+    return fmt::format("{}\n{}\n", painted(Paint::heading, kind.name), kind.about) + print_ports(kind) +
            (kind.parameters.empty() ? "" : print_parameters(kind)) +
            (kind.measurements.empty() ? "" : print_measures(kind));
 }
@@ -107,7 +108,7 @@ std::string print_process_lines(const std::vector<const ProcessKind*>& kinds) {
 }
 
 std::string print_devices(const Catalogue& catalogue) {
-    std::string out = "devices\n";
+    std::string out = painted(Paint::heading, "devices\n");
     for (const auto& [name, kind] : catalogue.devices())
         out += print_device_lines(*kind);
     return out;
@@ -137,7 +138,7 @@ std::string print_kept(const DeviceKind& kind) {
 /// What the model says itself takes the place of the kind's default.
 std::string print_attributes(const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
-    std::string out = "\nattributes\n" + (type.needs_type ? print_needed_type(kind) : "");
+    std::string out = painted(Paint::heading, "\nattributes\n") + (type.needs_type ? print_needed_type(kind) : "");
     for (const AttributeDescription& attribute : kind.attributes)
         out += print_parameter(attribute.value, type.preset.attributes.find(attribute.value.name)->second);
     return kind.kept.empty() ? out : out + print_kept(kind);
@@ -152,7 +153,7 @@ std::string print_name(const std::string& name, const NodeType& type) {
 /// What nodes can be declared with by this name.
 std::string print_device(const std::string& name, const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
-    std::string head = fmt::format("{}\n{}\n", print_name(name, type), kind.about);
+    std::string head = fmt::format("{}\n{}\n", painted(Paint::heading, print_name(name, type)), kind.about);
     if (!kind.refusal.empty())
         return head + fmt::format("cannot be declared: {}\n", kind.refusal);
     return head + print_link_count(type) +
@@ -163,7 +164,8 @@ std::string print_device(const std::string& name, const NodeType& type) {
 } // namespace
 
 std::string print_kinds(const Catalogue& catalogue) {
-    return "processes\n" + print_process_lines(group_of(catalogue, processes_group)) + "\n" + print_devices(catalogue);
+    return painted(Paint::heading, "processes\n") + print_process_lines(group_of(catalogue, processes_group)) + "\n" +
+           print_devices(catalogue);
 }
 
 std::string print_kind(const Catalogue& catalogue, const std::string& name) {
@@ -172,7 +174,7 @@ std::string print_kind(const Catalogue& catalogue, const std::string& name) {
     if (auto type = catalogue.node_types().find(name); type != catalogue.node_types().end())
         return print_device(name, type->second);
     if (auto group = group_of(catalogue, name); !group.empty())
-        return name + "\n" + print_process_lines(group);
+        return painted(Paint::heading, name + "\n") + print_process_lines(group);
     if (name == devices_group)
         return print_devices(catalogue);
     refuse_kind(catalogue, name);

@@ -9,6 +9,11 @@ namespace placedpar {
 
 const char* const version = PLACEDPAR_VERSION;
 
+std::string version_text() {
+    std::string_view known = commit;
+    return known.empty() ? version : fmt::format("{} (commit {})", version, known);
+}
+
 std::string hex(std::uint64_t word) { return fmt::format("{:016x}", word); }
 
 namespace {
@@ -27,6 +32,7 @@ boost::json::object manifest_json(const Manifest& manifest, const Network& netwo
     for (const auto& folder : manifest.read.include_folders)
         folders.emplace_back(folder.string());
     return {{"version", version},
+            {"commit", commit},
             {"command", manifest.command},
             {"netlist", network.source_path},
             {"netlist_hash", hex(network.hash)},

@@ -19,8 +19,13 @@ struct Manifest {
 };
 
 extern const char* const version;
+/// Of the sources, as `git describe` names it, with "-dirty" where they were changed since; "" where it is not known.
+extern const char* const commit;
 
-/// {"version", "command", "netlist", "netlist_hash", "overrides", "programs", "include_folders", "seed"}
+/// "0.1.0 (commit 2ec56e0)".
+std::string version_text();
+
+/// {"version", "commit", "command", "netlist", "netlist_hash", "overrides", "programs", "include_folders", "seed"}
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.

@@ -1,5 +1,7 @@
 #include "workbench/run_report.hpp"
 
+#include "text/paint.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,8 +28,8 @@ std::size_t width_of(const Rows& rows, Text text, std::size_t least) {
 
 std::string print_measurements(const std::vector<Measurement>& rows) {
     std::size_t process = width_of(rows, &Measurement::process, 7), name = width_of(rows, &Measurement::name, 8);
-    std::string out =
-        fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process, "measured", name, "value", "unit");
+    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process,
+                                                          "measured", name, "value", "unit"));
     for (const Measurement& m : rows)
         out += fmt::format("{:<{}}  {:<{}}  {:>16}{}{}\n", m.process, process, m.name, name, print_value(m),
                            m.unit.empty() ? "" : "  ", m.unit);
@@ -44,7 +46,8 @@ std::string print_part(const RunReport& report, Time part) {
 std::string print_processors(const RunReport& report) {
     const auto& rows = report.processors;
     std::size_t name = width_of(rows, &ProcessorUse::name, 9);
-    std::string out = fmt::format("\n{:<{}}  {:<6}  {:>6}\n", "processor", name, "type", "busy");
+    std::string out =
+        painted(Paint::heading, fmt::format("\n{:<{}}  {:<6}  {:>6}\n", "processor", name, "type", "busy"));
     for (const ProcessorUse& p : rows)
         out += fmt::format("{:<{}}  {:<6}  {:>6}\n", p.name, name, p.type, print_part(report, p.busy));
     return out;
@@ -55,7 +58,8 @@ std::string ends_of(const LinkUse& link) { return link.from + " -> " + link.to; 
 std::string print_links(const RunReport& report) {
     const auto& rows = report.links;
     std::size_t width = width_of(rows, ends_of, 13);
-    std::string out = fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied");
+    std::string out =
+        painted(Paint::heading, fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied"));
     for (const LinkUse& l : rows)
         if (l.bytes > 0)
             out += fmt::format("{:<{}}  {:>10}  {:>9}\n", ends_of(l), width, l.bytes, print_part(report, l.occupied));
@@ -72,7 +76,8 @@ std::string print_wait(const RunReport& report, const ProcessUse& process) {
 std::string print_processes(const RunReport& report) {
     const auto& rows = report.processes;
     std::size_t name = width_of(rows, &ProcessUse::name, 7), node = width_of(rows, &ProcessUse::processor, 2);
-    std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting");
+    std::string out =
+        painted(Paint::heading, fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting"));
     for (const ProcessUse& p : rows)
         out += fmt::format("{:<{}}  {:<{}}  {:>7}\n", p.name, name, p.processor, node, print_wait(report, p));
     return out;
@@ -138,11 +143,16 @@ boost::json::object deadlock_json(const Deadlock& deadlock) {
     return {{"cycle", texts_of(deadlock.cycle)}, {"processes", std::move(processes)}};
 }
 
+std::string print_ending(Ending ending) {
+    bool well = ending == Ending::completed || ending == Ending::time_limit;
+    return painted(well ? Paint::success : Paint::failure, name_of(ending));
+}
+
 } // namespace
 
 std::string print_report(const RunReport& report, const Network& network) {
     std::string out =
-        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, name_of(report.result.ending),
+        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
                     to_string(report.result.time), report.result.fingerprint);
     if (report.result.deadlock)
         out += "\n" + report.result.deadlock->text();

@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace placedpar {
 
 /// The scenario of that name. Throws UserError that lists those there are.
 const hydraulics::RecordScenario& scenario_called(std::string_view name);
+
+std::vector<std::string> names_of_scenarios();
 
 /// The scenario's parameters on a machine, with those that --noise and --set gave in place of its own. A value is a
 /// number in the room's unit, or one with a unit: "4.1e-11 m^3/Pa". Throws UserError for a level of noise or

@@ -72,21 +72,26 @@ std::string cell(const std::string& text) {
 
 } // namespace
 
+std::vector<std::string> names_of_scenarios() {
+    std::vector<std::string> names;
+    for (const RecordScenario& scenario : record_scenarios())
+        names.emplace_back(scenario.name);
+    return names;
+}
+
 const RecordScenario& scenario_called(std::string_view name) {
     if (const RecordScenario* scenario = record_scenario_named(name))
         return *scenario;
     std::string names;
-    std::vector<std::string> known;
     std::span<const RecordScenario> all = record_scenarios();
     for (const RecordScenario& scenario : all) {
-        known.emplace_back(scenario.name);
         names += fmt::format("{}{}",
                              &scenario == &all.front()  ? ""
                              : &scenario == &all.back() ? " and "
                                                         : ", ",
                              scenario.name);
     }
-    throw UserError(there_is_no("scenario", name, known, "there are " + names));
+    throw UserError(there_is_no("scenario", name, names_of_scenarios(), "there are " + names));
 }
 
 Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,

@@ -172,7 +172,8 @@ void require_files(const IdentifyOptions& options) {
 ExitCode identify_record(const IdentifyOptions& options, const std::string& command_line) try {
     require_files(options);
     Case asked = read_case(options);
-    boost::json::object json{{"version", version}, {"command", command_line}, {"seed", options.seed}};
+    boost::json::object json{
+        {"version", version}, {"commit", commit}, {"command", command_line}, {"seed", options.seed}};
     boost::json::array& warnings = json["warnings"].emplace_array();
     for (const Diagnostic& warning : asked.loaded.warnings)
         warnings.push_back(warning_json(warning));

@@ -1,11 +1,15 @@
 #include "app/command.hpp"
 #include "text/output_file.hpp"
+#include "workbench/kinds_choice.hpp"
 #include "workbench/kinds_report.hpp"
 #include "workbench/manifest.hpp"
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
+
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -31,6 +35,11 @@ ExitCode kinds(const KindsOptions& options) {
     return ExitCode::success;
 }
 
+std::vector<std::string> names_of_kinds() {
+    ProblemRegistry problems = known_problems(0);
+    return known_names(known_kinds(problems));
+}
+
 Action declare_kinds(CLI::App& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
     command.add_option("NAME", options->name, "a kind: everything about it; a group, such as csp: its kinds");
@@ -45,6 +54,7 @@ extern const Command kinds_command{
     .about = "Lists the kinds of processes and devices that a netlist can use",
     .place = 4,
     .declare = declare_kinds,
+    .values = names_of_kinds,
 };
 
 } // namespace placedpar

@@ -95,6 +95,7 @@ extern const Command record_command{
     .about = "Simulates a motion of the machine and writes what its sensors say",
     .place = 7,
     .declare = declare_record,
+    .values = names_of_scenarios,
 };
 
 } // namespace placedpar

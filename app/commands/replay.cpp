@@ -37,13 +37,17 @@ std::string list_experiments() {
     return out;
 }
 
-const Experiment& find_experiment(const std::string& name) {
-    auto found = std::ranges::find(experiments(), name, &Experiment::name);
+std::vector<std::string> names_of_experiments() {
     std::vector<std::string> names;
     for (const Experiment& experiment : experiments())
         names.emplace_back(experiment.name);
+    return names;
+}
+
+const Experiment& find_experiment(const std::string& name) {
+    auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw UserError(there_is_no("experiment", name, names, "there are:\n" + list_experiments()));
+        throw UserError(there_is_no("experiment", name, names_of_experiments(), "there are:\n" + list_experiments()));
     return *found;
 }
 
@@ -120,6 +124,7 @@ extern const Command replay_command{
     .about = "Runs an experiment of the thesis beside the thesis's figures",
     .place = 5,
     .declare = declare_replay,
+    .values = names_of_experiments,
 };
 
 } // namespace placedpar

@@ -30,7 +30,8 @@ Action declare_show(CLI::App& command, const std::string&) {
     auto options = std::make_shared<ShowOptions>();
     add_netlist(command, options->netlist);
     command.add_option("--format", options->format, "the netlist language, a drawing, a drawing for Graphviz, or JSON")
-        ->check(CLI::IsMember({"cfs", "svg", "dot", "json"}))
+        ->check(CLI::IsMember({"cfs", "svg", "dot", "json"}).description(""))
+        ->type_name("cfs|svg|dot|json")
         ->capture_default_str();
     return [options] { return show(*options); };
 }

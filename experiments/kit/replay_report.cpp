@@ -1,5 +1,6 @@
 #include "experiments/kit/replay_report.hpp"
 
+#include "text/paint.hpp"
 #include "workbench/manifest.hpp"
 
 #include <fmt/format.h>
@@ -46,9 +47,10 @@ boost::json::array cells_json(const Comparison& comparison) {
 
 std::string print_verdict(const Replay& replay) {
     bool others = std::ranges::any_of(replay.comparisons, &Comparison::judged);
-    return fmt::format("{} cell{} {}\n", replay.within_tolerance() ? "every judged" : "a",
-                       others ? "" : " of the first reading",
-                       replay.within_tolerance() ? "is within its tolerance" : "misses its tolerance");
+    auto text = fmt::format("{} cell{} {}\n", replay.within_tolerance() ? "every judged" : "a",
+                            others ? "" : " of the first reading",
+                            replay.within_tolerance() ? "is within its tolerance" : "misses its tolerance");
+    return painted(replay.within_tolerance() ? Paint::success : Paint::failure, text);
 }
 
 boost::json::object other_json(const Comparison& other) {
@@ -78,6 +80,7 @@ boost::json::object replay_json(const Replay& replay, std::string_view experimen
                                 const std::string& command) {
     return {{"experiment", experiment},
             {"version", version},
+            {"commit", commit},
             {"seed", seed},
             {"fingerprint", hex(replay.fingerprint)},
             {"command", command},

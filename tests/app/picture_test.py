@@ -6,6 +6,7 @@ import math
 import pathlib
 import random
 import re
+import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -338,6 +339,13 @@ class Pictures(unittest.TestCase):
         for i in range(3):
             self.assertEqual(boxes[f"w[{i}]"].centre[1], boxes[f"t[{i}][0]"].centre[1])
             self.assertLess(boxes[f"w[{i}]"].right, boxes[f"t[{i}][0]"].left)
+
+    def test_graphviz_draws_its_own_form(self):
+        done = subprocess.run(["dot", "-Tsvg"], input=self.shown(EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "dot"),
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=True)
+        self.assertEqual(done.stderr, "")
+        titles = [each.text for each in ElementTree.fromstring(done.stdout).iter(f"{SVG}title")]
+        self.assertEqual(sum("--" in title for title in titles), 20)
 
     def test_the_legend_says_what_occurs(self):
         text = self.shown(EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "svg")

@@ -20,6 +20,12 @@ must(${SCRATCH}/own/own_process run ${SCRATCH}/installed/share/placedpar/example
 
 unset(ENV{PLACEDPAR_EXAMPLES})
 must(${SCRATCH}/installed/bin/placedpar kinds)
+foreach(printed man/man1/placedpar.1 bash-completion/completions/placedpar zsh/site-functions/_placedpar)
+    file(STRINGS ${SCRATCH}/installed/share/${printed} lines REGEX placedpar)
+    if(NOT lines)
+        message(FATAL_ERROR "${printed} is empty")
+    endif()
+endforeach()
 must(${SCRATCH}/installed/bin/placedpar replay table-e1) # of the installed examples
 # Sanitizers put the names of sources into the program.
 if(NOT FLAGS MATCHES "-fsanitize")

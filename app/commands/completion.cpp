@@ -1,0 +1,154 @@
+#include "app/command.hpp"
+#include "text/output_file.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char* bash_script =
+    R"bash(# What may come next is asked of the program itself. Where that is nothing, bash completes names of files.
+_placedpar() {
+    local IFS=$'\n'
+    COMPREPLY=($(placedpar completion words -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null))
+}
+complete -o default -F _placedpar placedpar
+)bash";
+
+constexpr const char* zsh_script = R"zsh(#compdef placedpar
+# What may come next is asked of the program itself. Where that is nothing, zsh completes names of files.
+_placedpar() {
+    local -a found
+    found=(${(f)"$(placedpar completion words -- "${(@)words[2,CURRENT]}" 2>/dev/null)"})
+    if (( $#found )); then compadd -a found; else _files; fi
+}
+if [[ $funcstack[1] == _placedpar ]]; then _placedpar "$@"; else compdef _placedpar placedpar; fi
+)zsh";
+
+/// The words of "auto|none|INCHES" that are to be typed as they stand.
+Words choices_in(const std::string& type) {
+    if (type.find('|') == std::string::npos)
+        return {};
+    Words choices{""};
+    for (char c : type)
+        if (c == '|')
+            choices.emplace_back();
+        else
+            choices.back() += c;
+    std::erase_if(choices, [](const std::string& word) {
+        return std::ranges::any_of(word, [](unsigned char c) { return std::isupper(c) != 0; });
+    });
+    return choices;
+}
+
+/// The option that this word is, null if it is none.
+const CLI::Option* option_called(const CLI::App& command, const std::string& word) {
+    return word.starts_with('-') ? command.get_option_no_throw(word) : nullptr;
+}
+
+Words options_of(const CLI::App& command) {
+    Words names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+/// Null where there is none.
+const CLI::App* command_called(const CLI::App& app, const std::string& name) {
+    auto all = app.get_subcommands({});
+    auto found = std::ranges::find(all, name, [](const CLI::App* each) { return each->get_name(); });
+    return found == all.end() ? nullptr : *found;
+}
+
+Words names_of_commands(const CLI::App& app) {
+    Words names = options_of(app);
+    for (const CLI::App* each : app.get_subcommands({}))
+        names.push_back(each->get_name());
+    return names;
+}
+
+/// What the command takes where no option does.
+Words values_of(const std::string& command) {
+    for (const Command& each : commands())
+        if (command == each.name && each.values)
+            return each.values();
+    return {};
+}
+
+/// Bash splits --format=svg in three.
+Words without_equals(const Words& typed) {
+    Words words;
+    for (const std::string& word : typed)
+        if (word != "=")
+            words.push_back(word);
+    if (!typed.empty() && typed.back() == "=")
+        words.emplace_back();
+    return words;
+}
+
+/// What the last of the words could be, before it is compared with what it is so far.
+Words candidates(const CLI::App& app, const Words& words) {
+    if (words.size() < 2)
+        return names_of_commands(app);
+    const CLI::App* command = command_called(app, words.front());
+    if (!command)
+        return {};
+    const CLI::Option* option = option_called(*command, words[words.size() - 2]);
+    if (option && option->get_items_expected_max() > 0)
+        return choices_in(option->get_type_name());
+    return words.back().starts_with('-') ? options_of(*command) : values_of(words.front());
+}
+
+std::string list_words(const CLI::App& app, const Words& typed) {
+    Words words = without_equals(typed);
+    std::string begun = words.empty() ? "" : words.back(), out;
+    for (const std::string& each : candidates(app, words))
+        if (each.starts_with(begun))
+            out += each + "\n";
+    return out;
+}
+
+struct CompletionOptions {
+    std::string shell;
+    Words words;
+};
+
+Action declare_completion(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<CompletionOptions>();
+    command.add_option("SHELL", options->shell, "prints a script: source <(placedpar completion bash)")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "words"}).description(""))
+        ->type_name("bash|zsh");
+    command.add_option("WORDS", options->words, "asked by the scripts: what can the last of these words be?");
+    return [options, &command] {
+        print_out(options->shell == "bash"  ? bash_script
+                  : options->shell == "zsh" ? zsh_script
+                                            : list_words(*command.get_parent(), options->words));
+        return ExitCode::success;
+    };
+}
+
+} // namespace
+
+extern const Command completion_command{
+    .name = "completion",
+    .about = "Prints what a shell needs to complete commands, options and names",
+    .place = 10,
+    .declare = declare_completion,
+    .values =
+        [] {
+            return std::vector<std::string>{"bash", "zsh"};
+        },
+};
+
+} // namespace placedpar

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace placedpar {
+
+/// What is coloured where a terminal shows it. Those of the first line go to standard error, those of the second to
+/// standard output.
+enum class Paint { error, warning, note, place, caret, heading, success, failure };
+
+enum class PaintedStream { errors, output };
+
+/// From now on what goes to the stream is coloured, or is not; at first nothing is. Only the program decides it, once
+/// at its start: a test, or a program around a room, reads plain text.
+void set_painted(PaintedStream, bool painted);
+
+/// The text with the colour around it, for as long as its stream is painted; else the text. Lines' ends and blanks at
+/// the start stay outside.
+std::string painted(Paint, std::string_view text);
+
+} // namespace placedpar
