@@ -55,7 +55,7 @@ const CLI::Option* option_called(const CLI::App& command, const std::string& wor
     return word.starts_with('-') ? command.get_option_no_throw(word) : nullptr;
 }
 
-Words options_of(const CLI::App& command) {
+Words long_options_of(const CLI::App& command) {
     Words names;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& name : option->get_lnames())
@@ -71,7 +71,7 @@ const CLI::App* command_called(const CLI::App& app, const std::string& name) {
 }
 
 Words names_of_commands(const CLI::App& app) {
-    Words names = options_of(app);
+    Words names = long_options_of(app);
     for (const CLI::App* each : app.get_subcommands({}))
         names.push_back(each->get_name());
     return names;
@@ -106,7 +106,7 @@ Words candidates(const CLI::App& app, const Words& words) {
     const CLI::Option* option = option_called(*command, words[words.size() - 2]);
     if (option && option->get_items_expected_max() > 0)
         return choices_in(option->get_type_name());
-    return words.back().starts_with('-') ? options_of(*command) : values_of(words.front());
+    return words.back().starts_with('-') ? long_options_of(*command) : values_of(words.front());
 }
 
 std::string list_words(const CLI::App& app, const Words& typed) {

@@ -80,12 +80,6 @@ void Raster::add(const Path& path) {
 
 namespace {
 
-/// The ways on from a point; the opposite of one is two further.
-enum Way : std::size_t { right, below, left, above, from_nowhere };
-
-Way opposite(Way way) { return static_cast<Way>((way + 2) % 4); }
-Way way_of(Point outward) { return outward.x > 0 ? right : outward.y > 0 ? below : outward.x < 0 ? left : above; }
-
 Box around_ports(const std::vector<Port>& ports) {
     std::vector<Box> points;
     for (const Port& port : ports)
@@ -123,8 +117,14 @@ public:
     }
 
 private:
+    /// The ways on from a point; the opposite of one is two further.
+    enum Way : std::size_t { right, below, left, above, from_nowhere };
     using State = std::size_t;
 
+    static Way opposite(Way way) { return static_cast<Way>((way + 2) % 4); }
+    static Way way_of(Point outward) {
+        return outward.x > 0 ? right : outward.y > 0 ? below : outward.x < 0 ? left : above;
+    }
     static Way way_to(State state) { return static_cast<Way>(state % 4); }
 
     bool is_entry(State state) const {

@@ -13,11 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace placedpar {
+namespace placedpar::picture {
 
 namespace {
-
-using namespace picture;
 
 constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
 
@@ -313,6 +311,10 @@ private:
 
 } // namespace
 
-std::string print_svg(const Network& network) { return SvgPrinter(network).print(); }
+} // namespace placedpar::picture
+
+namespace placedpar {
+
+std::string print_svg(const Network& network) { return picture::SvgPrinter(network).print(); }
 
 } // namespace placedpar
