@@ -69,7 +69,9 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
         return std::nullopt;
     Elaborator elaborator(catalogue, overrides, reporter);
     elaborator.run(statements);
-    elaborator.check_overrides();
+    if (reporter.failed())
+        return std::nullopt;
+    elaborator.settle_overrides();
     if (reporter.failed())
         return std::nullopt;
     auto network = complete(elaborator.take(), catalogue, options.programs, reporter);

@@ -20,7 +20,8 @@ struct Manifest {
 
 extern const char* const version;
 
-/// {"version", "command", "netlist", "netlist_hash", "overrides", "programs", "include_folders", "seed"}
+/// {"version", "command", "netlist", "netlist_hash", "overrides", "set", "programs", "include_folders", "seed"}. The
+/// overrides are as they were asked for; "set" says which elements each of them reached, none for a val.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.

@@ -34,6 +34,23 @@ std::string print_measurements(const std::vector<Measurement>& rows) {
     return out;
 }
 
+/// Of a name for many elements, those that it reached; the first of them where they are very many.
+std::string print_reached(std::vector<std::string> elements) {
+    constexpr std::size_t most = 8;
+    if (elements.empty())
+        return "";
+    std::size_t more = elements.size() - std::min(elements.size(), most);
+    elements.resize(elements.size() - more);
+    return fmt::format(", for {}{}", fmt::join(elements, ", "), more == 0 ? "" : fmt::format(" and {} more", more));
+}
+
+std::string print_set(const Network& network) {
+    std::string out;
+    for (const SetByOption& each : network.set)
+        out += fmt::format("set: {} = {}{}\n", each.name, each.value, print_reached(each.elements));
+    return out;
+}
+
 /// A part of the run's time: in percent, or where there is no whole, as in a deadlock, in milliseconds.
 std::string print_part(const RunReport& report, Time part) {
     if (auto share = report.share(part))
@@ -143,7 +160,8 @@ boost::json::object deadlock_json(const Deadlock& deadlock) {
 std::string print_report(const RunReport& report, const Network& network) {
     std::string out =
         fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, name_of(report.result.ending),
-                    to_string(report.result.time), report.result.fingerprint);
+                    to_string(report.result.time), report.result.fingerprint) +
+        print_set(network);
     if (report.result.deadlock)
         out += "\n" + report.result.deadlock->text();
     if (!report.measurements.empty())

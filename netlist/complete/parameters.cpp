@@ -27,6 +27,10 @@ public:
         for (const auto& settings : draft_.settings)
             for (const auto& setting : *settings)
                 take_once(setting);
+        for (const auto& setting : draft_.overrides) {
+            set_.emplace(setting.name, setting.at);
+            take(setting);
+        }
         if (kind_ != nullptr)
             fill_in_defaults();
         else if (draft_.interface)
