@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -23,9 +24,14 @@ bool is_command(const CLI::App& app, std::string_view name) {
     return std::ranges::any_of(app.get_subcommands({}), [&](const CLI::App* each) { return each->get_name() == name; });
 }
 
-/// The command line as it was typed, whatever the program's file is called.
+std::string& name_of_program() {
+    static std::string name = "placedpar";
+    return name;
+}
+
+/// The command line as it was typed, wherever the program's file is.
 std::string typed(int argc, char** argv) {
-    std::string text = "placedpar";
+    std::string text = program_name();
     for (int i = 1; i < argc; ++i)
         text += " " + std::string(argv[i]);
     return text;
@@ -39,7 +45,8 @@ void declare(CLI::App& app, const Command& command, const std::string& command_l
 
 void require_command(const CLI::App& app, int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-' && !is_command(app, argv[1]))
-        throw UserError(fmt::format("there is no command \"{}\"; say placedpar --help for those there are", argv[1]));
+        throw UserError(
+            fmt::format("there is no command \"{}\"; say {} --help for those there are", argv[1], program_name()));
 }
 
 /// Parses the command line. What it chose is then in `chosen`, or it was wrong, or asked for help.
@@ -65,9 +72,9 @@ ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
 
 ExitCode report_defect(const char* what) {
     fmt::print(stderr,
-               "placedpar: defect of PlacedPar: {}\n"
+               "{}: defect of PlacedPar: {}\n"
                "please report it, with the command and the files that it was given\n",
-               what);
+               program_name(), what);
     return ExitCode::defect;
 }
 
@@ -79,11 +86,11 @@ ExitCode report_error() {
     } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const UserError& error) {
-        fmt::print(stderr, "placedpar: {}\n", error.what());
+        fmt::print(stderr, "{}: {}\n", program_name(), error.what());
     } catch (const std::system_error& error) {
-        fmt::print(stderr, "placedpar: {}\n", error.what());
+        fmt::print(stderr, "{}: {}\n", program_name(), error.what());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "placedpar: there is not enough memory\n");
+        fmt::print(stderr, "{}: there is not enough memory\n", program_name());
     } catch (const std::exception& error) {
         return report_defect(error.what());
     }
@@ -92,12 +99,17 @@ ExitCode report_error() {
 
 } // namespace
 
+const std::string& program_name() { return name_of_program(); }
+
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
     Action chosen;
+    std::signal(SIGPIPE, SIG_IGN);
+    if (!app.get_name().empty())
+        name_of_program() = app.get_name();
     std::ranges::sort(commands, {}, &Command::place);
     for (const Command& command : commands)
         declare(app, command, typed(argc, argv), chosen);
-    app.name("placedpar");
+    app.name(program_name());
     app.require_subcommand(1);
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"

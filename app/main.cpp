@@ -6,7 +6,7 @@
 #include <string>
 
 int main(int argc, char** argv) {
-    CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them."};
+    CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them.", "placedpar"};
     app.set_version_flag("--version", std::string("placedpar ") + placedpar::version);
     return placedpar::carry_out(app, placedpar::commands(), argc, argv);
 }

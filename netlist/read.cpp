@@ -122,7 +122,7 @@ std::string render(const ReadResult& result) { return render(result.diagnostics)
 
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides,
                         const ReadOptions& options) {
-    return read(load_source(path), path, catalogue, overrides, options);
+    return read(load_input(path), path, catalogue, overrides, options);
 }
 
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides,

@@ -1,6 +1,7 @@
 #include "workbench/run_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -79,11 +80,14 @@ std::string print_links(const RunReport& report) {
     return out;
 }
 
-/// In a deadlock a process that waits does so for ever.
+/// In a deadlock a process that waits does so for ever; where a run was stopped, it waited when it was.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
-    if (report.result.ending == Ending::stuck && process.waits_since)
-        return fmt::format("for ever, from {:.3f} ms on", in_milliseconds(*process.waits_since));
-    return print_part(report, process.waiting);
+    if (!process.waits_since)
+        return fmt::format("{:>7}", print_part(report, process.waiting));
+    double since = in_milliseconds(*process.waits_since);
+    if (report.result.ending == Ending::stuck)
+        return fmt::format("for ever, from {:.3f} ms on", since);
+    return fmt::format("{:>7}, the last wait since {:.3f} ms", print_part(report, process.waiting), since);
 }
 
 std::string print_processes(const RunReport& report) {
@@ -91,7 +95,7 @@ std::string print_processes(const RunReport& report) {
     std::size_t name = width_of(rows, &ProcessUse::name, 7), node = width_of(rows, &ProcessUse::processor, 2);
     std::string out = fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting");
     for (const ProcessUse& p : rows)
-        out += fmt::format("{:<{}}  {:<{}}  {:>7}\n", p.name, name, p.processor, node, print_wait(report, p));
+        out += fmt::format("{:<{}}  {:<{}}  {}\n", p.name, name, p.processor, node, print_wait(report, p));
     return out;
 }
 
@@ -158,9 +162,11 @@ boost::json::object deadlock_json(const Deadlock& deadlock) {
 } // namespace
 
 std::string print_report(const RunReport& report, const Network& network) {
+    bool stopped = report.result.ending == Ending::time_limit;
     std::string out =
-        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, name_of(report.result.ending),
-                    to_string(report.result.time), report.result.fingerprint) +
+        fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, name_of(report.result.ending),
+                    to_string(report.result.time), stopped ? "; what follows is of the time until then" : "",
+                    report.result.fingerprint) +
         print_set(network);
     if (report.result.deadlock)
         out += "\n" + report.result.deadlock->text();

@@ -4,6 +4,8 @@
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace placedpar {
@@ -12,7 +14,8 @@ namespace {
 
 std::string list_kinds(const Catalogue& catalogue) {
     return print_kinds(catalogue) +
-           "\nsay placedpar kinds NAME for ports, parameters and measures, or a device's attributes\n";
+           fmt::format("\nsay {} kinds NAME for ports, parameters and measures, or a device's attributes\n",
+                       program_name());
 }
 
 ExitCode kinds(const std::string& name) {

@@ -37,9 +37,8 @@ private:
         });
         if (having.empty())
             refuse(option, named);
-        SetByOption done{option.element.empty() ? option.member : option.element + "." + option.member,
-                         option.value.typed,
-                         {}};
+        SetByOption done{
+            option.element.empty() ? option.member : option.element + "." + option.member, option.value.typed, {}};
         for (const Settable& each : having) {
             set_once(option, each);
             done.elements.push_back(each.name);
@@ -96,11 +95,23 @@ private:
         if (named.empty())
             refuse_element(option);
         const Settable& first = named.front();
-        c_.reporter.error(option.member_at,
-                          fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element,
-                                      first.word_for_member(), option.member),
-                          did_you_mean(option.member, first.members()), {{first.text_of_members(), {}}});
-        throw StatementRefused{};
+        std::string meant = did_you_mean(option.member, first.members());
+        report(option.member_at,
+               fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element, first.word_for_member(),
+                           option.member),
+               meant.empty() ? hint_at_node(option, first) : meant, {first.text_of_members()});
+    }
+
+    /// Where the processor of a process is meant.
+    std::string hint_at_node(const DraftOverride& option, const Settable& element) const {
+        const auto* process = std::get_if<DraftProcess*>(&element.thing);
+        if (process == nullptr || (*process)->node == nowhere)
+            return "";
+        Node& node = c_.draft.nodes[(*process)->node];
+        bool has = Settable{node.name, &node}.may_have(option.member);
+        return has ? fmt::format("the node that \"{}\" is placed on has: --set {}.{}=...", element.name, node.name,
+                                 option.member)
+                   : "";
     }
 
     /// A name by itself.
@@ -109,36 +120,36 @@ private:
         std::vector<Settable> all = settable_elements(c_);
         auto element = std::ranges::find(all, name, [](const Settable& each) { return base_name(each.name); });
         if (element != all.end())
-            report(option, fmt::format("\"{}\" is a {}: what of it is set is missing", name, element->noun()),
-                   fmt::format("--set {}.{}=VALUE", name, element->members().front()));
-        else if (c_.draft.vals_in_blocks.contains(name))
-            report(option, fmt::format("the val \"{}\" is declared in a block", name),
-                   "an option reaches those outside of blocks");
-        else
-            report(option, fmt::format("the netlist has no val, attribute or parameter \"{}\"", name),
-                   did_you_mean(name, names_to_set(c_)));
-        throw StatementRefused{};
+            report(option.at, fmt::format("\"{}\" is a {}: what of it is set is missing", name, element->noun()),
+                   fmt::format("--set {}.NAME=VALUE", name), {element->text_of_members()});
+        if (c_.draft.vals_in_blocks.contains(name))
+            report(option.at, fmt::format("the val \"{}\" is declared in a block", name),
+                   "an option reaches vals outside of blocks");
+        report(option.at, fmt::format("the netlist has no val, attribute or parameter \"{}\"", name),
+               did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
     }
 
     [[noreturn]] void refuse_element(const DraftOverride& option) {
-        std::vector<Settable> all = settable_elements(c_);
-        std::erase_if(all, [&](const Settable& each) { return base_name(each.name) != base_name(option.element); });
-        if (!all.empty())
-            report(option, fmt::format("there is no \"{}\"", option.element),
-                   all.size() == 1 ? fmt::format("\"{}\" is a single {}", all.front().name, all.front().noun())
-                                   : fmt::format("they are {} to {}", all.front().name, all.back().name));
-        else
-            report(option,
-                   fmt::format("the netlist has no node, connection or process \"{}\"", base_name(option.element)),
-                   did_you_mean(base_name(option.element), element_names(c_)));
-        throw StatementRefused{};
+        std::string_view name = base_name(option.element);
+        std::vector<Settable> all = settable_elements(c_), array;
+        std::ranges::copy_if(all, std::back_inserter(array),
+                             [&](const Settable& each) { return base_name(each.name) == name; });
+        if (array.empty())
+            report(option.at, fmt::format("the netlist has no node, connection or process \"{}\"", name),
+                   did_you_mean(name, element_names(c_)), what_can_be_set(c_));
+        const Settable &first = array.front(), &last = array.back();
+        report(option.at, fmt::format("there is no \"{}\"", option.element),
+               array.size() == 1 ? fmt::format("there is only {}", first.name)
+                                 : fmt::format("they are {} to {}", first.name, last.name));
     }
 
-    void report(const DraftOverride& option, std::string message, std::string hint) {
+    [[noreturn]] void report(const Location& at, std::string message, std::string hint,
+                             const std::vector<std::string>& notes = {}) {
         std::vector<SecondPlace> others;
-        for (const std::string& line : what_can_be_set(c_))
-            others.push_back({line, {}});
-        c_.reporter.error(option.at, std::move(message), std::move(hint), std::move(others));
+        for (const std::string& note : notes)
+            others.push_back({note, {}});
+        c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
+        throw StatementRefused{};
     }
 
     Completion& c_;

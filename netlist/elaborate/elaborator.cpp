@@ -10,8 +10,7 @@
 namespace placedpar {
 
 Elaborator::Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter)
-    : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue),
-      evaluator_(scopes_, reporter) {
+    : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter) {
     // what a printed network says by a predefined name must mean that again when it is read
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())

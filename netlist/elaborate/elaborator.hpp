@@ -131,11 +131,11 @@ private:
     ProcessType process_defaults_; ///< of all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
-    std::set<std::string> claimed_;      ///< names that the network has, without subscripts
-    std::map<std::string, int> copies_;  ///< how often a name was claimed again
+    std::set<std::string> claimed_;     ///< names that the network has, without subscripts
+    std::map<std::string, int> copies_; ///< how often a name was claimed again
     std::vector<Override> overrides_;
     std::map<std::string, Location> overridden_vals_; ///< by the option here
-    std::size_t host_ = nowhere;         ///< the predefined edge, once it is used
+    std::size_t host_ = nowhere;                      ///< the predefined edge, once it is used
 };
 
 } // namespace placedpar

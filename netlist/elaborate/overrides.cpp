@@ -73,6 +73,8 @@ Constant OverrideValue::take(bool text_wanted, Reporter& reporter) const {
                   .location = at}},
                 reporter);
     }
+    if (typed.empty())
+        pass_on({{.message = "the value is missing", .location = at}}, reporter);
     if (!constant)
         pass_on(problems, reporter);
     return *constant;

@@ -134,7 +134,7 @@ struct Network {
     std::string source_path;
     std::vector<std::string> included_paths; ///< of the files that it includes
     std::vector<SetByOption> set;
-    std::uint64_t hash = 0;                  ///< FNV-1a of the canonical form that print_cfs prints
+    std::uint64_t hash = 0; ///< FNV-1a of the canonical form that print_cfs prints
 };
 
 /// "t[0].link[2]", or the name of an edge.
