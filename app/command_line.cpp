@@ -112,6 +112,7 @@ int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** arg
     app.name(program_name());
     app.require_subcommand(1);
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
+        "The name of a file can be -: standard input or output.\n"
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
         "            70 a defect of PlacedPar, 130 interrupted");
     try {

@@ -60,6 +60,7 @@ Constant Elaborator::override_val(Override& option, const Constant& original) {
                fmt::format("wrong type for the val \"{}\": {} is {}", name, shown(value), type_name(value)),
                fmt::format("the netlist gives it {}, {}", shown(original), type_name(original)));
     draft_.set.push_back({name, option.value.typed, {}});
+    reporter_.add_option(name, option.target.at);
     return value;
 }
 
