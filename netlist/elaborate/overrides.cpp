@@ -34,16 +34,23 @@ std::shared_ptr<const SourceFile> source_of(const std::string& name, const std::
     return source.file;
 }
 
+/// Null after having reported why.
+ExpressionPointer parse_value(TokenStream& tokens, Reporter& reporter) {
+    try {
+        ExpressionPointer expression = Parser(tokens, reporter).parse_whole_expression();
+        return reporter.failed() ? nullptr : std::move(expression); // as of what the lexer has reported
+    } catch (const StatementRefused&) {
+        return nullptr;
+    } catch (const GiveUp&) {
+        return nullptr;
+    }
+}
+
 Override parse_override(TokenStream& tokens, Reporter& reporter) {
     Override read;
     read.target = Parser(tokens, reporter).parse_target();
-    try {
-        read.expression = Parser(tokens, reporter).parse_whole_expression();
-    } catch (const StatementRefused&) {
-        read.value.problems = reporter.take();
-    } catch (const GiveUp&) {
-        read.value.problems = reporter.take();
-    }
+    read.expression = parse_value(tokens, reporter);
+    read.value.problems = reporter.take();
     return read;
 }
 

@@ -155,6 +155,8 @@ TEST_CASE("values are checked as the netlist's own, where the option says them")
     CHECK(says(refusal({{"m.code", "grey"}}), "did you mean \"gray\"?"));
     CHECK(says(refusal({{"m.population", "\"x\""}}), "--set:1:14: error: wrong type for the parameter"));
     CHECK(says(refusal({{"linkspeed", "-1"}}), "--set:1:11: error: illegal value of the attribute \"linkspeed\": -1"));
+    CHECK(says(refusal({{"linkspeed", "2G"}}), "--set:1:11: error: \"2G\" is no number"));
+    CHECK(says(refusal({{"people", "3x"}}), "--set:1:8: error: \"3x\" is no number"));
     CHECK(says(refusal({{"c.length", "\"x\""}}), "--set:1:10: error: wrong type for the attribute \"length\""));
     CHECK(says(refusal({{"m.priority", "2"}}), "a priority is HIGH, which is 0, or LOW, which is 1"));
     CHECK(says(refusal({{"people", "1.5"}}), "--set:1:8: error: wrong type for the val \"people\""));
