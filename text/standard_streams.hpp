@@ -17,5 +17,6 @@ std::string shown_output(const std::filesystem::path&);
 /// From now on print_out() writes to standard error, because a file is written to standard output, and whoever reads
 /// that wants nothing else in it.
 void give_standard_output_to_a_file();
+bool standard_output_takes_a_file();
 
 } // namespace placedpar

@@ -19,11 +19,7 @@ public:
 
     void run() {
         for (const DraftOverride& option : c_.draft.overrides)
-            try {
-                set(option);
-            } catch (const StatementRefused&) {
-                // the next one is tried
-            }
+            attempt([&] { set(option); });
         c_.network.set = c_.draft.set;
     }
 
@@ -32,13 +28,12 @@ private:
         if (option.element.empty() && option.member == "length")
             name_wires();
         std::vector<Settable> named = elements_of(option), having;
-        std::ranges::copy_if(named, std::back_inserter(having), [&](const Settable& each) {
-            return option.element.empty() ? each.has(option.member) : each.may_have(option.member);
-        });
+        std::ranges::copy_if(named, std::back_inserter(having),
+                             [&](const Settable& each) { return each.has(option.member, option.element.empty()); });
         if (having.empty())
             refuse(option, named);
-        SetByOption done{
-            option.element.empty() ? option.member : option.element + "." + option.member, option.value.typed, {}};
+        std::string name = option.element + (option.element.empty() ? "" : ".") + option.member;
+        SetByOption done{name, option.value.typed, {}};
         for (const Settable& each : having) {
             set_once(option, each);
             done.elements.push_back(each.name);
@@ -97,7 +92,7 @@ private:
         const Settable& first = named.front();
         std::string meant = did_you_mean(option.member, first.members());
         report(option.member_at,
-               fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element, first.word_for_member(),
+               fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element, first.noun_of_member(),
                            option.member),
                meant.empty() ? hint_at_node(option, first) : meant, {first.text_of_members()});
     }
@@ -108,7 +103,7 @@ private:
         if (process == nullptr || (*process)->node == nowhere)
             return "";
         Node& node = c_.draft.nodes[(*process)->node];
-        bool has = Settable{node.name, &node}.may_have(option.member);
+        bool has = Settable{node.name, &node}.has(option.member);
         return has ? fmt::format("the node that \"{}\" is placed on has: --set {}.{}=...", element.name, node.name,
                                  option.member)
                    : "";
@@ -136,11 +131,10 @@ private:
                              [&](const Settable& each) { return base_name(each.name) == name; });
         if (array.empty())
             report(option.at, fmt::format("the netlist has no node, connection or process \"{}\"", name),
-                   did_you_mean(name, element_names(c_)), what_can_be_set(c_));
-        const Settable &first = array.front(), &last = array.back();
+                   did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
+        std::string more = array.size() == 1 ? "" : " to " + array.back().name;
         report(option.at, fmt::format("there is no \"{}\"", option.element),
-               array.size() == 1 ? fmt::format("there is only {}", first.name)
-                                 : fmt::format("they are {} to {}", first.name, last.name));
+               fmt::format("there is {}{}", array.front().name, more));
     }
 
     [[noreturn]] void report(const Location& at, std::string message, std::string hint,

@@ -22,11 +22,6 @@ std::string list_of(std::vector<std::string> names, std::size_t most) {
     return fmt::format("{}{}", fmt::join(names, ", "), more);
 }
 
-/// Of a stand-in.
-const ParameterDeclaration* declared_parameter(const DraftProcess& process, const std::string& name) {
-    return process.interface ? find_named(process.interface->parameters, name) : nullptr;
-}
-
 std::vector<std::string> members_of(const Node& node, const ProcessKind*) {
     std::vector<std::string> names;
     for (const AttributeDescription& attribute : node.kind->attributes)
@@ -75,13 +70,6 @@ std::string groups_of(const std::vector<Settable>& elements, std::size_t categor
     return list_of(texts, most_groups_in_a_list);
 }
 
-std::string text_of_vals(const Draft& draft) {
-    std::vector<std::string> texts;
-    for (const auto& [name, value] : draft.vals)
-        texts.push_back(fmt::format("{} = {}", name, value));
-    return list_of(texts, most_names_in_a_list);
-}
-
 } // namespace
 
 const char* Settable::noun() const {
@@ -89,7 +77,7 @@ const char* Settable::noun() const {
     return nouns[thing.index()];
 }
 
-const char* Settable::word_for_member() const {
+const char* Settable::noun_of_member() const {
     return std::holds_alternative<DraftProcess*>(thing) ? "parameter" : "attribute";
 }
 
@@ -102,24 +90,21 @@ std::string Settable::text_of_members() const {
     return names.empty() ? "it has nothing that can be set" : "it has " + names;
 }
 
-bool Settable::has(const std::string& member) const {
-    if (const auto* connection = std::get_if<DraftConnection*>(&thing); connection != nullptr && member == "linkspeed")
+bool Settable::has(const std::string& member, bool as_every_element) const {
+    const auto* connection = std::get_if<DraftConnection*>(&thing);
+    if (as_every_element && connection != nullptr && member == "linkspeed")
         return (*connection)->bits_per_second.has_value();
-    return may_have(member);
-}
-
-bool Settable::may_have(const std::string& member) const {
     return std::ranges::count(members(), member) > 0 ||
            std::visit([&](const auto* each) { return keeps(*each, member); }, thing);
 }
 
 bool Settable::takes_text(const std::string& member) const {
     const auto* process = std::get_if<DraftProcess*>(&thing);
-    if (process == nullptr)
+    if (const auto* known = kind == nullptr ? nullptr : kind->parameter(member))
+        return known->type == ParameterType::text;
+    if (process == nullptr || !(*process)->interface)
         return false;
-    if (kind != nullptr)
-        return kind->parameter(member) != nullptr && kind->parameter(member)->type == ParameterType::text;
-    const ParameterDeclaration* declared = declared_parameter(**process, member);
+    const auto* declared = find_named((*process)->interface->parameters, member);
     return declared != nullptr && element_type(*declared) == ParameterType::text && element_dimensions(*declared) == 0;
 }
 
@@ -139,31 +124,27 @@ std::vector<Settable> settable_elements(Completion& c) {
     return all;
 }
 
-std::vector<std::string> element_names(Completion& c) {
-    std::vector<std::string> names;
-    for (const Settable& each : settable_elements(c))
-        names.emplace_back(base_name(each.name));
-    return names;
-}
-
 std::vector<std::string> names_to_set(Completion& c) {
     std::vector<std::string> names;
     for (const auto& [name, value] : c.draft.vals)
         names.push_back(name);
-    for (const Settable& each : settable_elements(c))
+    for (const Settable& each : settable_elements(c)) {
         std::ranges::copy(each.members(), std::back_inserter(names));
-    std::ranges::copy(element_names(c), std::back_inserter(names));
+        names.emplace_back(base_name(each.name));
+    }
     return names;
 }
 
 std::vector<std::string> what_can_be_set(Completion& c) {
     std::vector<Settable> all = settable_elements(c);
-    std::vector<std::string> lines;
+    std::vector<std::string> lines, vals;
+    for (const auto& [name, value] : c.draft.vals)
+        vals.push_back(fmt::format("{} = {}", name, value));
     auto add = [&](const std::string& heading, const std::string& what) {
         if (!what.empty())
             lines.push_back(heading + what);
     };
-    add("vals: ", text_of_vals(c.draft));
+    add("vals: ", list_of(vals, most_names_in_a_list));
     add("processes and their parameters: ", groups_of(all, 2));
     add("nodes and their attributes: ", groups_of(all, 0));
     add("connections and their attributes: ", groups_of(all, 1));

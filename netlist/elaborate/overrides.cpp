@@ -28,47 +28,27 @@ std::string without_blanks_around(std::string text) {
 std::shared_ptr<const SourceFile> source_of(const std::string& name, const std::string& value, Reporter& reporter) {
     LoadedSource source = check_source("--set", name + "=" + value);
     if (!source.problems.empty())
-        reporter.error({source.file, 1, 1}, source.problems.front().message);
-    if (reporter.failed())
-        throw StatementRefused{};
+        pass_on({{.message = source.problems.front().message, .location = {source.file, 1, 1}}}, reporter);
     return source.file;
-}
-
-/// Null after having reported why.
-ExpressionPointer parse_value(TokenStream& tokens, Reporter& reporter) {
-    try {
-        ExpressionPointer expression = Parser(tokens, reporter).parse_whole_expression();
-        return reporter.failed() ? nullptr : std::move(expression); // as of what the lexer has reported
-    } catch (const StatementRefused&) {
-        return nullptr;
-    } catch (const GiveUp&) {
-        return nullptr;
-    }
-}
-
-Override parse_override(TokenStream& tokens, Reporter& reporter) {
-    Override read;
-    read.target = Parser(tokens, reporter).parse_target();
-    read.expression = parse_value(tokens, reporter);
-    read.value.problems = reporter.take();
-    return read;
 }
 
 } // namespace
 
 Override read_override(const std::string& name, const std::string& value, Reporter& reporter) {
+    std::shared_ptr<const SourceFile> source = source_of(name, value, reporter);
+    Override read;
     Reporter here;
-    try {
-        std::shared_ptr<const SourceFile> source = source_of(name, value, here);
-        TokenStream tokens(source, "--set", here);
-        Override read = parse_override(tokens, here);
-        std::size_t blank = std::min(value.find_first_not_of(blanks), value.size());
-        read.value.typed = without_blanks_around(value);
-        read.value.at = {source, 1, name.size() + std::string_view("=").size() + blank + 1};
-        return read;
-    } catch (const StatementRefused&) {
+    TokenStream tokens(source, "--set", here);
+    Parser parser(tokens, here);
+    attempt([&] { read.target = parser.parse_target(); });
+    if (here.failed())
         pass_on(here.take(), reporter);
-    }
+    attempt([&] { read.expression = parser.parse_whole_expression(); });
+    read.value.problems = here.take();
+    std::size_t blank = std::min(value.find_first_not_of(blanks), value.size());
+    read.value.typed = without_blanks_around(value);
+    read.value.at = {source, 1, name.size() + std::string_view("=").size() + blank + 1};
+    return read;
 }
 
 Constant OverrideValue::take(bool text_wanted, Reporter& reporter) const {

@@ -33,9 +33,19 @@ struct OverrideValue {
 /// One option, read. What it names and what the value is come out when the netlist is known.
 struct Override {
     Reference target;
-    ExpressionPointer expression; ///< null where the value is none
+    ExpressionPointer expression; ///< of no use where the value has problems
     OverrideValue value;
 };
+
+/// Does what may refuse a text, and reports why then.
+template <class Work>
+void attempt(Work work) {
+    try {
+        work();
+    } catch (const StatementRefused&) { // and reported
+    } catch (const GiveUp&) {
+    }
+}
 
 /// Throws StatementRefused after having reported a name that can be none.
 Override read_override(const std::string& name, const std::string& value, Reporter&);

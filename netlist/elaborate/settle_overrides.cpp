@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace placedpar {
 
 namespace {
@@ -12,25 +15,15 @@ bool is_bare(const Reference& target) { return target.subscripts.empty() && targ
 
 void Elaborator::read_overrides(const Overrides& overrides) {
     for (const auto& [name, value] : overrides)
-        try {
-            overrides_.push_back(read_override(name, value, reporter_));
-        } catch (const StatementRefused&) {
-            // the next one is read
-        }
+        attempt([&] { overrides_.push_back(read_override(name, value, reporter_)); });
 }
 
 /// In the scopes as they are here.
 void Elaborator::evaluate(Override& option) {
-    if (!option.expression)
-        return;
     Reporter here;
-    try {
-        option.value.constant = Evaluator(scopes_, here).evaluate(*option.expression);
-    } catch (const StatementRefused&) {
-        option.value.problems = here.take();
-    } catch (const GiveUp&) {
-        option.value.problems = here.take();
-    }
+    if (option.value.problems.empty())
+        attempt([&] { option.value.constant = Evaluator(scopes_, here).evaluate(*option.expression); });
+    std::ranges::move(here.take(), std::back_inserter(option.value.problems));
 }
 
 /// What an option gives to the val in place of the original; the original where none does. Only vals outside of blocks
@@ -66,12 +59,8 @@ Constant Elaborator::override_val(Override& option, const Constant& original) {
 
 void Elaborator::settle_overrides() {
     for (Override& option : overrides_)
-        try {
-            if (!is_bare(option.target) || !overridden_vals_.contains(option.target.name))
-                draft_.overrides.push_back(settled(option));
-        } catch (const StatementRefused&) {
-            // the next one is tried
-        }
+        if (!is_bare(option.target) || !overridden_vals_.contains(option.target.name))
+            attempt([&] { draft_.overrides.push_back(settled(option)); });
 }
 
 DraftOverride Elaborator::settled(Override& option) {

@@ -191,7 +191,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
     CHECK(says(refusal({{"rot.clock", "3"}}), "no node, connection or process \"rot\"\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
     CHECK(says(refusal({{"t[2].clock", "3"}}), "there is no \"t[2]\"\n    t[2].clock=3\n    ^\n"
-                                               "hint: they are t[0] to t[1]\n"));
+                                               "hint: there is t[0] to t[1]\n"));
     CHECK(
         says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));
     CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: what of it is set is missing\n"));
