@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view blank_characters = " \t";
 
 [[noreturn]] void pass_on(const std::vector<Diagnostic>& problems, Reporter& reporter) {
     for (const Diagnostic& problem : problems)
@@ -19,8 +19,8 @@ constexpr std::string_view blanks = " \t";
 }
 
 std::string without_blanks_around(std::string text) {
-    text.erase(0, text.find_first_not_of(blanks));
-    text.erase(text.find_last_not_of(blanks) + 1);
+    text.erase(0, text.find_first_not_of(blank_characters));
+    text.erase(text.find_last_not_of(blank_characters) + 1);
     return text;
 }
 
@@ -45,7 +45,7 @@ Override read_override(const std::string& name, const std::string& value, Report
         pass_on(here.take(), reporter);
     attempt([&] { read.expression = parser.parse_whole_expression(); });
     read.value.problems = here.take();
-    std::size_t blank = std::min(value.find_first_not_of(blanks), value.size());
+    std::size_t blank = std::min(value.find_first_not_of(blank_characters), value.size());
     read.value.typed = without_blanks_around(value);
     read.value.at = {source, 1, name.size() + std::string_view("=").size() + blank + 1};
     return read;
