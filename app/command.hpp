@@ -30,8 +30,12 @@ struct Command {
 /// Every command: one of each file in the folder commands.
 std::vector<Command> commands();
 
-/// Gives the app its commands, in the order of their places, and does what the command line asks of them. Errors are
-/// reported on standard error. Returns the exit code of main().
+/// What the program calls itself in help and messages: "placedpar", or the name of a program that run_program() makes.
+const std::string& program_name();
+
+/// Gives the app its commands, in the order of their places, and does what the command line asks of them. The app's
+/// name is program_name() from then on. Errors are reported on standard error. Returns the exit code of main(). Ignores
+/// SIGPIPE: see print_out().
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv);
 
 } // namespace placedpar

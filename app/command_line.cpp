@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -43,9 +44,14 @@ std::vector<std::string> options_of(const CLI::App& command) {
     return names;
 }
 
-/// The command line as it was typed, whatever the program's file is called.
+std::string& name_of_program() {
+    static std::string name = "placedpar";
+    return name;
+}
+
+/// The command line as it was typed, wherever the program's file is.
 std::string typed(int argc, char** argv) {
-    std::string text = "placedpar";
+    std::string text = program_name();
     for (int i = 1; i < argc; ++i)
         text += " " + std::string(argv[i]);
     return text;
@@ -63,15 +69,15 @@ void require_command(const CLI::App& app, const std::string& first) {
     std::string name = option ? first.substr(0, first.find('=')) : first;
     std::vector<std::string> known = option ? options_of(app) : commands_of(app);
     if (std::ranges::find(known, name) == known.end())
-        throw UserError(
-            there_is_no(option ? "option" : "command", name, known, "say placedpar --help for those there are"));
+        throw UserError(there_is_no(option ? "option" : "command", name, known,
+                                    fmt::format("say {} --help for those there are", program_name())));
 }
 
 /// Of arguments that no option takes. Throws UserError.
 [[noreturn]] void refuse_extras(const CLI::App& app) {
     auto chosen = app.get_subcommands();
     const CLI::App& command = chosen.empty() ? app : *chosen.front();
-    std::string name = "placedpar" + (chosen.empty() ? "" : " " + command.get_name());
+    std::string name = program_name() + (chosen.empty() ? "" : " " + command.get_name());
     std::vector<std::string> extras = command.remaining();
     auto option =
         std::ranges::find_if(extras, [](const std::string& each) { return each.size() > 1 && each[0] == '-'; });
@@ -109,7 +115,7 @@ ExitCode report_defect(const char* what) {
     fmt::print(stderr,
                "{} defect of PlacedPar: {}\n"
                "please report it, with the command and the files that it was given\n",
-               painted(Paint::error, "placedpar:"), what);
+               painted(Paint::error, program_name() + ":"), what);
     return ExitCode::defect;
 }
 
@@ -121,11 +127,11 @@ ExitCode report_error() {
     } catch (const RefusedInput& refused) {
         fmt::print(stderr, "{}", refused.what());
     } catch (const UserError& error) {
-        fmt::print(stderr, "{} {}\n", painted(Paint::error, "placedpar:"), error.what());
+        fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), error.what());
     } catch (const std::system_error& error) {
-        fmt::print(stderr, "{} {}\n", painted(Paint::error, "placedpar:"), error.what());
+        fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), error.what());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "{} there is not enough memory\n", painted(Paint::error, "placedpar:"));
+        fmt::print(stderr, "{} there is not enough memory\n", painted(Paint::error, program_name() + ":"));
     } catch (const std::exception& error) {
         return report_defect(error.what());
     }
@@ -147,15 +153,21 @@ void choose_paint() {
 
 } // namespace
 
+const std::string& program_name() { return name_of_program(); }
+
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
     choose_paint();
     Action chosen;
+    std::signal(SIGPIPE, SIG_IGN);
+    if (!app.get_name().empty())
+        name_of_program() = app.get_name();
     std::ranges::sort(commands, {}, &Command::place);
     for (const Command& command : commands)
         declare(app, command, typed(argc, argv), chosen);
-    app.name("placedpar");
+    app.name(program_name());
     app.require_subcommand(1);
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
+        "The name of a file can be -: standard input or output.\n"
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
         "            70 a defect of PlacedPar, 130 interrupted");
     try {

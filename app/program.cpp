@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <utility>
 
 namespace placedpar {
@@ -13,7 +14,7 @@ extern const Command run_command, check_command, show_command, kinds_command;
 
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds) {
     add_own_kinds(std::move(own_kinds));
-    CLI::App app{"Runs, checks and shows netlists."};
+    CLI::App app{"Runs, checks and shows netlists.", std::filesystem::path(argv[0]).filename().string()};
     return carry_out(app, {run_command, check_command, show_command, kinds_command}, argc, argv);
 }
 

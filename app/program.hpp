@@ -7,7 +7,8 @@
 namespace placedpar {
 
 /// The main() of a program that does with netlists what placedpar does (run, check, show, kinds), and knows kinds of
-/// its own beside PlacedPar's. Returns the exit code. REQUIRES: their names are new.
+/// its own beside PlacedPar's. Messages and help call it by the name of its file. Returns the exit code; a kind whose
+/// name is taken is a user's error.
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds);
 
 } // namespace placedpar

@@ -35,12 +35,11 @@ std::vector<LinkUse> Machine::link_uses() const {
     for (std::size_t i = 0; i < links_.size(); ++i) {
         const LinkConnection& connection = network_.connections[i];
         auto a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
-        Time byte_time = hardware::LinkTiming{.bits_per_second = connection.bits_per_second}.data();
-        auto add = [&](const std::string& from, const std::string& to, std::uint64_t bytes) {
-            uses.push_back({from, to, bytes, times(static_cast<std::int64_t>(bytes), byte_time)});
+        auto add = [&](const std::string& from, const std::string& to, const hardware::LinkDirection& direction) {
+            uses.push_back({from, to, direction.bytes_carried(), direction.time_occupied()});
         };
-        add(a, b, links_[i]->from_a_to_b().bytes_carried());
-        add(b, a, links_[i]->from_b_to_a().bytes_carried());
+        add(a, b, links_[i]->from_a_to_b());
+        add(b, a, links_[i]->from_b_to_a());
     }
     return uses;
 }

@@ -69,7 +69,9 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
         return std::nullopt;
     Elaborator elaborator(catalogue, overrides, reporter);
     elaborator.run(statements);
-    elaborator.check_overrides();
+    if (reporter.failed())
+        return std::nullopt;
+    elaborator.settle_overrides();
     if (reporter.failed())
         return std::nullopt;
     auto network = complete(elaborator.take(), catalogue, options.programs, reporter);
@@ -120,7 +122,7 @@ std::string render(const ReadResult& result) { return render(result.diagnostics)
 
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides,
                         const ReadOptions& options) {
-    return read(load_source(path), path, catalogue, overrides, options);
+    return read(load_input(path), path, catalogue, overrides, options);
 }
 
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides,

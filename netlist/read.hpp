@@ -27,7 +27,8 @@ struct ReadOptions {
     ProgramKinds programs = {};                              ///< a program that the netlist does not use is an error
 };
 
-/// Reads, elaborates and checks a netlist. Throws nothing that the text can cause.
+/// Reads, elaborates and checks a netlist; "-" is standard input, and its `#include` relative to the working directory.
+/// Throws nothing that the text can cause.
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 

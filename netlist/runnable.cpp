@@ -59,7 +59,7 @@ SecondPlace note_on_program(const std::string& program, const Missing& missing) 
 }
 
 SecondPlace note_on_edge(const std::string& edge, const Missing& missing) {
-    return {fmt::format("nobody is at the edge \"{}\", where these lead: {}", edge, listed(missing.names)),
+    return {fmt::format("there is no process at the edge \"{}\", to which these lead: {}", edge, listed(missing.names)),
             missing.first};
 }
 
@@ -67,11 +67,11 @@ std::string counted(std::size_t count, const std::string& thing) {
     return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-/// "2 programs are unknown, and nobody is at 1 edge".
+/// "2 programs are unknown, and 1 edge has no process".
 std::string summary(std::size_t programs, std::size_t edges) {
     auto unknown = counted(programs, "program") + (programs == 1 ? " is" : " are") + " unknown";
-    auto nobody = "nobody is at " + counted(edges, "edge");
-    return programs == 0 ? nobody : edges == 0 ? unknown : unknown + ", and " + nobody;
+    auto deserted = counted(edges, "edge") + (edges == 1 ? " has" : " have") + " no process";
+    return programs == 0 ? deserted : edges == 0 ? unknown : unknown + ", and " + deserted;
 }
 
 /// What to say for the first of each, as it would be said.
@@ -79,7 +79,7 @@ std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });
         named != programs.end())
-        text = fmt::format("--use {}=KIND puts a kind in the place of a program; placedpar kinds lists them",
+        text = fmt::format("--use {}=KIND puts a kind in the place of a program; the command kinds lists them",
                            named->first);
     if (auto without = programs.find(""); without != programs.end())
         text += fmt::format("{}use \"KIND\" for {};", text.empty() ? "" : "; ", without->second.names.front());

@@ -6,7 +6,7 @@
 namespace placedpar {
 
 /// A network that can be shown need not be one that can be run: programs may be unknown, and channels lead to edges
-/// where nobody is. Throws RefusedInput with one message that names all of them.
+/// that have no process. Throws RefusedInput with one message that names all of them.
 void require_runnable(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar

@@ -1,10 +1,13 @@
 #include "text/load_source.hpp"
 
+#include "text/standard_streams.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <optional>
 
@@ -90,12 +93,9 @@ LoadedSource check_source(std::string shown_path, std::string text) {
     return {file, problem ? std::vector{std::move(*problem)} : std::vector<Diagnostic>{}};
 }
 
-LoadedSource load_source(const std::filesystem::path& path) {
-    if (auto why = why_not_a_file(path); !why.empty())
-        return refused(path.string(), why);
-    std::ifstream in(path, std::ios::binary);
-    if (!in)
-        return refused(path.string(), "the file cannot be opened for reading");
+namespace {
+
+LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     std::string text;
     std::array<char, 1 << 16> piece;
     while (text.size() <= largest_source_bytes + 3 && in) { // three bytes may be a byte order mark
@@ -103,9 +103,27 @@ LoadedSource load_source(const std::filesystem::path& path) {
         text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
     }
     if (in.bad())
-        return refused(path.string(), "the file cannot be read to its end");
+        return refused(shown_path, "the file cannot be read to its end");
     text.shrink_to_fit(); // it is kept for as long as one of its lines may have to be shown
-    return check_source(path.string(), std::move(text));
+    return check_source(shown_path, std::move(text));
+}
+
+} // namespace
+
+LoadedSource load_source(const std::filesystem::path& path) {
+    if (auto why = why_not_a_file(path); !why.empty())
+        return refused(path.string(), why);
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        return refused(path.string(), "the file cannot be opened for reading");
+    return read_source(in, path.string());
+}
+
+LoadedSource load_input(const std::filesystem::path& path) {
+    if (!is_standard_stream(path))
+        return load_source(path);
+    static const LoadedSource standard_input = read_source(std::cin, shown_input(path));
+    return standard_input;
 }
 
 } // namespace placedpar

@@ -22,6 +22,9 @@ struct LoadedSource {
 /// Reads a whole file. A missing file, a directory, a device, one that is too large or is no text is a
 /// problem. A Ctrl-Z ends the text, as it does in DOS.
 LoadedSource load_source(const std::filesystem::path& path);
+/// The same, but "-" is standard input (text/standard_streams.hpp), which is read once: who asks again gets the same
+/// text.
+LoadedSource load_input(const std::filesystem::path& path);
 /// The same checks of a text that is there already.
 LoadedSource check_source(std::string shown_path, std::string text);
 

@@ -1,5 +1,6 @@
 #include "text/output_file.hpp"
 
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const char* reason) {
-    throw UserError(fmt::format("{}: cannot be written: {}", path.string(), reason));
+    throw UserError(fmt::format("{}: cannot be written: {}", shown_output(path), reason));
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }
@@ -44,6 +45,8 @@ bool may_write(const fs::path& path, const struct stat& file) {
 
 /// Where the content goes in the end. Throws when that is a folder or must not be written.
 fs::path destination_of(const fs::path& path) {
+    if (is_standard_stream(path))
+        return path;
     struct stat file = {};
     bool there = ::stat(path.c_str(), &file) == 0;
     if (there && S_ISDIR(file.st_mode))
@@ -56,7 +59,17 @@ fs::path destination_of(const fs::path& path) {
 /// A device, a pipe: something that a file must not take the place of.
 bool is_written_as_it_goes(const fs::path& destination) {
     std::error_code error;
-    return fs::is_other(destination, error);
+    return is_standard_stream(destination) || fs::is_other(destination, error);
+}
+
+/// Standard output stays open when the file is closed.
+std::FILE* open_for_writing(const fs::path& path) {
+    if (!is_standard_stream(path))
+        return std::fopen(path.c_str(), "wb");
+    std::fflush(stdout);
+    give_standard_output_to_a_file();
+    int copy = ::dup(STDOUT_FILENO);
+    return copy < 0 ? nullptr : ::fdopen(copy, "wb");
 }
 
 fs::path temporary_beside(const fs::path& path) {
@@ -66,6 +79,8 @@ fs::path temporary_beside(const fs::path& path) {
 }
 
 bool are_one_file(const fs::path& a, const fs::path& b) {
+    if (is_standard_stream(a) || is_standard_stream(b))
+        return a == b;
     std::error_code error;
     if (fs::equivalent(a, b, error))
         return true;
@@ -84,7 +99,7 @@ bool takes_standard_output(const fs::path& path) {
 OutputFile::OutputFile(const fs::path& path)
     : name_(path), destination_(destination_of(path)),
       written_(is_written_as_it_goes(destination_) ? destination_ : temporary_beside(destination_)),
-      file_(std::fopen(written_.c_str(), "wb")) {
+      file_(open_for_writing(written_)) {
     if (!file_)
         refuse(name_, errno);
     struct stat before = {};
@@ -125,7 +140,7 @@ void OutputFile::finish() {
         if (error_ != 0)
             std::remove(written_.c_str());
     }
-    if (error_ != 0)
+    if (error_ != 0 && !(is_standard_stream(name_) && error_ == EPIPE))
         refuse(name_, error_);
 }
 
@@ -136,6 +151,8 @@ void write_whole(const fs::path& path, std::string_view content) {
 }
 
 void require_writable(const fs::path& path) {
+    if (is_standard_stream(path))
+        return give_standard_output_to_a_file();
     if (takes_standard_output(path))
         refuse(path, "standard output goes there; choose another name");
     if (!is_written_as_it_goes(destination_of(path)))
@@ -146,7 +163,7 @@ void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         if (outputs[i].empty())
             continue;
-        if (!input.empty() && are_one_file(outputs[i], input))
+        if (!input.empty() && !is_standard_stream(input) && are_one_file(outputs[i], input))
             refuse(outputs[i], "the output file is also the input; choose another name");
         for (std::size_t j = 0; j < i; ++j)
             if (!outputs[j].empty() && are_one_file(outputs[i], outputs[j]))

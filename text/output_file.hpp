@@ -9,7 +9,8 @@ namespace placedpar {
 
 /// A file that is written whole or not at all: to a temporary file beside it, which takes its name at the end.
 /// A symbolic link stays one, and what it leads to is written; a file that is there already keeps its permissions.
-/// A device or a pipe has no name to take: it is written as it goes.
+/// A device or a pipe has no name to take: it is written as it goes, and so is "-", standard output
+/// (text/standard_streams.hpp).
 class OutputFile {
 public:
     /// Throws UserError, naming the file and the reason.
@@ -21,7 +22,7 @@ public:
 
     /// finish() reports what goes wrong here, so that this can be called where nothing may throw.
     void write(std::string_view) noexcept;
-    /// Throws UserError when the file could not be written whole.
+    /// Throws UserError when the file could not be written whole. Who reads standard output may stop reading.
     void finish();
 
 private:
@@ -39,14 +40,18 @@ private:
 void write_whole(const std::filesystem::path&, std::string_view content);
 
 /// Throws UserError if an OutputFile of this path is sure to fail, so that a long run is not lost: in a folder that is
-/// not there, a file without permission to write, the file that standard output goes to.
+/// not there, a file without permission to write, the file that standard output goes to. Gives standard output to the
+/// file if that is "-".
 void require_writable(const std::filesystem::path&);
 
-/// Throws UserError if one of the outputs is also the input or another output. An empty path is no file.
+/// Throws UserError if one of the outputs is also the input or another output. An empty path is no file, and standard
+/// input and standard output, both "-", are two.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
-/// Writes to standard output, at once. Throws UserError when it could not be written whole: everything that a command
-/// prints goes through here, so that a report that a full disk has lost is not taken for a success.
+/// Writes to standard output, at once; to standard error where a file takes standard output. Throws UserError when it
+/// could not be written whole: everything that a command prints goes through here, so that a report that a full disk
+/// has lost is not taken for a success. A reader that has gone, as `head` does, loses nothing that it wants, and the
+/// command goes on to write its files. REQUIRES: SIGPIPE is ignored.
 void print_out(std::string_view text);
 
 } // namespace placedpar

@@ -1,6 +1,10 @@
 #include "text/reporter.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 
 namespace placedpar {
 
@@ -8,6 +12,21 @@ namespace {
 
 /// Files that include files: the innermost tell where one is.
 constexpr int most_included_notes = 10;
+
+bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// The words of a line, each once.
+std::set<std::string_view> words_in(std::string_view line) {
+    std::set<std::string_view> words;
+    for (auto begin = line.begin(); begin != line.end();) {
+        begin = std::find_if(begin, line.end(), in_word);
+        auto end = std::find_if_not(begin, line.end(), in_word);
+        words.insert(
+            line.substr(static_cast<std::size_t>(begin - line.begin()), static_cast<std::size_t>(end - begin)));
+        begin = end;
+    }
+    return words;
+}
 
 } // namespace
 
@@ -33,7 +52,17 @@ void Reporter::warning(const Location& location, std::string message, std::strin
         keep({Severity::warning, std::move(message), location, std::move(hint), {}});
 }
 
+void Reporter::note_options(Diagnostic& diagnostic) const {
+    const Location& at = diagnostic.location;
+    if (options_.empty() || !at.file)
+        return;
+    for (std::string_view word : words_in(at.file->line(at.line)))
+        if (auto option = options_.find(word); option != options_.end() && option->second.file != at.file)
+            diagnostic.others.push_back({fmt::format("\"{}\" is set here", word), option->second});
+}
+
 void Reporter::keep(Diagnostic diagnostic) {
+    note_options(diagnostic);
     auto file = included_.find(diagnostic.location.file);
     for (int notes = 0; file != included_.end() && notes < most_included_notes; ++notes) {
         if (std::ranges::find(diagnostic.others, file->second, &SecondPlace::location) == diagnostic.others.end())

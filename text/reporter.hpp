@@ -35,6 +35,8 @@ public:
     void warning(const Location& location, std::string message, std::string hint = "");
     /// Each diagnostic in this file will say where the file is included.
     void add_included(const std::shared_ptr<const SourceFile>& file, const Location& at) { included_[file] = at; }
+    /// An option gave the name another value: each error in a line that uses it will say so, since that may be why.
+    void add_option(const std::string& name, const Location& at) { options_[name] = at; }
     /// One error says it all: forgets what was reported before.
     void replace_all(const Location& location, std::string message, std::string hint);
 
@@ -49,12 +51,14 @@ public:
 
 private:
     void keep(Diagnostic diagnostic);
+    void note_options(Diagnostic& diagnostic) const;
     /// False where the place has an error already.
     bool is_first_at(const Location& place);
 
     std::vector<Diagnostic> diagnostics_;
     std::set<std::tuple<std::shared_ptr<const SourceFile>, std::size_t, std::size_t>> places_; ///< of errors
     std::map<std::shared_ptr<const SourceFile>, Location> included_;                           ///< at
+    std::map<std::string, Location, std::less<>> options_;                                     ///< by name: at
     std::size_t errors_ = 0, repeated_ = 0, warnings_ = 0;
 };
 

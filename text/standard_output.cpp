@@ -1,5 +1,5 @@
 #include "text/output_file.hpp"
-
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +11,12 @@
 namespace placedpar {
 
 void print_out(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        throw UserError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+    std::FILE* out = standard_output_takes_a_file() ? stderr : stdout;
+    if (std::fwrite(text.data(), 1, text.size(), out) == text.size() && std::fflush(out) == 0)
+        return;
+    if (errno != EPIPE)
+        throw UserError(
+            fmt::format("standard {} cannot be written: {}", out == stdout ? "output" : "error", std::strerror(errno)));
 }
 
 } // namespace placedpar

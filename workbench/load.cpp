@@ -35,7 +35,7 @@ void report(const std::vector<Diagnostic>& faults, const File& file, const Warni
 }
 
 File load_text(const std::filesystem::path& path) {
-    LoadedSource loaded = load_source(path);
+    LoadedSource loaded = load_input(path);
     if (has_errors(loaded.problems))
         throw RefusedInput(render_faults(loaded.problems, loaded.file, Severity::error));
     return loaded.file;

@@ -14,6 +14,7 @@
 namespace placedpar {
 
 // Files of the user's. A file with errors is refused: RefusedInput shows each with file, line, column and a caret.
+// "-" is standard input.
 
 /// Told a file's warnings, rendered: whole lines.
 using WarningSink = std::function<void(const std::string&)>;

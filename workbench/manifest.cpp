@@ -25,21 +25,35 @@ boost::json::object object_of(const std::map<std::string, std::string>& values) 
     return object;
 }
 
+boost::json::array set_json(const Network& network) {
+    boost::json::array set;
+    for (const SetByOption& each : network.set)
+        set.push_back(
+            boost::json::object{{"name", each.name},
+                                {"value", each.value},
+                                {"elements", boost::json::array(each.elements.begin(), each.elements.end())}});
+    return set;
+}
+
 } // namespace
 
 boost::json::object manifest_json(const Manifest& manifest, const Network& network) {
     boost::json::array folders;
     for (const auto& folder : manifest.read.include_folders)
         folders.emplace_back(folder.string());
-    return {{"version", version},
-            {"commit", commit},
-            {"command", manifest.command},
-            {"netlist", network.source_path},
-            {"netlist_hash", hex(network.hash)},
-            {"overrides", object_of(manifest.overrides)},
-            {"programs", object_of(manifest.read.programs)},
-            {"include_folders", std::move(folders)},
-            {"seed", manifest.seed}};
+    boost::json::object json{{"version", version},
+                             {"commit", commit},
+                             {"command", manifest.command},
+                             {"netlist", network.source_path},
+                             {"netlist_hash", hex(network.hash)},
+                             {"overrides", object_of(manifest.overrides)},
+                             {"set", set_json(network)},
+                             {"programs", object_of(manifest.read.programs)},
+                             {"include_folders", std::move(folders)},
+                             {"seed", manifest.seed}};
+    if (manifest.until != Time::max())
+        json["until_ps"] = manifest.until.count();
+    return json;
 }
 
 namespace {

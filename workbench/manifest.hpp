@@ -2,6 +2,7 @@
 
 #include "netlist/network/network.hpp"
 #include "netlist/read.hpp"
+#include "runtime/time.hpp"
 
 #include <boost/json.hpp>
 
@@ -16,6 +17,7 @@ struct Manifest {
     std::uint64_t seed;
     Overrides overrides;
     ReadOptions read = {};
+    Time until = Time::max(); ///< where the run was to be stopped
 };
 
 extern const char* const version;
@@ -25,7 +27,9 @@ extern const char* const commit;
 /// "0.1.0 (commit 2ec56e0)".
 std::string version_text();
 
-/// {"version", "commit", "command", "netlist", "netlist_hash", "overrides", "programs", "include_folders", "seed"}
+/// {"version", "commit", "command", "netlist", "netlist_hash", "overrides", "set", "programs", "include_folders",
+/// "seed"}. The overrides are as they were asked for; "set" says which elements each of them reached, none for a val.
+/// With "until_ps" where the run was to be stopped.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.

@@ -33,7 +33,7 @@ RunReport run_netlist(const Network& network, const ProblemRegistry& problems, c
         machine.trace_to(*settings.trace);
     Interruption never;
     InterruptibleMachine interruptible(machine, settings.interruption ? *settings.interruption : never);
-    return machine.run();
+    return machine.run(settings.until);
 }
 
 } // namespace placedpar

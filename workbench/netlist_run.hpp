@@ -25,6 +25,7 @@ private:
 /// How a network is run.
 struct RunSettings {
     std::uint64_t seed = 1;
+    Time until = Time::max();             ///< the run ends there if it is not over before
     TraceSink* trace = nullptr;           ///< none: no trace
     Interruption* interruption = nullptr; ///< none: nothing ends the run early. Of one run at a time
 };

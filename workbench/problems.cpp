@@ -8,6 +8,9 @@
 #include "hydraulics/plant/excavator_values.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
 #include "runtime/random.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -45,6 +48,14 @@ std::vector<ProcessKind>& own_kinds() {
     return kinds;
 }
 
+void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
+    if (catalogue.find(kind.name) != nullptr)
+        throw UserError(fmt::format("this program adds a process kind \"{}\", but that name is taken: give the kind "
+                                    "another, such as \"own.{}\"",
+                                    kind.name, kind.name.substr(kind.name.rfind('.') + 1)));
+    catalogue.add(kind);
+}
+
 } // namespace
 
 void add_own_kinds(std::vector<ProcessKind> kinds) { std::ranges::move(kinds, std::back_inserter(own_kinds())); }
@@ -57,11 +68,11 @@ ProblemRegistry known_problems(std::uint64_t seed) {
 
 Catalogue known_kinds(const ProblemRegistry& problems) {
     Catalogue catalogue;
-    for (const ProcessKind& kind : own_kinds())
-        catalogue.add(kind);
     add_csp_kinds(catalogue);
     add_classical_kinds(catalogue);
     add_genetic_algorithm_kinds(catalogue, problems);
+    for (const ProcessKind& kind : own_kinds())
+        add_own_kind(catalogue, kind);
     return catalogue;
 }
 

@@ -1,6 +1,7 @@
 #include "workbench/process_search.hpp"
 
 #include "gaprocs/search_problem.hpp"
+#include "netlist/network/names.hpp"
 #include "text/diagnostic.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
@@ -91,8 +92,13 @@ std::optional<Difference> first_difference(const Network& network, const Setting
     auto place = process->given.find(name);
     diagnostic.location = place == process->given.end() ? process->declared : place->second;
     diagnostic.hint =
-        "use the same value in both: change the netlist, or --set its val, or give identify the matching option";
+        "use the same value in both: change the netlist, or --set it, or give identify the matching option";
     throw RefusedInput(render(diagnostic));
+}
+
+bool is_val(const std::string& name, const Network& network) {
+    const SetByOption* set = find_named(network.set, name);
+    return set != nullptr && set->elements.empty();
 }
 
 /// Reads the netlist with the settings; those that it fixes otherwise go by the vals of their names.
@@ -108,7 +114,7 @@ Network load_with(const Settings& settings, const NetlistAsked& netlist, const P
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
             refuse(*difference);
         ReadResult again = read_netlist(netlist.path, catalogue, ours, netlist.options);
-        if (!again.network)
+        if (!again.network || !is_val(difference->name, *again.network))
             refuse(*difference);
         read = std::move(again);
     }

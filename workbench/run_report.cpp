@@ -3,6 +3,7 @@
 #include "text/paint.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -36,6 +37,23 @@ std::string print_measurements(const std::vector<Measurement>& rows) {
     return out;
 }
 
+/// Of a name for many elements, those that it reached; the first of them where they are very many.
+std::string print_reached(std::vector<std::string> elements) {
+    constexpr std::size_t most = 8;
+    if (elements.empty())
+        return "";
+    std::size_t more = elements.size() - std::min(elements.size(), most);
+    elements.resize(elements.size() - more);
+    return fmt::format(", for {}{}", fmt::join(elements, ", "), more == 0 ? "" : fmt::format(" and {} more", more));
+}
+
+std::string print_set(const Network& network) {
+    std::string out;
+    for (const SetByOption& each : network.set)
+        out += fmt::format("set: {} = {}{}\n", each.name, each.value, print_reached(each.elements));
+    return out;
+}
+
 /// A part of the run's time: in percent, or where there is no whole, as in a deadlock, in milliseconds.
 std::string print_part(const RunReport& report, Time part) {
     if (auto share = report.share(part))
@@ -66,11 +84,14 @@ std::string print_links(const RunReport& report) {
     return out;
 }
 
-/// In a deadlock a process that waits does so for ever.
+/// In a deadlock a process that waits does so for ever; where a run was stopped, it waited when it was.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
-    if (report.result.ending == Ending::stuck && process.waits_since)
-        return fmt::format("for ever, from {:.3f} ms on", in_milliseconds(*process.waits_since));
-    return print_part(report, process.waiting);
+    if (!process.waits_since)
+        return fmt::format("{:>7}", print_part(report, process.waiting));
+    double since = in_milliseconds(*process.waits_since);
+    if (report.result.ending == Ending::stuck)
+        return fmt::format("for ever, from {:.3f} ms on", since);
+    return fmt::format("{:>7}, the last wait since {:.3f} ms", print_part(report, process.waiting), since);
 }
 
 std::string print_processes(const RunReport& report) {
@@ -79,7 +100,7 @@ std::string print_processes(const RunReport& report) {
     std::string out =
         painted(Paint::heading, fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting"));
     for (const ProcessUse& p : rows)
-        out += fmt::format("{:<{}}  {:<{}}  {:>7}\n", p.name, name, p.processor, node, print_wait(report, p));
+        out += fmt::format("{:<{}}  {:<{}}  {}\n", p.name, name, p.processor, node, print_wait(report, p));
     return out;
 }
 
@@ -151,9 +172,12 @@ std::string print_ending(Ending ending) {
 } // namespace
 
 std::string print_report(const RunReport& report, const Network& network) {
+    bool stopped = report.result.ending == Ending::time_limit;
     std::string out =
-        fmt::format("{}: {} at {}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
-                    to_string(report.result.time), report.result.fingerprint);
+        fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
+                    to_string(report.result.time), stopped ? "; what follows is of the time until then" : "",
+                    report.result.fingerprint) +
+        print_set(network);
     if (report.result.deadlock)
         out += "\n" + report.result.deadlock->text();
     if (!report.measurements.empty())

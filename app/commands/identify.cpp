@@ -6,6 +6,7 @@
 #include "app/standard_error.hpp"
 #include "identification/flags.hpp"
 #include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 #include "workbench/identification_report.hpp"
 #include "workbench/load.hpp"
@@ -16,6 +17,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -163,7 +165,10 @@ ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost:
 
 void require_files(const IdentifyOptions& options) {
     const std::filesystem::path output[] = {options.json};
-    for (const std::string& input : {options.record, options.machine, options.netlist})
+    const std::string inputs[] = {options.record, options.machine, options.netlist};
+    if (std::ranges::count_if(inputs, is_standard_stream) > 1)
+        throw UserError("standard input is one file: only one of RECORD, --machine and --on can be \"-\"");
+    for (const std::string& input : inputs)
         require_apart(output, input);
     if (!options.json.empty())
         require_writable(options.json);
@@ -182,7 +187,7 @@ ExitCode identify_record(const IdentifyOptions& options, const std::string& comm
         write_whole(options.json, print_pretty(json));
     return code;
 } catch (const UnfitRecord& unfit) {
-    throw RefusedInput(fmt::format("{}: error: {}\n", options.record, unfit.what()));
+    throw RefusedInput(fmt::format("{}: error: {}\n", shown_input(options.record), unfit.what()));
 }
 
 Action declare_identify(CLI::App& command, const std::string& typed) {

@@ -6,6 +6,7 @@
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <memory>
 #include <string>
@@ -17,8 +18,10 @@ namespace {
 
 std::string list_kinds(const Catalogue& catalogue) {
     return print_kinds(catalogue) +
-           "\nsay placedpar kinds NAME for ports, parameters and measures, or a device's attributes; --json for all of "
-           "it\n";
+           fmt::format(
+               "\nsay {} kinds NAME for ports, parameters and measures, or a device's attributes; --json for all "
+               "of it\n",
+               program_name());
 }
 
 struct KindsOptions {

@@ -7,6 +7,7 @@
 #include "experiments/kit/replay_report.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 #include "workbench/gnuplot.hpp"
 #include "workbench/manifest.hpp"
@@ -52,6 +53,8 @@ const Experiment& find_experiment(const std::string& name) {
 }
 
 void require_folder_for_plots(const std::filesystem::path& folder) {
+    if (is_standard_stream(folder))
+        throw UserError("--plots -: plots are files in a folder; standard output is none");
     require_gnuplot();
     std::error_code error;
     std::filesystem::create_directories(folder, error);

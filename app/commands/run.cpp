@@ -25,6 +25,7 @@ struct RunOptions {
     NetlistOptions netlist;
     std::string json, trace; ///< files; "": not written
     TraceWindow traced;
+    Time until = Time::max();
     std::uint64_t seed = 1;
 };
 
@@ -35,13 +36,15 @@ void require_outputs(std::span<const std::filesystem::path> outputs, const RunOp
             require_writable(path);
 }
 
-RunReport run_network(const Network& network, std::uint64_t seed, TraceSink* trace) {
+RunReport run_network(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
-    return run_netlist(network, known_problems(seed), {.seed = seed, .trace = trace, .interruption = &interruption});
+    return run_netlist(network, known_problems(options.seed),
+                       {.seed = options.seed, .until = options.until, .trace = trace, .interruption = &interruption});
 }
 
 ExitCode run(const RunOptions& options, const std::string& typed) {
-    Manifest manifest{typed, options.seed, overrides_of(options.netlist.set), read_options_of(options.netlist.read)};
+    Manifest manifest{typed, options.seed, overrides_of(options.netlist.set), read_options_of(options.netlist.read),
+                      options.until};
     const std::filesystem::path outputs[] = {options.json, options.trace};
     if (!options.trace.empty())
         require_trace_format(options.trace);
@@ -52,7 +55,7 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
     std::optional<TraceFile> trace;
     if (!options.trace.empty())
         trace.emplace(options.trace, network, options.traced);
-    RunReport report = run_network(network, options.seed, trace ? &trace->sink() : nullptr);
+    RunReport report = run_network(network, options, trace ? &trace->sink() : nullptr);
     print_out(print_report(report, network));
     if (!options.json.empty())
         write_whole(options.json, print_pretty(report_json(report, network, manifest)));
@@ -74,6 +77,7 @@ Action declare_run(CLI::App& command, const std::string& typed) {
     auto options = std::make_shared<RunOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
+    add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the report for machines");
     add_trace(command, *options);
     return [options, typed] { return run(*options, typed); };

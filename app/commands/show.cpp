@@ -1,4 +1,5 @@
 #include "app/command.hpp"
+#include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "netlist/print/print.hpp"
 #include "text/output_file.hpp"
@@ -6,7 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
+#include <string>
 
 namespace placedpar {
 
@@ -14,15 +17,32 @@ namespace {
 
 struct ShowOptions {
     NetlistOptions netlist;
-    std::string format = "cfs";
+    std::string format = "cfs", out;
 };
+
+std::string text_of(const Network& network, const std::string& format) {
+    return format == "cfs"   ? print_cfs(network)
+           : format == "svg" ? print_svg(network)
+           : format == "dot" ? print_dot(network)
+                             : print_json(network);
+}
+
+void require_apart_from_inputs(const std::filesystem::path& output, const Network& network,
+                               const std::string& netlist) {
+    require_apart({&output, 1}, netlist);
+    for (const std::string& included : network.included_paths)
+        require_apart({&output, 1}, included);
+}
 
 ExitCode show(const ShowOptions& options) {
     Network network = load_network(options.netlist);
-    print_out(options.format == "cfs"   ? print_cfs(network)
-              : options.format == "svg" ? print_svg(network)
-              : options.format == "dot" ? print_dot(network)
-                                        : print_json(network));
+    std::string text = text_of(network, options.format);
+    if (options.out.empty()) {
+        print_out(text);
+    } else {
+        require_apart_from_inputs(options.out, network, options.netlist.file);
+        write_whole(options.out, text);
+    }
     return ExitCode::success;
 }
 
@@ -33,6 +53,7 @@ Action declare_show(CLI::App& command, const std::string&) {
         ->check(CLI::IsMember({"cfs", "svg", "dot", "json"}).description(""))
         ->type_name("cfs|svg|dot|json")
         ->capture_default_str();
+    add_file(command, "-o,--out", options->out, "writes it there, not to standard output");
     return [options] { return show(*options); };
 }
 

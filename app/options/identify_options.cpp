@@ -95,7 +95,7 @@ void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
     auto* netlist =
         add_file(command, "--on", options.netlist,
                  "searches as the processes of this netlist, too; exit code 3 if they do not find the same", "NETLIST");
-    command.add_option("--set", options.set, "gives a val of that netlist another value")
+    command.add_option("--set", options.set, "sets a val, an attribute or a parameter of that netlist")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->needs(netlist);

@@ -74,7 +74,8 @@ ReadOptions read_options_of(const ReadOptionsTyped& typed) {
 
 void add_netlist(CLI::App& command, NetlistOptions& options) {
     command.add_option("FILE", options.file, "the netlist")->required();
-    add_set(command, options.set, "gives a val of the netlist another value");
+    add_set(command, options.set,
+            "sets a val, an attribute or a parameter: slaves=3, linkspeed=10M, slave[2].elite=1; as often as wanted");
     add_read_options(command, options.read);
 }
 

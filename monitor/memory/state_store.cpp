@@ -2,6 +2,7 @@
 
 #include "monitor/memory/diagnosis_json.hpp"
 #include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
@@ -41,6 +42,8 @@ fs::path beside(const fs::path& path, const char* ending) {
 
 /// Throws, before a journal is made beside it, when the path is something other than a file.
 fs::path path_of_file(fs::path path) {
+    if (is_standard_stream(path))
+        throw UserError("-: standard output is no state file; name a file, it need not exist yet");
     if (fs::exists(path) && !fs::is_regular_file(path))
         throw UserError(fmt::format("{}: it is {}, no state file; name a file, it need not exist yet", path.string(),
                                     fs::is_directory(path) ? "a folder" : "a device"));

@@ -18,8 +18,9 @@ std::string Completion::free_link(std::size_t node) const {
 
 Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter) {
     Completion completion{std::move(draft), catalogue, programs, reporter, {}, {}, {}, {}, {}, {}};
-    complete_hosts(completion);
     complete_programs(completion);
+    complete_overrides(completion);
+    complete_hosts(completion);
     if (reporter.failed())
         return {};
     complete_wires(completion);

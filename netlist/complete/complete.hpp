@@ -42,6 +42,8 @@ void complete_hosts(Completion& completion);
 void complete_wires(Completion& completion);
 /// programs.cpp: the kinds that take the place of programs.
 void complete_programs(Completion& completion);
+/// overrides.cpp: what options set of nodes, connections and processes.
+void complete_overrides(Completion& completion);
 /// processes.cpp: placement, kinds, and interfaces against kinds.
 void complete_processes(Completion& completion);
 /// parameters.cpp: the values of all parameters of one process.

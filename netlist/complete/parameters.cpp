@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace placedpar {
 
@@ -27,6 +28,10 @@ public:
         for (const auto& settings : draft_.settings)
             for (const auto& setting : *settings)
                 take_once(setting);
+        for (const auto& setting : draft_.overrides) {
+            set_.emplace(setting.name, setting.at);
+            take(setting);
+        }
         if (kind_ != nullptr)
             fill_in_defaults();
         else if (draft_.interface)
@@ -75,6 +80,7 @@ private:
 
     void take_for_kind(const Setting& setting, const ParameterDescription& known,
                        const ParameterDeclaration* declared) {
+        taken_.insert(known.name);
         auto value = convert(setting, known.type);
         if (!value || (declared != nullptr && !fits(setting, *declared, *value)))
             return;
@@ -177,7 +183,7 @@ private:
 
     void fill_in_defaults() {
         for (const auto& parameter : kind_->parameters) {
-            if (result_.contains(parameter.name))
+            if (taken_.contains(parameter.name))
                 continue;
             if (parameter.default_value)
                 take_default(parameter.name, *parameter.default_value);
@@ -210,7 +216,8 @@ private:
     const ProcessKind* kind_;
     std::map<std::string, Value>& result_;
     std::map<std::string, Location>& given_;
-    std::map<std::string_view, Location> set_; ///< by statements
+    std::map<std::string_view, Location> set_; ///< by statements and options
+    std::set<std::string_view> taken_;         ///< of the kind's parameters: given, or refused
 };
 
 } // namespace

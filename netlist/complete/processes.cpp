@@ -36,7 +36,7 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
         return nullptr;
     c.kind_refused[index] = true;
     c.reporter.error(used, fmt::format("there is no process kind \"{}\"", process.kind),
-                     guess.empty() ? "`placedpar kinds` lists them; a program file ends in .lku, .c8h and the like"
+                     guess.empty() ? "the command kinds lists them; a program file ends in .lku, .c8h and the like"
                                    : guess);
     return nullptr;
 }

@@ -84,6 +84,11 @@ std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporte
     return result;
 }
 
+const std::vector<std::string>& connection_attribute_names() {
+    static const std::vector<std::string> names{"linkspeed", "length"};
+    return names;
+}
+
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings,
                                  Reporter& reporter) {
     for (const auto& setting : settings)

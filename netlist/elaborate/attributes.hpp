@@ -20,7 +20,13 @@ SecondPlace first_given(const Location& at);
 /// `scopes` knows the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);
+/// Whether a declaration of the node may give it; `type` is none.
+bool has_node_attribute(const Node& node, const std::string& name);
+/// REQUIRES: has_node_attribute(node, setting.name).
+void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter);
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
+
+const std::vector<std::string>& connection_attribute_names();
 
 bool is_process_attribute(const std::string& name);
 const std::vector<std::string>& process_attribute_names();

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "netlist/elaborate/constant.hpp"
+#include "netlist/elaborate/overrides.hpp"
 #include "netlist/network/network.hpp"
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +77,7 @@ struct DraftProcess {
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null where the netlist gives none
     std::vector<SharedSettings> settings;       ///< statement by statement
+    std::vector<Setting> overrides;             ///< by options, in place of what the netlist says
     std::string kind;
     std::optional<Location> used; ///< by this `use`
     std::size_t node = nowhere;
@@ -113,6 +116,14 @@ struct DraftConnectionPlacement {
     Location at;
 };
 
+/// `--set` where it names no val.
+struct DraftOverride {
+    std::string element; ///< "slave[2]", or "slave" for the whole array; "": every element that has the member
+    std::string member;  ///< an attribute or a parameter
+    Location at, member_at;
+    OverrideValue value;
+};
+
 struct Draft {
     std::vector<Node> nodes;
     std::vector<int> links; ///< of each node
@@ -126,6 +137,11 @@ struct Draft {
     std::string default_kind;                                                 ///< `use ... for process;`
     Location default_used;
     std::size_t things = 0;
+    std::vector<DraftOverride> overrides;
+    std::vector<SetByOption> set; ///< so far
+    // Of vals outside of blocks, what the netlist gives them, as messages show it; those in blocks. For overrides only.
+    std::vector<std::pair<std::string, std::string>> vals;
+    std::set<std::string> vals_in_blocks;
 };
 
 } // namespace placedpar

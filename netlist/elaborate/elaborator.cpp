@@ -10,13 +10,13 @@
 namespace placedpar {
 
 Elaborator::Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter)
-    : catalogue_(catalogue), overrides_(overrides), reporter_(reporter), scopes_(catalogue),
-      evaluator_(scopes_, reporter) {
+    : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter) {
     // what a printed network says by a predefined name must mean that again when it is read
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())
         claimed_.insert(type.preset.type);
     scopes_.declare_predefined("host", {DeclaredThings{Category::node, nowhere, {}}, {}});
+    read_overrides(overrides);
 }
 
 void Elaborator::refuse(const Location& at, std::string message, std::string hint, std::vector<SecondPlace> others) {
@@ -46,11 +46,8 @@ void Elaborator::execute(const Statement& statement) {
 void Elaborator::perform(const ValStatement& form, const Location& at) {
     check_free(form.name, at);
     auto value = evaluator_.evaluate(*form.value);
-    if (scopes_.outermost()) {
-        vals_seen_.push_back(form.name);
-        if (auto found = overrides_.find(form.name); found != overrides_.end())
-            value = overridden(form.name, value, found->second);
-    }
+    if (!overrides_.empty())
+        value = overridden(form.name, value);
     scopes_.declare(form.name, {value, at});
 }
 

@@ -20,12 +20,12 @@ inline constexpr std::size_t most_interface_entries = 1000;
 /// connected and placed. A statement that is refused is reported and left out; the next one is tried.
 class Elaborator {
 public:
-    /// REQUIRES: the catalogue and the overrides outlive it.
+    /// REQUIRES: the catalogue outlives it.
     Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// After run(): reports overrides of vals that the netlist does not have.
-    void check_overrides();
+    /// After run(): leaves the overrides that are of no val to complete().
+    void settle_overrides();
     Draft take() { return std::move(draft_); }
 
 private:
@@ -46,8 +46,12 @@ private:
     void perform(const IfStatement& form, const Location& at);
     void perform(const BlockStatement& form, const Location& at);
 
-    // overrides.cpp
-    Constant overridden(const std::string& name, const Constant& original, const std::string& text);
+    // settle_overrides.cpp
+    void read_overrides(const Overrides& overrides);
+    void evaluate(Override& option);
+    Constant overridden(const std::string& name, const Constant& original);
+    Constant override_val(Override& option, const Constant& original);
+    DraftOverride settled(Override& option);
 
     // declaration.cpp
     void perform(const DefineStatement& form, const Location& at);
@@ -120,7 +124,6 @@ private:
                              std::vector<SecondPlace> others = {});
 
     const Catalogue& catalogue_;
-    const Overrides& overrides_;
     Reporter& reporter_;
     Scopes scopes_;
     Evaluator evaluator_;
@@ -128,10 +131,11 @@ private:
     ProcessType process_defaults_; ///< of all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
-    std::set<std::string> claimed_;      ///< names that the network has, without subscripts
-    std::map<std::string, int> copies_;  ///< how often a name was claimed again
-    std::vector<std::string> vals_seen_; ///< outside of blocks
-    std::size_t host_ = nowhere;         ///< the predefined edge, once it is used
+    std::set<std::string> claimed_;     ///< names that the network has, without subscripts
+    std::map<std::string, int> copies_; ///< how often a name was claimed again
+    std::vector<Override> overrides_;
+    std::map<std::string, Location> overridden_vals_; ///< by the option here
+    std::size_t host_ = nowhere;                      ///< the predefined edge, once it is used
 };
 
 } // namespace placedpar

@@ -73,17 +73,27 @@ void apply_attribute(NodeType& type, const Setting& setting, Reporter& reporter)
     auto& preset = type.preset;
     if (!preset.kind->has_attributes())
         value.refuse_name(with_article(preset.type), {});
-    if (const auto* attribute = preset.kind->attribute(setting.name))
-        preset.attributes[setting.name] = value.as(*attribute);
+    if (has_node_attribute(preset, setting.name))
+        apply_node_attribute(preset, setting, reporter);
     else if (setting.name == "type")
         check_type(type, value);
-    else if (auto names = attribute_names(*preset.kind); names_attribute(names, setting.name))
-        preset.other[setting.name] = value.any();
     else
-        value.refuse_name("a node", names);
+        value.refuse_name("a node", attribute_names(*preset.kind));
 }
 
 } // namespace
+
+bool has_node_attribute(const Node& node, const std::string& name) {
+    return node.kind->attribute(name) != nullptr || names_attribute(node.kind->kept, name);
+}
+
+void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter) {
+    AttributeValue value(setting, reporter);
+    if (const auto* attribute = node.kind->attribute(setting.name))
+        node.attributes[setting.name] = value.as(*attribute);
+    else
+        node.other[setting.name] = value.any();
+}
 
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter) {

@@ -1,8 +1,6 @@
 #include "netlist/elaborate/overrides.hpp"
 
-#include "netlist/elaborate/elaborator.hpp"
 #include "netlist/language/parser.hpp"
-#include "text/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -12,49 +10,61 @@ namespace placedpar {
 
 namespace {
 
-struct ParsedOverride {
-    ExpressionPointer value;
-    Location at;
-};
+constexpr std::string_view blank_characters = " \t";
 
-/// The text "NAME=VALUE" as a source of its own, so that messages can show it.
-ParsedOverride parse_override(const std::string& name, const std::string& value, Reporter& reporter) {
-    auto source = check_source("--set", name + "=" + value);
-    Location at{source.file, 1, 1};
-    for (const auto& problem : source.problems) {
-        reporter.error(at, problem.message);
-        throw StatementRefused{};
-    }
-    TokenStream tokens(source.file, "--set", reporter);
-    auto first = tokens.take();
-    auto second = tokens.take();
-    if (first.kind != TokenKind::name || !second.is("=")) {
-        reporter.error(at, "this sets no val", "--set NAME=VALUE");
-        throw StatementRefused{};
-    }
-    return {Parser(tokens, reporter).parse_whole_expression(), at};
+[[noreturn]] void pass_on(const std::vector<Diagnostic>& problems, Reporter& reporter) {
+    for (const Diagnostic& problem : problems)
+        reporter.error(problem.location, problem.message, problem.hint, problem.others);
+    throw StatementRefused{};
+}
+
+std::string without_blanks_around(std::string text) {
+    text.erase(0, text.find_first_not_of(blank_characters));
+    text.erase(text.find_last_not_of(blank_characters) + 1);
+    return text;
+}
+
+/// The option's text as a source of its own, so that messages can show it.
+std::shared_ptr<const SourceFile> source_of(const std::string& name, const std::string& value, Reporter& reporter) {
+    LoadedSource source = check_source("--set", name + "=" + value);
+    if (!source.problems.empty())
+        pass_on({{.message = source.problems.front().message, .location = {source.file, 1, 1}}}, reporter);
+    return source.file;
 }
 
 } // namespace
 
-Constant Elaborator::overridden(const std::string& name, const Constant& original, const std::string& text) {
-    auto parsed = parse_override(name, text, reporter_);
-    auto value = evaluator_.evaluate(*parsed.value);
-    if (value.value.index() != original.value.index() && !(value.integer() != nullptr && original.real() != nullptr))
-        refuse(parsed.at, fmt::format("wrong type for the val \"{}\": {} is {}", name, shown(value), type_name(value)),
-               fmt::format("the netlist gives it {}, {}", shown(original), type_name(original)));
-    return value;
+Override read_override(const std::string& name, const std::string& value, Reporter& reporter) {
+    std::shared_ptr<const SourceFile> source = source_of(name, value, reporter);
+    Override read;
+    Reporter here;
+    TokenStream tokens(source, "--set", here);
+    Parser parser(tokens, here);
+    attempt([&] { read.target = parser.parse_target(); });
+    if (here.failed())
+        pass_on(here.take(), reporter);
+    attempt([&] { read.expression = parser.parse_whole_expression(); });
+    read.value.problems = here.take();
+    std::size_t blank = std::min(value.find_first_not_of(blank_characters), value.size());
+    read.value.typed = without_blanks_around(value);
+    read.value.at = {source, 1, name.size() + std::string_view("=").size() + blank + 1};
+    return read;
 }
 
-void Elaborator::check_overrides() {
-    for (const auto& [name, text] : overrides_) {
-        if (std::find(vals_seen_.begin(), vals_seen_.end(), name) != vals_seen_.end())
-            continue;
-        auto source = std::make_shared<SourceFile>("--set", name + "=" + text);
-        auto hint = did_you_mean(name, vals_seen_);
-        reporter_.error({source, 1, 1}, fmt::format("the netlist has no val \"{}\" outside of blocks", name),
-                        vals_seen_.empty() ? "it has none at all" : hint);
+Constant OverrideValue::take(bool text_wanted, Reporter& reporter) const {
+    bool is_text = constant && constant->text() != nullptr;
+    if (text_wanted && !is_text && !typed.starts_with('"')) {
+        if (typed.size() <= longest_string)
+            return {typed};
+        pass_on({{.message = fmt::format("the string is too long: {} characters are allowed", longest_string),
+                  .location = at}},
+                reporter);
     }
+    if (typed.empty())
+        pass_on({{.message = "the value is missing", .location = at}}, reporter);
+    if (!constant)
+        pass_on(problems, reporter);
+    return *constant;
 }
 
 } // namespace placedpar

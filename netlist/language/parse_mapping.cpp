@@ -29,6 +29,12 @@ Reference Parser::parse_reference(std::string_view what) {
     return reference;
 }
 
+Reference Parser::parse_target() {
+    auto target = parse_reference("a val, an attribute or a parameter");
+    expect("=", "behind the name of what is set");
+    return target;
+}
+
 Statement Parser::parse_connect() {
     auto at = tokens_.take().at;
     auto a = parse_reference("a link, channel or edge");

@@ -22,6 +22,8 @@ public:
     Statements parse_netlist();
     /// One expression with nothing after it. Throws StatementRefused after having reported.
     ExpressionPointer parse_whole_expression();
+    /// `reference =`: what an option gives a value. Throws StatementRefused after having reported.
+    Reference parse_target();
 
 private:
     // parser.cpp: statements

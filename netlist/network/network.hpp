@@ -120,6 +120,12 @@ struct NetworkChannel {
     Location connected;
 };
 
+/// What an option set in place of what the netlist says.
+struct SetByOption {
+    std::string name, value;           ///< as they were typed
+    std::vector<std::string> elements; ///< that have the attribute or parameter; none: it is a val
+};
+
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections;
@@ -127,7 +133,8 @@ struct Network {
     std::vector<NetworkChannel> channels;
     std::string source_path;
     std::vector<std::string> included_paths; ///< of the files that it includes
-    std::uint64_t hash = 0;                  ///< FNV-1a of the canonical form that print_cfs prints
+    std::vector<SetByOption> set;
+    std::uint64_t hash = 0; ///< FNV-1a of the canonical form that print_cfs prints
 };
 
 /// "t[0].link[2]", or the name of an edge.

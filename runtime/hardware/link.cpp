@@ -122,6 +122,7 @@ void LinkDirection::byte_started() {
         first_byte_arrived_.schedule(later(seen, timing_.data()));
     }
     ++bytes_carried_;
+    last_start_ = kernel_.now();
     if (--bytes_left_ == 0)
         last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(later(seen, timing_.data()));
     if (kernel_.trace()) {
@@ -178,6 +179,15 @@ void LinkDirection::trace_break(Time byte_started) {
     trace_carries_ = false;
     std::uint64_t bytes = bytes_carried_ - std::exchange(bytes_traced_, bytes_carried_);
     kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, timing_.data()));
+}
+
+Time LinkDirection::time_occupied() const {
+    Time last = last_start_;
+    if (std::uint32_t skipped = skipped_bytes_started(); skipped > 0)
+        last = first_skipped_start_ + (skipped - 1) * timing_.byte_period();
+    Time to_come = std::max(later(last, timing_.data()), kernel_.now()) - kernel_.now();
+    auto bytes = static_cast<std::int64_t>(bytes_carried());
+    return bytes == 0 ? Time{0} : times(bytes, timing_.data()) - to_come;
 }
 
 void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }

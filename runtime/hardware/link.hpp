@@ -35,7 +35,10 @@ public:
 
     /// "t[0].link[1] -> t[1].link[0]"
     const std::string& name() const { return name_; }
-    std::uint64_t bytes_carried() const { return bytes_carried_; }
+    /// Those that the wire has begun to carry.
+    std::uint64_t bytes_carried() const { return bytes_carried_ - skipped_bytes_ + skipped_bytes_started(); }
+    /// How long the wire has carried their bits.
+    Time time_occupied() const;
 
 private:
     void serve(AnyChannel&);
@@ -61,6 +64,7 @@ private:
     bool quiet() const { return !sender_ || acknowledge_owed_; }
     bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
     void skip_middle_bytes();
+    std::uint32_t skipped_bytes_started() const;
     void simulate_bytes_again();
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
@@ -97,6 +101,7 @@ private:
     bool every_byte_ = false;
     std::uint32_t skipped_bytes_ = 0; ///< bytes of the part under way that the closed form stands for
     Time first_skipped_start_{};
+    Time last_start_{}; ///< of the bytes before those
 
     StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
     StepEvent<&LinkDirection::byte_noticed, EventQueue::request, 1> byte_noticed_{*this};

@@ -21,6 +21,14 @@ void LinkDirection::skip_middle_bytes() {
         trace_bytes(first_skipped_start_);
 }
 
+std::uint32_t LinkDirection::skipped_bytes_started() const {
+    Time now = kernel_.now();
+    if (skipped_bytes_ == 0 || now < first_skipped_start_)
+        return 0;
+    return static_cast<std::uint32_t>(
+        std::min<std::int64_t>((now - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_));
+}
+
 /// Bytes that started and acknowledges that were requested up to and including this moment count as done; later ones
 /// become events. At this very moment that is right because of the order within an instant (EventQueue::Priority):
 /// acknowledges have been requested before another direction or process asks for a wire, and starts of bytes on
@@ -30,14 +38,13 @@ void LinkDirection::simulate_bytes_again() {
         return;
     Time now = kernel_.now();
     cancel(start_byte_);
-    std::int64_t started = 0;
-    if (now >= first_skipped_start_)
-        started = std::min<std::int64_t>((now - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_);
-    std::uint32_t to_come = std::exchange(skipped_bytes_, 0) - static_cast<std::uint32_t>(started);
+    std::uint32_t started = skipped_bytes_started();
+    std::uint32_t to_come = std::exchange(skipped_bytes_, 0) - started;
     bytes_left_ += to_come;
     bytes_carried_ -= to_come;
     if (started > 0) {
         Time start = first_skipped_start_ + (started - 1) * timing_.byte_period();
+        last_start_ = start;
         out_.occupied_until(later(start, timing_.data()));
         Time noticed = later(start, timing_.wire_delay + timing_.acknowledge_latency());
         if (noticed > now) {

@@ -1,6 +1,8 @@
 // Exit codes of what goes wrong, by commands that fail as they are told.
 
 #include "app/command.hpp"
+#include "app/program.hpp"
+#include "netlist/kinds/process_kind.hpp"
 #include "text/user_error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -89,4 +91,29 @@ TEST_CASE("any other exception is a defect, with an exit code of its own and the
     CHECK(outcome_of([] { throw std::invalid_argument("a link in a knot"); }) == defect);
     CHECK(outcome_of([] { throw std::runtime_error("a link in a knot"); }) == defect);
     CHECK(outcome_of([] {}) == Outcome{0, ""});
+}
+
+namespace {
+
+/// Of a program of that file name, with a kind of its own.
+Outcome outcome_of_program(std::string program, std::string command, const std::string& kind) {
+    char* arguments[] = {program.data(), command.data()};
+    Listener listener;
+    int code = run_program(2, arguments, {{.name = kind, .about = "for this test"}});
+    return {code, listener.said()};
+}
+
+} // namespace
+
+TEST_CASE("a program with kinds of its own goes by its own name") {
+    CHECK(outcome_of_program("some/where/farmer", "frobnicate", "own.barn") ==
+          Outcome{1, "farmer: there is no command \"frobnicate\"; say farmer --help for those there are\n"});
+    CHECK(outcome_of_program("farmer", "kinds", "own.farm") == Outcome{0, ""});
+    CHECK(program_name() == "farmer");
+}
+
+TEST_CASE("a kind of one's own cannot take a name that is taken") {
+    CHECK(outcome_of_program("farmer", "kinds", "csp.identity") ==
+          Outcome{1, "farmer: this program adds a process kind \"csp.identity\", but that name is taken: give the kind "
+                     "another, such as \"own.identity\"\n"});
 }

@@ -184,11 +184,17 @@ TEST_CASE("a channel end that is placed and connected counts once") {
 }
 
 TEST_CASE("overrides that make no sense") {
-    CHECK(refused("val n 1;", {{"m", "1"}}) == "the netlist has no val \"m\" outside of blocks");
-    CHECK(refused("val n 1;", {{"n", ""}}).starts_with("illegal token in an expression"));
+    CHECK(refused("val n 1;", {{"m", "1"}}) == "the netlist has no val, attribute or parameter \"m\"");
+    CHECK(refused("val n 1;", {{"n", ""}}) == "the value is missing");
     CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token behind an expression"));
     CHECK(refused("val n 1;", {{"n", "\"a\""}}).starts_with("wrong type for the val"));
-    CHECK(refused("val n 1;", {{"", "5"}}) != "");
+    CHECK(refused("val n 1;", {{"", "5"}}).starts_with("the name of a val, an attribute or a parameter is missing"));
+    CHECK(refused("val n 1;", {{"n n", "5"}}).starts_with("\"=\" is missing"));
+    CHECK(refused("val n 1;", {{"n@", "5"}}) == "illegal character \"@\"");
+    CHECK(refused("val n 1;", {{"@", "5"}}) == "illegal character \"@\"");
+    CHECK(refused("val n 1;", {{"for", "5"}}).find("is a word of the language") != std::string::npos);
+    CHECK(refused("{ val n 1; }", {{"n", "5"}}) == "the val \"n\" is declared in a block");
+    CHECK(refused("val n {1, 2};", {{"n[0]", "5"}}) == "what of \"n\" is set is missing");
     CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no text but a binary file"));
 }
 

@@ -66,10 +66,10 @@ TEST_CASE("what can be shown but not run says where it is") {
           std::string::npos);
     CHECK(refusal("output o; process (interface (output out)) p; use \"csp.producer\" for p; place p on a;\n"
                   "place o on e; connect p.out to o;")
-              .starts_with("m.cfs: error: the netlist can be shown, but not run: nobody is at 1 edge\n"));
+              .starts_with("m.cfs: error: the netlist can be shown, but not run: 1 edge has no process\n"));
 }
 
-TEST_CASE("one message names all programs that are unknown and all edges where nobody is") {
+TEST_CASE("one message names all programs that are unknown and all edges that have no process") {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
     auto text =
@@ -90,14 +90,15 @@ TEST_CASE("one message names all programs that are unknown and all edges where n
         said = refused.what();
     }
     CHECK(said.starts_with(
-        "m.cfs: error: the netlist can be shown, but not run: 3 programs are unknown, and nobody is at "
-        "2 edges\n"
-        "hint: --use m.lku=KIND puts a kind in the place of a program; placedpar kinds lists them; use "
+        "m.cfs: error: the netlist can be shown, but not run: 3 programs are unknown, and 2 edges "
+        "have no process\n"
+        "hint: --use m.lku=KIND puts a kind in the place of a program; the command kinds lists them; use "
         "\"KIND\" for t;; a process is placed at an edge by place NAME on far;\n"));
-    for (const char* note : {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",
-                             "note: \"s.lku\" is the program of s[0], s[1], s[2], s[3], s[4], s[5] and 2 more\n",
-                             "note: nobody is at the edge \"host\", where these lead: m.in, m.out, m.log\n",
-                             "note: nobody is at the edge \"far\", where these lead: t.out, t.in\n"}) {
+    for (const char* note :
+         {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",
+          "note: \"s.lku\" is the program of s[0], s[1], s[2], s[3], s[4], s[5] and 2 more\n",
+          "note: there is no process at the edge \"host\", to which these lead: m.in, m.out, m.log\n",
+          "note: there is no process at the edge \"far\", to which these lead: t.out, t.in\n"}) {
         CAPTURE(note);
         CHECK(said.find(note) != std::string::npos);
     }

@@ -57,8 +57,6 @@ KNOTS = (
     # A process waits by its executive, which asks the kernel, which resumes the process on a worker. A trace is told
     # which process did what.
     {"runtime/executive", "runtime/kernel", "runtime/process", "runtime/trace", "runtime/worker"},
-    # overrides.cpp holds those of the elaborator's functions that read what was set on the command line.
-    {"netlist/elaborate/elaborator", "netlist/elaborate/overrides"},
 )
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)

@@ -1,5 +1,6 @@
 #include "workbench/trace/trace_file.hpp"
 
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 #include "workbench/trace/perfetto_trace.hpp"
 #include "workbench/trace/vcd_trace.hpp"
@@ -19,7 +20,7 @@ TraceFormat trace_format(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     std::error_code error;
-    if (ending == ".json" || (ending.empty() && std::filesystem::is_other(path, error)))
+    if (ending == ".json" || is_standard_stream(path) || (ending.empty() && std::filesystem::is_other(path, error)))
         return TraceFormat::json;
     if (ending == ".vcd")
         return TraceFormat::vcd;
@@ -58,9 +59,9 @@ std::string TraceFile::warnings() const {
     if (std::optional<Time> full = timeline_.full_at())
         return fmt::format("{}: the trace is full at {}, with {} entries; the rest of the run is not in it. Choose a "
                            "part of the run with --trace-from and --trace-until, or more with --trace-limit\n",
-                           path_.string(), to_string(*full), window_.most_entries);
+                           shown_output(path_), to_string(*full), window_.most_entries);
     if (timeline_.end() < window_.from)
-        return fmt::format("{}: the trace is empty: the run was over at {}, before {}\n", path_.string(),
+        return fmt::format("{}: the trace is empty: the run was over at {}, before {}\n", shown_output(path_),
                            to_string(timeline_.end()), to_string(window_.from));
     return "";
 }

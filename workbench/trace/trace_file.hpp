@@ -14,7 +14,7 @@ namespace placedpar {
 void require_trace_format(const std::filesystem::path&);
 
 /// A file that a run is traced to, in the format that its name's ending says: .json (PerfettoTrace) or .vcd (VcdTrace).
-/// A pipe or a device whose name has no ending takes JSON.
+/// A pipe or a device whose name has no ending takes JSON, and so does "-", standard output.
 class TraceFile {
 public:
     /// Throws UserError as require_trace_format(), when the file cannot be written, and when the window is empty. The

@@ -1,0 +1,162 @@
+#include "netlist/complete/complete.hpp"
+#include "netlist/complete/settable.hpp"
+#include "netlist/network/names.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace placedpar {
+
+namespace {
+
+/// Gives what options set to the nodes, connections and processes that they are for.
+class ElementOverrides {
+public:
+    explicit ElementOverrides(Completion& c) : c_(c) {}
+
+    void run() {
+        for (const DraftOverride& option : c_.draft.overrides)
+            attempt([&] { set(option); });
+        c_.network.set = c_.draft.set;
+    }
+
+private:
+    void set(const DraftOverride& option) {
+        if (option.element.empty() && option.member == "length")
+            name_wires();
+        std::vector<Settable> named = elements_of(option), having;
+        std::ranges::copy_if(named, std::back_inserter(having),
+                             [&](const Settable& each) { return each.has(option.member, option.element.empty()); });
+        if (having.empty())
+            refuse(option, named);
+        std::string name = option.element + (option.element.empty() ? "" : ".") + option.member;
+        SetByOption done{name, option.value.typed, {}};
+        for (const Settable& each : having) {
+            set_once(option, each);
+            done.elements.push_back(each.name);
+        }
+        c_.draft.set.push_back(std::move(done));
+    }
+
+    std::vector<Settable> elements_of(const DraftOverride& option) const {
+        std::vector<Settable> all = settable_elements(c_);
+        std::erase_if(all, [&](const Settable& each) {
+            return !option.element.empty() && each.name != option.element &&
+                   !each.name.starts_with(option.element + "[");
+        });
+        return all;
+    }
+
+    void set_once(const DraftOverride& option, const Settable& element) {
+        auto [first, is_new] = done_.emplace(std::pair(element.name, option.member), option.at);
+        if (!is_new) {
+            c_.reporter.error(option.at, fmt::format("\"{}\" of \"{}\" is set twice", option.member, element.name), "",
+                              {{"set first here", first->second}});
+            throw StatementRefused{};
+        }
+        element.set({option.member, option.value.take(element.takes_text(option.member), c_.reporter), option.value.at},
+                    c_.reporter);
+    }
+
+    /// All wires are to have a length, and what has none of the attributes of a connection has no name either.
+    void name_wires() {
+        std::string name = free_name("wire");
+        std::int64_t number = 0;
+        for (DraftWire& wire : c_.draft.wires)
+            if (wire.connection == nowhere) {
+                wire.connection = c_.draft.connections.size();
+                c_.draft.connections.push_back({element_name(name, {number++}), wire.at, {}, {}, wire.at, {}});
+            }
+    }
+
+    std::string free_name(const std::string& wanted) const {
+        std::vector<Settable> all = settable_elements(c_);
+        auto taken = [&](const std::string& name) {
+            return std::ranges::any_of(all, [&](const Settable& each) { return base_name(each.name) == name; }) ||
+                   find_named(c_.draft.edge_channels, name) != nullptr || c_.catalogue.node_types().contains(name);
+        };
+        std::string name = wanted;
+        for (int number = 2; taken(name); ++number)
+            name = fmt::format("{}_{}", wanted, number);
+        return name;
+    }
+
+    [[noreturn]] void refuse(const DraftOverride& option, const std::vector<Settable>& named) {
+        if (option.element.empty())
+            refuse_name(option);
+        if (named.empty())
+            refuse_element(option);
+        const Settable& first = named.front();
+        std::string meant = did_you_mean(option.member, first.members());
+        report(option.member_at,
+               fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element, first.noun_of_member(),
+                           option.member),
+               meant.empty() ? hint_at_node(option, first) : meant, {first.text_of_members()});
+    }
+
+    /// Where the processor of a process is meant.
+    std::string hint_at_node(const DraftOverride& option, const Settable& element) const {
+        const auto* process = std::get_if<DraftProcess*>(&element.thing);
+        if (process == nullptr || (*process)->node == nowhere)
+            return "";
+        Node& node = c_.draft.nodes[(*process)->node];
+        bool has = Settable{node.name, &node}.has(option.member);
+        return has ? fmt::format("the node that \"{}\" is placed on has: --set {}.{}=...", element.name, node.name,
+                                 option.member)
+                   : "";
+    }
+
+    /// A name by itself.
+    [[noreturn]] void refuse_name(const DraftOverride& option) {
+        const std::string& name = option.member;
+        std::vector<Settable> all = settable_elements(c_);
+        auto element = std::ranges::find(all, name, [](const Settable& each) { return base_name(each.name); });
+        if (element != all.end())
+            report(option.at, fmt::format("\"{}\" is a {}: what of it is set is missing", name, element->noun()),
+                   fmt::format("--set {}.NAME=VALUE", name), {element->text_of_members()});
+        if (c_.draft.vals_in_blocks.contains(name))
+            report(option.at, fmt::format("the val \"{}\" is declared in a block", name),
+                   "an option reaches vals outside of blocks");
+        report(option.at, fmt::format("the netlist has no val, attribute or parameter \"{}\"", name),
+               did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
+    }
+
+    [[noreturn]] void refuse_element(const DraftOverride& option) {
+        std::string_view name = base_name(option.element);
+        std::vector<Settable> all = settable_elements(c_), array;
+        std::ranges::copy_if(all, std::back_inserter(array),
+                             [&](const Settable& each) { return base_name(each.name) == name; });
+        if (array.empty())
+            report(option.at, fmt::format("the netlist has no node, connection or process \"{}\"", name),
+                   did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
+        std::string more = array.size() == 1 ? "" : " to " + array.back().name;
+        report(option.at, fmt::format("there is no \"{}\"", option.element),
+               fmt::format("there is {}{}", array.front().name, more));
+    }
+
+    [[noreturn]] void report(const Location& at, std::string message, std::string hint,
+                             const std::vector<std::string>& notes = {}) {
+        std::vector<SecondPlace> others;
+        for (const std::string& note : notes)
+            others.push_back({note, {}});
+        c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
+        throw StatementRefused{};
+    }
+
+    Completion& c_;
+    std::map<std::pair<std::string, std::string>, Location> done_; ///< by element and member: the option
+};
+
+} // namespace
+
+void complete_overrides(Completion& completion) {
+    if (completion.draft.overrides.empty())
+        completion.network.set = completion.draft.set;
+    else
+        ElementOverrides(completion).run();
+}
+
+} // namespace placedpar

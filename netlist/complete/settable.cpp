@@ -1,0 +1,154 @@
+#include "netlist/complete/settable.hpp"
+
+#include "netlist/complete/declared_type.hpp"
+#include "netlist/elaborate/attributes.hpp"
+#include "netlist/network/names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t most_names_in_a_list = 12, most_groups_in_a_list = 8;
+
+std::string list_of(std::vector<std::string> names, std::size_t most) {
+    const char* more = names.size() > most ? ", ..." : "";
+    names.resize(std::min(names.size(), most));
+    return fmt::format("{}{}", fmt::join(names, ", "), more);
+}
+
+std::vector<std::string> members_of(const Node& node, const ProcessKind*) {
+    std::vector<std::string> names;
+    for (const AttributeDescription& attribute : node.kind->attributes)
+        names.push_back(attribute.value.name);
+    return names;
+}
+
+std::vector<std::string> members_of(const DraftConnection&, const ProcessKind*) { return connection_attribute_names(); }
+
+std::vector<std::string> members_of(const DraftProcess& process, const ProcessKind* kind) {
+    std::vector<std::string> names;
+    if (kind != nullptr)
+        names = names_in(kind->parameters);
+    else if (process.interface)
+        names = names_in(process.interface->parameters);
+    names.emplace_back("priority");
+    return names;
+}
+
+bool keeps(const Node& node, const std::string& member) { return has_node_attribute(node, member); }
+bool keeps(const DraftConnection&, const std::string&) { return false; }
+bool keeps(const DraftProcess&, const std::string& member) { return is_process_attribute(member); }
+
+void set_in(Node& node, const Setting& setting, Reporter& reporter) { apply_node_attribute(node, setting, reporter); }
+void set_in(DraftConnection& connection, const Setting& setting, Reporter& reporter) {
+    apply_connection_attributes(connection, {setting}, reporter);
+}
+void set_in(DraftProcess& process, const Setting& setting, Reporter&) { process.overrides.push_back(setting); }
+
+/// The elements of an array are one group, and so are others that have the same to set.
+std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, names
+    for (const Settable& each : elements) {
+        std::string members = list_of(each.members(), most_names_in_a_list), name(base_name(each.name));
+        if (each.thing.index() != category || members.empty())
+            continue;
+        auto group = std::ranges::find(groups, members, [](const auto& known) { return known.first; });
+        if (group == groups.end())
+            group = groups.insert(group, {members, {}});
+        if (std::ranges::find(group->second, name) == group->second.end())
+            group->second.push_back(name);
+    }
+    std::vector<std::string> texts;
+    for (const auto& [members, names] : groups)
+        texts.push_back(fmt::format("{} ({})", list_of(names, most_groups_in_a_list), members));
+    return list_of(texts, most_groups_in_a_list);
+}
+
+} // namespace
+
+const char* Settable::noun() const {
+    static constexpr const char* nouns[] = {"node", "connection", "process"};
+    return nouns[thing.index()];
+}
+
+const char* Settable::noun_of_member() const {
+    return std::holds_alternative<DraftProcess*>(thing) ? "parameter" : "attribute";
+}
+
+std::vector<std::string> Settable::members() const {
+    return std::visit([&](const auto* each) { return members_of(*each, kind); }, thing);
+}
+
+std::string Settable::text_of_members() const {
+    std::string names = list_of(members(), most_names_in_a_list);
+    return names.empty() ? "it has nothing that can be set" : "it has " + names;
+}
+
+bool Settable::has(const std::string& member, bool as_every_element) const {
+    const auto* connection = std::get_if<DraftConnection*>(&thing);
+    if (as_every_element && connection != nullptr && member == "linkspeed")
+        return (*connection)->bits_per_second.has_value();
+    return std::ranges::count(members(), member) > 0 ||
+           std::visit([&](const auto* each) { return keeps(*each, member); }, thing);
+}
+
+bool Settable::takes_text(const std::string& member) const {
+    const auto* process = std::get_if<DraftProcess*>(&thing);
+    if (const auto* known = kind == nullptr ? nullptr : kind->parameter(member))
+        return known->type == ParameterType::text;
+    if (process == nullptr || !(*process)->interface)
+        return false;
+    const auto* declared = find_named((*process)->interface->parameters, member);
+    return declared != nullptr && element_type(*declared) == ParameterType::text && element_dimensions(*declared) == 0;
+}
+
+void Settable::set(const Setting& setting, Reporter& reporter) const {
+    std::visit([&](auto* each) { set_in(*each, setting, reporter); }, thing);
+}
+
+std::vector<Settable> settable_elements(Completion& c) {
+    std::vector<Settable> all;
+    for (Node& node : c.draft.nodes)
+        if (node.kind->has_attributes())
+            all.push_back({node.name, &node});
+    for (DraftConnection& connection : c.draft.connections)
+        all.push_back({connection.name, &connection});
+    for (DraftProcess& process : c.draft.processes)
+        all.push_back({process.name, &process, c.catalogue.find(process.kind)});
+    return all;
+}
+
+std::vector<std::string> names_to_set(Completion& c) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : c.draft.vals)
+        names.push_back(name);
+    for (const Settable& each : settable_elements(c)) {
+        std::ranges::copy(each.members(), std::back_inserter(names));
+        names.emplace_back(base_name(each.name));
+    }
+    return names;
+}
+
+std::vector<std::string> what_can_be_set(Completion& c) {
+    std::vector<Settable> all = settable_elements(c);
+    std::vector<std::string> lines, vals;
+    for (const auto& [name, value] : c.draft.vals)
+        vals.push_back(fmt::format("{} = {}", name, value));
+    auto add = [&](const std::string& heading, const std::string& what) {
+        if (!what.empty())
+            lines.push_back(heading + what);
+    };
+    add("vals: ", list_of(vals, most_names_in_a_list));
+    add("processes and their parameters: ", groups_of(all, 2));
+    add("nodes and their attributes: ", groups_of(all, 0));
+    add("connections and their attributes: ", groups_of(all, 1));
+    return lines;
+}
+
+} // namespace placedpar

@@ -1,0 +1,165 @@
+"""Standard input and output as files, and readers that go before the end."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from program import CLUSTER, EXAMPLES, PROGRAM, placedpar
+from trace_reader import JsonTrace
+
+RECORD = EXAMPLES / "records" / "boom-4deg.csv"
+COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+DEADLOCK = EXAMPLES / "02-deadlock" / "ring.cfs"
+
+
+class Streams(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def fed(self, text, *arguments, folder=None):
+        return subprocess.run([PROGRAM, *map(str, arguments)], input=text, stdout=subprocess.PIPE, cwd=folder,
+                              stderr=subprocess.PIPE, text=isinstance(text, str), timeout=60, check=False)
+
+    def test_a_netlist_comes_from_standard_input(self):
+        text = COMMSTIME.read_text(encoding="utf-8")
+        for command in (["run"], ["check"], ["show"], ["show", "--format", "dot"], ["run", "--set", "count=5"]):
+            named, fed = placedpar(*command, COMMSTIME), self.fed(text, *command, "-")
+            self.assertEqual(fed.returncode, 0, fed.stderr)
+            self.assertEqual(fed.stdout, named.stdout.replace(str(COMMSTIME), "<standard input>"))
+        self.fed(text, "run", "-", "--json", "report.json", folder=self.folder)
+        report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual(report["manifest"]["netlist"], "<standard input>")
+
+    def test_messages_call_it_standard_input(self):
+        self.assertTrue(self.fed("val n 1;\nval k;\n", "check", "-").stderr.startswith("<standard input>:2:6: error: "))
+        self.assertTrue(self.fed(b"T800\0", "check", "-").stderr.startswith(b"<standard input>:1:5: error: this is no text"))
+        self.assertTrue(self.fed("depth\n", "identify", "-").stderr.startswith("<standard input>: error: "))
+        self.assertTrue(self.fed("time,depth\n1,2\n", "identify", "-").stderr.startswith("<standard input>:1:"))
+        self.assertIn("<standard input>: 0 processors", self.fed("", "check", "-").stdout)
+
+    def test_includes_are_looked_for_in_the_working_directory(self):
+        (self.folder / "machine.inc").write_text("T800 t;\n", encoding="utf-8")
+        run = self.fed('#include "machine.inc"\n', "check", "-", folder=self.folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("1 processors", run.stdout)
+        (self.folder / "-").write_text("T800 u;\n", encoding="utf-8")  # a file that is called so
+        run = self.fed('#include "machine.inc"\n', "check", "./-", folder=self.folder)
+        self.assertIn("./-: 1 processors", run.stdout)
+
+    def test_a_record_and_a_machine_come_from_standard_input(self):
+        text = RECORD.read_text(encoding="utf-8")
+        self.assertEqual(self.fed(text, "identify", "-").stdout, placedpar("identify", RECORD).stdout)
+        machine = placedpar("parameters").stdout.replace("boom.mass = ", "boom.mass = 1")
+        path = self.folder / "machine.txt"
+        path.write_text(machine, encoding="utf-8")
+        fed = self.fed(machine, "record", "excavator", "--machine", "-")
+        self.assertEqual(fed.returncode, 0, fed.stderr)
+        self.assertEqual(fed.stdout, placedpar("record", "excavator", "--machine", path).stdout)
+        netlist = self.fed(CLUSTER.read_text(encoding="utf-8"), "identify", RECORD, "--on", "-", "--set", "slaves=1",
+                           folder=CLUSTER.parent)
+        self.assertEqual(netlist.returncode, 0, netlist.stderr)
+        self.assertIn("by the processes: the same", netlist.stdout)
+
+    def test_standard_input_is_one_file(self):
+        for arguments in (["identify", "-", "--on", "-"], ["identify", "-", "--machine", "-"]):
+            run = self.fed("", *arguments)
+            self.assertEqual((run.returncode, run.stderr), (1,
+                "placedpar: standard input is one file: only one of RECORD, --machine and --on can be \"-\"\n"))
+
+    def test_what_is_written_to_standard_output_stands_there_alone(self):
+        plain = placedpar("run", COMMSTIME, "--set", "count=5")
+        run = placedpar("run", COMMSTIME, "--set", "count=5", "--json", "-")
+        self.assertEqual((run.returncode, run.stderr), (0, plain.stdout))
+        self.assertEqual(json.loads(run.stdout)["outcome"], "completed")
+        trace = self.folder / "trace.json"
+        placedpar("run", COMMSTIME, "--set", "count=5", "--trace", trace)
+        run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", "-")
+        self.assertEqual((run.returncode, run.stderr), (0, plain.stdout))
+        self.assertEqual(run.stdout, trace.read_text(encoding="utf-8"))
+        self.assertEqual(placedpar("record", "scenario-a", "--out", "-").stdout, placedpar("record", "scenario-a").stdout)
+        cells = placedpar("replay", "table-e1", "--json", "-")
+        self.assertEqual(cells.stderr, placedpar("replay", "table-e1").stdout)
+        self.assertTrue(json.loads(cells.stdout))
+        shown, path = placedpar("show", CLUSTER), self.folder / "shown.cfs"
+        self.assertEqual(placedpar("show", CLUSTER, "-o", "-").stdout, shown.stdout)
+        self.assertEqual(placedpar("show", CLUSTER, "-o", path).stdout, "")
+        self.assertEqual(path.read_text(encoding="utf-8"), shown.stdout)
+        run = placedpar("show", path, "-o", path)
+        self.assertEqual((run.returncode, path.read_text(encoding="utf-8")), (1, shown.stdout))
+        found = placedpar("identify", RECORD, "--json", "-")
+        self.assertEqual(found.stderr, placedpar("identify", RECORD).stdout)
+        self.assertTrue(json.loads(found.stdout))
+
+    def test_from_standard_input_to_standard_output(self):
+        run = self.fed(COMMSTIME.read_text(encoding="utf-8"), "run", "-", "--set", "count=5", "--json", "-")
+        self.assertEqual(json.loads(run.stdout)["manifest"]["netlist"], "<standard input>")
+        self.assertEqual(run.returncode, 0)
+
+    def test_standard_output_takes_one_file_and_no_folder(self):
+        run = placedpar("run", COMMSTIME, "--json", "-", "--trace", "-")
+        self.assertEqual(run.returncode, 1)
+        self.assertEqual(run.stderr, "placedpar: <standard output>: cannot be written: it would be written twice; choose two "
+                                     "names\n")
+        run = subprocess.run([PROGRAM, "replay", "figure-2-3", "--plots", "-"], stdout=subprocess.PIPE, cwd=self.folder,
+                             stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        self.assertEqual((run.returncode, os.listdir(self.folder)), (1, []))
+        self.assertIn("plots are files in a folder", run.stderr)
+
+    def test_a_full_disk_behind_standard_output_is_no_success(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            run = subprocess.run([PROGRAM, "run", str(COMMSTIME), "--set", "count=5", "--json", "-"], stdout=full,
+                                 stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("placedpar: <standard output>: cannot be written: No space left on device\n", run.stderr)
+
+
+class ReadersThatGo(unittest.TestCase):
+    """As `head` does: before anything is printed, so that nothing depends on who is faster."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def unread(self, *arguments):
+        """Exit code, and what it says on standard error."""
+        reader, writer = os.pipe()
+        os.close(reader)
+        run = subprocess.run([PROGRAM, *map(str, arguments)], stdout=writer, stderr=subprocess.PIPE, text=True, timeout=60,
+                             check=False)
+        os.close(writer)
+        return run.returncode, run.stderr
+
+    def test_a_run_writes_its_files_all_the_same(self):
+        for netlist, code in ((COMMSTIME, 0), (DEADLOCK, 2)):
+            report, trace = self.folder / "report.json", self.folder / "trace.json"
+            self.assertEqual(self.unread("run", netlist, "--json", report, "--trace", trace), (code, ""))
+            self.assertTrue(json.loads(report.read_text(encoding="utf-8"))["processes"])
+            self.assertTrue(JsonTrace(trace).slices)
+            report.unlink()
+            trace.unlink()
+
+    def test_so_do_other_commands(self):
+        path = self.folder / "found.json"
+        self.assertEqual(self.unread("identify", RECORD, "--json", path), (0, ""))
+        self.assertTrue(json.loads(path.read_text(encoding="utf-8")))
+        self.assertEqual(self.unread("replay", "table-e1", "--json", path), (0, ""))
+        self.assertTrue(json.loads(path.read_text(encoding="utf-8"))["cells"])
+        self.assertEqual(self.unread("kinds"), (0, ""))
+        self.assertEqual(self.unread("show", CLUSTER), (0, ""))
+
+    def test_one_file_that_is_not_read_costs_no_other(self):
+        path = self.folder / "report.json"
+        code, report = self.unread("run", COMMSTIME, "--trace", "-", "--json", path)
+        self.assertEqual(code, 0)
+        self.assertIn("completed at", report)
+        self.assertEqual(json.loads(path.read_text(encoding="utf-8"))["outcome"], "completed")
+
+
+if __name__ == "__main__":
+    unittest.main()

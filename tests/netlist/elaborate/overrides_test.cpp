@@ -1,0 +1,207 @@
+// What options set: vals, attributes, parameters.
+
+#include "netlist/print/print.hpp"
+#include "netlist/read.hpp"
+#include "tests/netlist/good_networks.hpp"
+#include "tests/netlist/small_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace placedpar;
+
+namespace {
+
+/// A master and two slaves on processors of their own; one wire has a name and a speed, the other neither.
+const std::string cluster = R"(val people 30; val code "binary"; val times 2;
+T800 (memory = 1M) root, t[2];
+connection (linkspeed = 20M) c;
+connect root.link[0] to t[0].link[0] by c;
+connect root.link[1] to t[1].link[0];
+process m, s[2];
+process (interface (input in, output out, char label[20] = "none", int size[2] = {1, 2})) other;
+use "ga.master" for m;
+use "ga.slave" for s;
+use "other.lku" for other;
+m (population = people, code = code);
+s (cycles = 5);
+connect m.out to s[0].in;
+connect s[0].out to m.back;
+connect s[1].out to other.in;
+connect other.out to s[1].in;
+place m on root;
+place s[0] on t[0];
+place s[1] on t[1];
+place other on t[1];
+)";
+
+/// What is printed about the cluster with the option. The catalogue's kinds of other and s[1] need not agree: what an
+/// option refuses comes before.
+std::string refusal(const Overrides& overrides) {
+    return render(read_netlist_text(cluster, small_catalogue(), overrides));
+}
+
+/// Without s[1] and other, which no run could have.
+const std::string sound = R"(val people 30; val code "binary"; val times 2;
+T800 (memory = 1M) root, t[2];
+connection (linkspeed = 20M) c;
+connect root.link[0] to t[0].link[0] by c;
+connect root.link[1] to t[1].link[0];
+process m, s;
+process (interface (char label[20] = "none", int size[2] = {1, 2})) other;
+use "ga.master" for m;
+use "ga.slave" for s;
+use "other.lku" for other;
+m (population = people, code = code);
+s (cycles = 5);
+connect m.out to s.in;
+connect s.out to m.back;
+place m on root;
+place s on t[0];
+place other on t[1];
+)";
+
+const ProcessInstance& process(const Network& network, const std::string& name) {
+    return *std::ranges::find(network.processes, name, &ProcessInstance::name);
+}
+
+std::vector<std::int64_t> speeds(const Network& network) {
+    std::vector<std::int64_t> found;
+    for (const Node& node : network.nodes)
+        found.push_back(node.integer("linkspeed"));
+    for (const LinkConnection& connection : network.connections)
+        found.push_back(connection.bits_per_second);
+    return found;
+}
+
+using Elements = std::vector<std::string>;
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+} // namespace
+
+TEST_CASE("a name by itself is a val, or an attribute or a parameter of every element that has it") {
+    constexpr std::int64_t slow = 10'000'000;
+    auto network = good_text(sound, {{"linkspeed", "10M"}});
+    CHECK(speeds(network) == std::vector(5, slow));
+    REQUIRE(network.set.size() == 1);
+    CHECK(network.set[0].name == "linkspeed");
+    CHECK(network.set[0].value == "10M");
+    CHECK(network.set[0].elements == Elements{"root", "t[0]", "t[1]", "c"});
+
+    CHECK(process(good_text(sound, {{"cycles", "times * 7"}}), "s").parameters.at("cycles") == Value(std::int64_t{14}));
+    auto val = good_text("val clock 1M; T800 (memory = clock) t;", {{"clock", "3M"}}); // the val, not the attribute
+    CHECK(val.nodes[0].integer("memory") == 3 * 1024 * 1024);
+    CHECK(val.nodes[0].integer("clock") == 20'000'000);
+    CHECK(val.set[0].elements.empty());
+}
+
+TEST_CASE("one element, or all of an array, by its name") {
+    CHECK(process(good_text(sound, {{"m.mutation", "0.5"}}), "m").parameters.at("mutation") == Value(0.5));
+    auto one = good_text(sound, {{"t[1].clock", "25M"}});
+    CHECK(one.nodes[1].integer("clock") == 20'000'000);
+    CHECK(one.nodes[2].integer("clock") == 25'000'000);
+    CHECK(one.set[0].elements == Elements{"t[1]"});
+    auto all = good_text(sound, {{"t.memory", "2M"}, {"t[times - 1].clock", "25M"}});
+    CHECK(all.nodes[1].integer("memory") == 2 * 1024 * 1024);
+    CHECK(all.nodes[2].integer("memory") == 2 * 1024 * 1024);
+    CHECK(all.nodes[2].integer("clock") == 25'000'000);
+    CHECK(good_text(sound, {{"c.length", "3"}}).connections[0].metres == 3);
+    CHECK(process(good_text(sound, {{"m.priority", "HIGH"}}), "m").high_priority);
+    CHECK_FALSE(process(good_text(sound, {{"m.priority", "HIGH"}}), "s").high_priority);
+    CHECK(process(good_text(sound, {{"m.stacksize", "4k"}}), "m").other.at("stacksize") == Value(std::int64_t{4096}));
+}
+
+TEST_CASE("a length is that of every wire, with or without a name, and what is printed loads again") {
+    auto network = good_text(sound, {{"length", "10"}});
+    for (const LinkConnection& connection : network.connections)
+        CHECK(connection.metres == 10);
+    CHECK(good_text(print_cfs(network)).hash == network.hash);
+}
+
+TEST_CASE("a parameter that the netlist does not give, and one without a default") {
+    std::string text = "T800 t; process m, s; use \"ga.master\" for m; use \"ga.slave\" for s; connect m.out to s.in; "
+                       "connect s.out to m.back; place m on t; place s on t;";
+    CHECK_FALSE(read_netlist_text(text, small_catalogue()).network);
+    CHECK(process(good_text(text, {{"m.population", "8"}}), "m").parameters.at("population") == Value(std::int64_t{8}));
+}
+
+TEST_CASE("a string needs no quotes where one is wanted") {
+    auto code = [](const Overrides& overrides) {
+        return process(good_text(sound, overrides), "m").parameters.at("code");
+    };
+    for (const char* name : {"code", "m.code"})
+        for (const char* value : {"gray", "\"gray\"", " gray "})
+            CHECK(code({{name, value}}) == Value("gray"));
+    auto label = [](const char* value) {
+        return process(good_text(sound, {{"other.label", value}}), "other").parameters.at("label");
+    };
+    CHECK(label("a-b/c d.csv") == Value("a-b/c d.csv"));
+    CHECK(label("5") == Value("5"));
+    CHECK(label("people") == Value("people")); // a val, but no string
+    CHECK(label("code") == Value("binary"));   // one that is a string
+    CHECK(label("") == Value(""));
+    CHECK(says(refusal({{"other.label", "\"a"}}), "--set:1:13: error: the string has no end"));
+    CHECK(says(refusal({{"m.population", "many"}}), "--set:1:14: error: the name \"many\" is undefined"));
+}
+
+TEST_CASE("values are checked as the netlist's own, where the option says them") {
+    CHECK(says(refusal({{"m.mutation", "2"}}), "--set:1:12: error: the parameter \"mutation\" is out of range: 2\n"
+                                               "    m.mutation=2\n"
+                                               "               ^\n"
+                                               "hint: it goes from 0 to 1\n"));
+    CHECK(says(refusal({{"m.code", "grey"}}), "--set:1:8: error: illegal value of the parameter \"code\": \"grey\""));
+    CHECK(says(refusal({{"m.code", "grey"}}), "did you mean \"gray\"?"));
+    CHECK(says(refusal({{"m.population", "\"x\""}}), "--set:1:14: error: wrong type for the parameter"));
+    CHECK(says(refusal({{"linkspeed", "-1"}}), "--set:1:11: error: illegal value of the attribute \"linkspeed\": -1"));
+    CHECK(says(refusal({{"linkspeed", "2G"}}), "--set:1:11: error: \"2G\" is no number"));
+    CHECK(says(refusal({{"people", "3x"}}), "--set:1:8: error: \"3x\" is no number"));
+    CHECK(says(refusal({{"c.length", "\"x\""}}), "--set:1:10: error: wrong type for the attribute \"length\""));
+    CHECK(says(refusal({{"m.priority", "2"}}), "a priority is HIGH, which is 0, or LOW, which is 1"));
+    CHECK(says(refusal({{"people", "1.5"}}), "--set:1:8: error: wrong type for the val \"people\""));
+    CHECK(says(refusal({{"other.label", "123456789012345678901"}}), "--set:1:13: error: the string is too long"));
+    CHECK(says(refusal({{"other.size", "{1, 2, 3}"}}), "--set:1:12: error: wrong type for the parameter \"size\""));
+    CHECK(says(refusal({{"other.size[1]", "3"}}), "\"size\" is set as a whole"));
+}
+
+TEST_CASE("nothing is set twice") {
+    CHECK(says(refusal({{"s.cycles", "1"}, {"s[1].cycles", "2"}}), "\"cycles\" of \"s[1]\" is set twice\n"));
+    CHECK(says(refusal({{"cycles", "1"}, {"s[1].cycles", "2"}}), "note: set first here\n"));
+    CHECK(says(refusal({{"people", "1"}, {" people", "2"}}), "the val \"people\" is set twice\n"));
+    CHECK(says(refusal({{"m.mutation", "1"}, {"m . mutation", "1"}}), "\"mutation\" of \"m\" is set twice\n"));
+}
+
+TEST_CASE("what does not exist is answered with what does, the nearest name first") {
+    auto unknown = refusal({{"peeple", "3"}});
+    CHECK(unknown == "--set:1:1: error: the netlist has no val, attribute or parameter \"peeple\"\n"
+                     "    peeple=3\n"
+                     "    ^\n"
+                     "hint: did you mean \"people\"?\n"
+                     "note: vals: people = 30, code = \"binary\", times = 2\n"
+                     "note: processes and their parameters: m (population, mutation, code, priority), s (cycles, "
+                     "priority), other (label, size, priority)\n"
+                     "note: nodes and their attributes: root, t (memory, clock, linkspeed, channelcall)\n"
+                     "note: connections and their attributes: c (linkspeed, length)\n");
+    CHECK(says(refusal({{"m.mutatoin", "3"}}), "--set:1:3: error: the process \"m\" has no parameter \"mutatoin\"\n"
+                                               "    m.mutatoin=3\n"
+                                               "      ^\n"
+                                               "hint: did you mean \"mutation\"?\n"
+                                               "note: it has population, mutation, code, priority\n"));
+    CHECK(says(refusal({{"rot.clock", "3"}}), "no node, connection or process \"rot\"\n"));
+    CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
+    CHECK(says(refusal({{"t[2].clock", "3"}}), "there is no \"t[2]\"\n    t[2].clock=3\n    ^\n"
+                                               "hint: there is t[0] to t[1]\n"));
+    CHECK(
+        says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));
+    CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: what of it is set is missing\n"));
+    CHECK(says(refusal({{"clok", "3"}}), "hint: did you mean \"clock\"?\n"));
+    std::string many;
+    for (int i = 0; i < 100; ++i)
+        many += "val v" + std::to_string(i) + " 1; T800 t" + std::to_string(i) + ";\n";
+    auto listed = render(read_netlist_text(many, small_catalogue(), {{"nothing_like_it", "1"}}));
+    CHECK(says(listed, "note: vals: v0 = 1, v1 = 1,"));
+    CHECK(says(listed, ", ..."));
+    CHECK_FALSE(says(listed, "v20"));
+    CHECK_FALSE(says(listed, "t20"));
+}

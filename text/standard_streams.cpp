@@ -1,0 +1,25 @@
+#include "text/standard_streams.hpp"
+
+namespace placedpar {
+
+namespace {
+
+bool gives_it_to_a_file = false; // as standard output itself, it is the whole program's
+
+} // namespace
+
+bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
+
+std::string shown_input(const std::filesystem::path& path) {
+    return is_standard_stream(path) ? "<standard input>" : path.string();
+}
+
+std::string shown_output(const std::filesystem::path& path) {
+    return is_standard_stream(path) ? "<standard output>" : path.string();
+}
+
+void give_standard_output_to_a_file() { gives_it_to_a_file = true; }
+
+bool standard_output_takes_a_file() { return gives_it_to_a_file; }
+
+} // namespace placedpar

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace placedpar {
+
+/// "-" in the place of a file's name: standard input where a file is read, standard output where one is written. A file
+/// that is really called so is "./-".
+bool is_standard_stream(const std::filesystem::path&);
+
+/// What messages call a file that is read: its path, or "<standard input>".
+std::string shown_input(const std::filesystem::path&);
+/// What messages call a file that is written: its path, or "<standard output>".
+std::string shown_output(const std::filesystem::path&);
+
+/// From now on print_out() writes to standard error, because a file is written to standard output, and whoever reads
+/// that wants nothing else in it.
+void give_standard_output_to_a_file();
+bool standard_output_takes_a_file();
+
+} // namespace placedpar
