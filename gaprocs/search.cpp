@@ -34,8 +34,9 @@ std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size
 }
 
 Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
-    : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction),
-      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)) {
+    : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction), crossover_(settings.crossover),
+      crossover_probability_(settings.crossover_probability), mutation_{settings.mutation_probability},
+      random_(std::move(random)) {
     settings.validate();
     if (bits == 0)
         throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
@@ -44,9 +45,9 @@ Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream ra
 
 Search::Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random)
     : bits_(population.empty() ? 0 : population.front().size()), elite_(settings.elite),
-      reproduction_(settings.reproduction),
-      crossover_{settings.crossover_probability}, mutation_{settings.mutation_probability}, random_(std::move(random)),
-      population_(std::move(population)) {
+      reproduction_(settings.reproduction), crossover_(settings.crossover),
+      crossover_probability_(settings.crossover_probability), mutation_{settings.mutation_probability},
+      random_(std::move(random)), population_(std::move(population)) {
     settings.validate();
     if (population_.size() != settings.population)
         throw std::invalid_argument(
@@ -65,11 +66,11 @@ void Search::next_generation(std::span<const double> fitness) {
     offspring_.clear();
     for (std::size_t index : best_indices(fitness, elite_))
         offspring_.push_back(population_[index]);
-    if (auto parents = draw_parents(fitness)) {
+    if (auto parents = reproduction_(fitness, population_.size() - elite_, random_)) {
         for (std::size_t parent : *parents)
             offspring_.push_back(population_[parent]);
         std::span<Genome> bred = std::span(offspring_).subspan(elite_);
-        crossover_(bred, random_);
+        crossover_(bred, crossover_probability_, random_);
         mutation_(bred, random_);
     } else {
         ++redraws_;
@@ -77,13 +78,6 @@ void Search::next_generation(std::span<const double> fitness) {
             offspring_.push_back(Genome::random(bits_, random_));
     }
     std::swap(population_, offspring_);
-}
-
-std::optional<std::vector<std::size_t>> Search::draw_parents(std::span<const double> fitness) {
-    std::size_t count = population_.size() - elite_;
-    if (reproduction_ == Reproduction::universal)
-        return UniversalReproduction{}(fitness, count, random_);
-    return RouletteReproduction{}(fitness, count, random_);
 }
 
 const Individual& Search::best() const {

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "gaprocs/genome.hpp"
-#include "gaprocs/operators.hpp"
+#include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/mutation.hpp"
+#include "gaprocs/policies/reproduction.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "gaprocs/settings.hpp"
 
 #include <cstddef>
@@ -68,12 +70,12 @@ public:
 
 private:
     void require_fitness(std::span<const double> fitness) const;
-    std::optional<std::vector<std::size_t>> draw_parents(std::span<const double> fitness);
 
     std::size_t bits_;
     std::size_t elite_;
     Reproduction reproduction_;
-    OnePointCrossover crossover_;
+    Crossover crossover_;
+    double crossover_probability_;
     BitMutation mutation_;
     RandomStream random_;
     std::vector<Genome> population_;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gaprocs/coding.hpp"
 #include "gaprocs/fitness.hpp"
-#include "gaprocs/genome.hpp"
 #include "gaprocs/population_fitness.hpp"
+#include "gaprocs/representation/coding.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "text/user_error.hpp"
 
 #include <concepts>

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/reproduction.hpp"
+
 #include <cstddef>
 
 namespace placedpar {
@@ -19,9 +22,6 @@ struct WindowSettings {
     void validate_for(std::size_t record_length) const;
 };
 
-/// How parents are drawn (gaprocs/operators.hpp): by roulette with replacement, or by stochastic universal sampling.
-enum class Reproduction : unsigned char { roulette, universal };
-
 /// Ours: a number mistyped with too many digits must not fill the memory.
 inline constexpr int largest_population = 1'000'000;
 
@@ -30,8 +30,9 @@ struct SearchSettings {
     std::size_t population = 120;
     double crossover_probability = 0.8;
     double mutation_probability = 0.01;
-    std::size_t elite = 0; ///< best individuals copied unchanged into the next generation; the thesis mentions none
-    Reproduction reproduction = Reproduction::roulette;
+    std::size_t elite = 0;     ///< best individuals copied unchanged into the next generation; the thesis mentions none
+    Reproduction reproduction; ///< by roulette
+    Crossover crossover;       ///< one-point
     WindowSettings window;
 
     /// Throws UserError: population < 2 or > largest_population, an elite that leaves no pair to be bred, a

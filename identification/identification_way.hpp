@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/coding.hpp"
+#include "gaprocs/representation/coding.hpp"
 #include "gaprocs/settings.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"

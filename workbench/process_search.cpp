@@ -36,7 +36,7 @@ Settings settings_of(const IdentificationWay& way) {
             {"crossover", search.crossover_probability},
             {"mutation", search.mutation_probability},
             {"elite", integer(search.elite)},
-            {"reproduction", std::string(search.reproduction == Reproduction::roulette ? "roulette" : "universal")},
+            {"reproduction", search.reproduction.text()},
             {"coding", std::string(way.coding == Coding::natural ? "natural" : "gray")},
             {"stream", std::string("master")}};
 }

@@ -4,7 +4,7 @@
 // usage: identification [SEEDS]
 
 #include "bench/identification/contest.hpp"
-#include "gaprocs/operators.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"

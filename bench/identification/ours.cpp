@@ -120,7 +120,7 @@ Answer thesis_way(const Transient& transient) { return with(transient, {}, Codin
 Answer service_way(const Transient& transient) {
     SearchSettings settings;
     settings.elite = 1;
-    settings.reproduction = Reproduction::universal;
+    settings.reproduction = UniversalReproduction{};
     return with(transient, settings, Coding::gray);
 }
 

@@ -52,8 +52,8 @@ SearchSettings read_search_settings(const ProcessEnvironment& environment) {
     settings.crossover_probability = environment.real("crossover");
     settings.mutation_probability = environment.real("mutation");
     settings.elite = size(environment, "elite");
-    if (environment.text("reproduction") == "universal")
-        settings.reproduction = Reproduction::universal;
+    settings.reproduction = Reproduction::named(environment.text("reproduction"));
+    settings.crossover = Crossover::named(environment.text("crossover_operator"));
     settings.window.length = size(environment, "window");
     settings.window.first = size(environment, "first_window");
     settings.window.trials = size(environment, "trials");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "gaprocs/search_problem.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "identification/on_line/population_set.hpp"
 
-#include "gaprocs/operators.hpp"
+#include "gaprocs/representation/genome.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "identification/on_line/set_problem.hpp"
 
-#include "gaprocs/coding.hpp"
 #include "gaprocs/population_fitness.hpp"
+#include "gaprocs/representation/coding.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "identification/on_line/population_sets.hpp"
 

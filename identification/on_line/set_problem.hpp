@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "hydraulics/circuit/circuit_error.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
 

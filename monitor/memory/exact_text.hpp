@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 
 #include <cstddef>
 #include <span>

@@ -3,6 +3,7 @@
 #include "netlist/elaborate/attributes.hpp"
 #include "netlist/network/names.hpp"
 #include "text/nearest.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
@@ -94,12 +95,23 @@ private:
 
     void check_choice(const Setting& setting, const ParameterDescription& known, const std::string& text) {
         const auto& choices = known.choices;
+        if (known.check)
+            return check_text(setting, known, text);
         if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end())
             return;
         auto guess = did_you_mean(text, choices);
         c_.reporter.error(
             setting.at, fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text),
             fmt::format("it is one of \"{}\"{}", fmt::join(choices, "\", \""), guess.empty() ? "" : "; " + guess));
+    }
+
+    void check_text(const Setting& setting, const ParameterDescription& known, const std::string& text) {
+        try {
+            known.check(text);
+        } catch (const UserError& error) {
+            auto what = fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text);
+            c_.reporter.error(setting.at, what, error.what());
+        }
     }
 
     void check_range(const Setting& setting, const ParameterDescription& known, const Value& value) {

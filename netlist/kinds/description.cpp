@@ -40,7 +40,8 @@ ParameterDescription text(std::string name, TextTraits traits, std::string about
             .least = {},
             .most = {},
             .choices = std::move(traits.choices),
-            .about = std::move(about)};
+            .about = std::move(about),
+            .check = std::move(traits.check)};
 }
 
 } // namespace placedpar::description

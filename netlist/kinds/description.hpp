@@ -4,6 +4,7 @@
 #include "runtime/channel.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ struct RealTraits {
 };
 struct TextTraits {
     std::optional<std::string> by_default = {};
-    std::vector<std::string> choices = {}; ///< empty: any text
+    std::vector<std::string> choices = {};              ///< empty: any text
+    std::function<void(const std::string&)> check = {}; ///< ParameterDescription::check
 };
 
 ParameterDescription integer(std::string name, IntegerTraits traits, std::string about);

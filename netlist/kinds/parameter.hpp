@@ -2,6 +2,7 @@
 
 #include "netlist/network/value.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct ParameterDescription {
     std::optional<double> least, most;  ///< range, both ends allowed
     std::vector<std::string> choices;   ///< for text: the allowed words; empty: any text
     std::string about;                  ///< one line
+    /// For text that is more than a word: throws UserError, saying what would be right. `choices` are then examples.
+    std::function<void(const std::string&)> check = {};
 };
 
 /// "it goes from 2 to 100 bytes", "it is at least 2 bytes", "it is at most 100 bytes". REQUIRES: it has a range.

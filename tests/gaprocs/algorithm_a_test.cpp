@@ -81,7 +81,7 @@ TEST_CASE("... and with an elite, Gray code and universal sampling, each by itse
             for (bool universal : {false, true}) {
                 SearchSettings settings = settings_for(30);
                 settings.elite = elite;
-                settings.reproduction = universal ? Reproduction::universal : Reproduction::roulette;
+                settings.reproduction = universal ? Reproduction(UniversalReproduction{}) : Reproduction();
                 std::string traditional = populations_of_traditional(settings, 1, coding);
                 different.insert(traditional);
                 std::string parameters =

@@ -81,7 +81,7 @@ TEST_CASE("in a window that stands the best is never lost with an elite; without
         for (std::size_t elite : {1u, 2u, 6u})
             CHECK(falls(with_elite(elite, 8), seed) == 0);
         SearchSettings universal = with_elite(1, 9);
-        universal.reproduction = Reproduction::universal;
+        universal.reproduction = UniversalReproduction{};
         CHECK(falls(universal, seed) == 0);
     }
     CHECK(lost > 20);

@@ -137,7 +137,7 @@ TEST_CASE("the search is the plainly written algorithm, for every size of string
                     plain.population = plain.draw(population);
                     SearchSettings settings = small(population);
                     settings.elite = elite;
-                    settings.reproduction = universal ? Reproduction::universal : Reproduction::roulette;
+                    settings.reproduction = universal ? Reproduction(UniversalReproduction{}) : Reproduction();
                     Search search(bits, settings, random);
                     for (int generation = 0; generation < 40; ++generation) {
                         REQUIRE(texts_of(search) == plain.population);

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 
+#include <cstddef>
 #include <initializer_list>
 #include <vector>
 
@@ -13,6 +14,15 @@ inline std::vector<Genome> strings(std::initializer_list<const char*> texts) {
     for (const char* text : texts)
         population.push_back(Genome::from_string(text));
     return population;
+}
+
+/// How many of them have a 1 at each position.
+inline std::vector<int> ones_by_position(const std::vector<Genome>& population) {
+    std::vector<int> ones(population.front().size());
+    for (const Genome& genome : population)
+        for (std::size_t bit = 0; bit < genome.size(); ++bit)
+            ones[bit] += genome.bit(bit);
+    return ones;
 }
 
 } // namespace placedpar::test

@@ -1,4 +1,4 @@
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "hydraulics/circuit/parameter_coding.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
 // A population evaluated at once has the fitness of each individual evaluated alone, to the bit.
 
 #include "gaprocs/fitness.hpp"
-#include "gaprocs/operators.hpp"
 #include "gaprocs/population_fitness.hpp"
 #include "gaprocs/processes/share.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"

@@ -1,7 +1,7 @@
 // Two processes of a program that uses PlacedPar as a library, and something of every room.
 
 #include "placedpar/experiments/kit/experiment.hpp"
-#include "placedpar/gaprocs/genome.hpp"
+#include "placedpar/gaprocs/representation/genome.hpp"
 #include "placedpar/hydraulics/circuit/boom_orifices.hpp"
 #include "placedpar/identification/identification.hpp"
 #include "placedpar/monitor/service/service.hpp"

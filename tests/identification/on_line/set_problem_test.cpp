@@ -1,5 +1,5 @@
 #include "gaprocs/fitness.hpp"
-#include "gaprocs/operators.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/on_line/set_problem.hpp"
 #include "transient.hpp"

@@ -1,5 +1,5 @@
-#include "gaprocs/coding.hpp"
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/coding.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "tests/gaprocs/line_problem.hpp"
 #include "text/user_error.hpp"

@@ -1,4 +1,4 @@
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 
 #include <doctest/doctest.h>
 

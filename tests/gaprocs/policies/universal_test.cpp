@@ -1,6 +1,7 @@
 // Stochastic universal sampling.
 
-#include "gaprocs/operators.hpp"
+#include "gaprocs/policies/reproduction.hpp"
+#include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "gaprocs/coding.hpp"
+#include "gaprocs/representation/coding.hpp"
 
 namespace placedpar {
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace placedpar {
 
@@ -49,6 +50,15 @@ public:
     /// Exchanges characters 0 ... count - 1 of two strings of the same size.
     /// REQUIRES: a.size() == b.size(), count <= a.size().
     friend void swap_leading(Genome& a, Genome& b, std::size_t count);
+    /// Exchanges the characters where `mask` has a 1. REQUIRES: all three of one size.
+    friend void swap_where(Genome& a, Genome& b, const Genome& mask);
+
+    // REQUIRES, of these three: two strings of the same size.
+    /// The number of bits in which they differ.
+    friend std::size_t difference(const Genome& a, const Genome& b);
+    /// The positions of the first and the last bit in which they differ; size() where none does.
+    friend std::size_t first_difference(const Genome& a, const Genome& b);
+    friend std::size_t last_difference(const Genome& a, const Genome& b);
 
     std::string to_string() const;
     friend bool operator==(const Genome&, const Genome&) = default;
@@ -60,6 +70,9 @@ private:
     boost::container::small_vector<std::uint64_t, 1> words_;
     std::size_t size_ = 0;
 };
+
+/// `count` random strings of `bits` bits.
+std::vector<Genome> random_population(std::size_t count, std::size_t bits, RandomStream& random);
 
 inline std::uint64_t Genome::field(std::size_t first, std::size_t count) const {
     std::size_t word = first / 64, offset = first % 64;

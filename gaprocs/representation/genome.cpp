@@ -1,7 +1,8 @@
-#include "gaprocs/genome.hpp"
+#include "gaprocs/representation/genome.hpp"
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
@@ -51,12 +52,49 @@ void swap_leading(Genome& a, Genome& b, std::size_t count) {
     b.words_[whole] ^= difference;
 }
 
+void swap_where(Genome& a, Genome& b, const Genome& mask) {
+    for (std::size_t word = 0; word < mask.words_.size(); ++word) {
+        std::uint64_t exchanged = (a.words_[word] ^ b.words_[word]) & mask.words_[word];
+        a.words_[word] ^= exchanged;
+        b.words_[word] ^= exchanged;
+    }
+}
+
+std::size_t difference(const Genome& a, const Genome& b) {
+    std::size_t bits = 0;
+    for (std::size_t word = 0; word < a.words_.size(); ++word)
+        bits += static_cast<std::size_t>(std::popcount(a.words_[word] ^ b.words_[word]));
+    return bits;
+}
+
+std::size_t first_difference(const Genome& a, const Genome& b) {
+    for (std::size_t word = 0; word < a.words_.size(); ++word)
+        if (std::uint64_t differ = a.words_[word] ^ b.words_[word])
+            return 64 * word + static_cast<std::size_t>(std::countl_zero(differ));
+    return a.size();
+}
+
+std::size_t last_difference(const Genome& a, const Genome& b) {
+    for (std::size_t word = a.words_.size(); word-- > 0;)
+        if (std::uint64_t differ = a.words_[word] ^ b.words_[word])
+            return 64 * word + 63 - static_cast<std::size_t>(std::countr_zero(differ));
+    return a.size();
+}
+
 std::string Genome::to_string() const {
     std::string text(size_, '0');
     for (std::size_t i = 0; i < size_; ++i)
         if (bit(i))
             text[i] = '1';
     return text;
+}
+
+std::vector<Genome> random_population(std::size_t count, std::size_t bits, RandomStream& random) {
+    std::vector<Genome> population;
+    population.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        population.push_back(Genome::random(bits, random));
+    return population;
 }
 
 } // namespace placedpar

@@ -1,0 +1,146 @@
+#include "gaprocs/policies/policy.hpp"
+
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/algorithm/string/trim.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+std::string range_of(const PolicyNumberDescription& number) {
+    return fmt::format("{} is {} from {} to {}", number.name, number.whole ? "a whole number" : "a number",
+                       number.least, number.most);
+}
+
+std::vector<std::string> texts_of(const std::vector<PolicyDescription>& known) {
+    std::vector<std::string> texts;
+    for (const PolicyDescription& each : known)
+        texts.push_back(each.text());
+    return texts;
+}
+
+/// "name", "arguments" of "name(arguments)".
+struct Call {
+    std::string_view name;
+    std::optional<std::string_view> arguments;
+};
+
+Call read_call(std::string_view text) {
+    text = boost::algorithm::trim_copy(text);
+    std::size_t open = text.find('(');
+    if (open == text.npos)
+        return {text, std::nullopt};
+    if (text.back() != ')')
+        throw UserError(fmt::format("\"{}\" has no closing parenthesis at its end", text));
+    return {boost::algorithm::trim_copy(text.substr(0, open)), text.substr(open + 1, text.size() - open - 2)};
+}
+
+std::size_t index_of(std::string_view name, const std::vector<PolicyDescription>& known) {
+    std::vector<std::string> names;
+    for (const PolicyDescription& each : known)
+        names.push_back(each.name);
+    auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end())
+        return static_cast<std::size_t>(found - names.begin());
+    auto guess = did_you_mean(name, names);
+    throw UserError(fmt::format("there is no \"{}\", but {}{}", name, fmt::join(texts_of(known), ", "),
+                                guess.empty() ? "" : "; " + guess));
+}
+
+double read_number(std::string_view text, const PolicyNumberDescription& number) {
+    double value = 0;
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || error != std::errc() || end != text.data() + text.size())
+        throw UserError(fmt::format("\"{}\" is no number: {}", text, range_of(number)));
+    bool fits = value >= number.least && value <= number.most && (!number.whole || value == std::floor(value));
+    if (!fits)
+        throw UserError(fmt::format("{} = {} is out of range: {}", number.name, text, range_of(number)));
+    return value;
+}
+
+/// The arguments of one policy.
+class Arguments {
+public:
+    explicit Arguments(const PolicyDescription& policy) : policy_(policy), given_(policy.numbers.size()) {}
+
+    void take(std::string_view argument, std::size_t place) {
+        std::size_t equals = argument.find('=');
+        std::size_t index =
+            equals == argument.npos ? place : index_of_number(boost::algorithm::trim_copy(argument.substr(0, equals)));
+        if (index >= given_.size())
+            throw UserError(takes());
+        if (given_[index])
+            throw UserError(fmt::format("{} of {} is given twice", policy_.numbers[index].name, policy_.name));
+        auto value = equals == argument.npos ? argument : argument.substr(equals + 1);
+        given_[index] = read_number(boost::algorithm::trim_copy(value), policy_.numbers[index]);
+    }
+
+    std::vector<double> values() const {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < given_.size(); ++i)
+            values.push_back(given_[i].value_or(policy_.numbers[i].by_default));
+        return values;
+    }
+
+private:
+    std::size_t index_of_number(std::string_view name) const {
+        auto is_named = [&](const PolicyNumberDescription& number) { return number.name == name; };
+        auto found = std::find_if(policy_.numbers.begin(), policy_.numbers.end(), is_named);
+        if (found == policy_.numbers.end())
+            throw UserError(fmt::format("{} has no number \"{}\"; {}", policy_.name, name, takes()));
+        return static_cast<std::size_t>(found - policy_.numbers.begin());
+    }
+
+    std::string takes() const {
+        if (policy_.numbers.empty())
+            return fmt::format("{} takes no number", policy_.name);
+        std::vector<std::string> ranges;
+        for (const PolicyNumberDescription& number : policy_.numbers)
+            ranges.push_back(range_of(number));
+        return fmt::format("{} takes {} number{} at the most: {}", policy_.name, ranges.size(),
+                           ranges.size() == 1 ? "" : "s", fmt::join(ranges, ", "));
+    }
+
+    const PolicyDescription& policy_;
+    std::vector<std::optional<double>> given_;
+};
+
+} // namespace
+
+std::string PolicyDescription::text(const std::vector<double>& values) const {
+    if (values.empty())
+        return name;
+    std::vector<std::string> printed;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        printed.push_back(fmt::format("{} = {}", numbers[i].name, values[i]));
+    return fmt::format("{}({})", name, fmt::join(printed, ", "));
+}
+
+std::string PolicyDescription::text() const { return text(Arguments(*this).values()); }
+
+NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known) {
+    Call call = read_call(text);
+    std::size_t index = index_of(call.name, known);
+    Arguments arguments(known[index]);
+    if (!call.arguments)
+        return {index, arguments.values()};
+    std::string_view rest = *call.arguments;
+    for (std::size_t place = 0;; ++place) {
+        std::size_t comma = rest.find(',');
+        arguments.take(boost::algorithm::trim_copy(rest.substr(0, comma)), place);
+        if (comma == rest.npos)
+            return {index, arguments.values()};
+        rest = rest.substr(comma + 1);
+    }
+}
+
+} // namespace placedpar

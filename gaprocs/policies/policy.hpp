@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+// A policy is one way to do a step of a genetic algorithm, a plain struct such as
+//
+//     struct TournamentReproduction {
+//         static constexpr std::string_view name = "tournament", about = "the best of `size` drawn at random";
+//         std::size_t size = 2;
+//         static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1,
+//         1000}); }
+//     };
+//
+// and a step is done by a OneOf<...> of them. Library and netlists name a policy by the same text:
+// "tournament", "tournament(3)", "tournament(size = 3)".
+
+/// A number of a policy, a double or a size: its name, where it lies, and its range with both ends.
+template <class Policy, class T>
+struct PolicyNumber {
+    std::string_view name;
+    T Policy::*member;
+    double least, most;
+};
+
+struct PolicyNumberDescription {
+    std::string name;
+    double by_default, least, most;
+    bool whole;
+};
+
+/// A policy as the catalogue lists it.
+struct PolicyDescription {
+    std::string name;
+    std::string about; ///< one line
+    std::vector<PolicyNumberDescription> numbers;
+
+    /// "tournament(size = 2)": as text() of the policy with these numbers.
+    std::string text(const std::vector<double>& values) const;
+    /// With the numbers by default.
+    std::string text() const;
+};
+
+/// Which of the known policies a text names, and its numbers.
+struct NamedPolicy {
+    std::size_t index;
+    std::vector<double> numbers; ///< each in range, whole where it shall be; those not given by default
+};
+
+/// Throws UserError, saying what there is: no such policy, no such number, one too many or given twice, out of range,
+/// or no text of the form "name", "name(2)", "name(number = 2, 3.5)".
+NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known);
+
+template <class Policy>
+PolicyDescription describe_policy() {
+    auto describe = [](const auto& number) {
+        double by_default = static_cast<double>(Policy{}.*number.member);
+        bool whole = !std::is_same_v<std::remove_cvref_t<decltype(Policy{}.*number.member)>, double>;
+        return PolicyNumberDescription{std::string(number.name), by_default, number.least, number.most, whole};
+    };
+    auto describe_all = [&](const auto&... number) {
+        return std::vector<PolicyNumberDescription>{describe(number)...};
+    };
+    return {std::string(Policy::name), std::string(Policy::about), std::apply(describe_all, Policy::numbers())};
+}
+
+template <class Policy>
+std::vector<double> numbers_of(const Policy& policy) {
+    auto values = [&](const auto&... number) {
+        return std::vector<double>{static_cast<double>(policy.*number.member)...};
+    };
+    return std::apply(values, Policy::numbers());
+}
+
+/// REQUIRES: as many values as it has numbers.
+template <class Policy>
+Policy make_policy(const std::vector<double>& values) {
+    Policy policy;
+    auto value = values.begin();
+    auto set = [&](const auto& number) {
+        auto& member = policy.*number.member;
+        member = static_cast<std::remove_reference_t<decltype(member)>>(*value++);
+    };
+    std::apply([&](const auto&... number) { (set(number), ...); }, Policy::numbers());
+    return policy;
+}
+
+/// One of several policies; by default the first, with its own defaults.
+template <class... Policies>
+class OneOf {
+public:
+    OneOf() = default;
+    template <class Policy>
+    requires(std::is_same_v<Policy, Policies> || ...) OneOf(Policy policy) : policy_(std::move(policy)) {}
+
+    /// As read() takes it.
+    std::string text() const {
+        auto print = [](const auto& policy) {
+            return describe_policy<std::remove_cvref_t<decltype(policy)>>().text(numbers_of(policy));
+        };
+        return std::visit(print, policy_);
+    }
+    static std::vector<PolicyDescription> descriptions() { return {describe_policy<Policies>()...}; }
+
+protected:
+    /// The Step, a class derived from this one, that a text names. Throws as read_policy().
+    template <class Step>
+    static Step read(std::string_view text) {
+        NamedPolicy named = read_policy(text, descriptions());
+        constexpr std::array make{+[](const std::vector<double>& n) { return Step(make_policy<Policies>(n)); }...};
+        return make[named.index](named.numbers);
+    }
+    const std::variant<Policies...>& policy() const { return policy_; }
+
+private:
+    std::variant<Policies...> policy_;
+};
+
+} // namespace placedpar

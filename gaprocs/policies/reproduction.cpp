@@ -1,0 +1,106 @@
+#include "gaprocs/policies/reproduction.hpp"
+
+#include "runtime/random.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// One spin with `count` balls, and the parents shuffled (Fisher and Yates).
+Parents sample_universally(const RouletteWheel& wheel, std::size_t count, RandomStream& random) {
+    std::vector<std::size_t> parents = wheel.sectors(count, random.uniform());
+    for (std::size_t left = parents.size(); left > 1; --left)
+        std::swap(parents[left - 1], parents[random.below(static_cast<std::uint32_t>(left))]);
+    return parents;
+}
+
+/// Copies of each on average, by a straight line through the mean, which has one.
+std::vector<double> scaled_copies(std::span<const double> fitness, double best) {
+    auto [least, greatest] = std::minmax_element(fitness.begin(), fitness.end());
+    std::vector<double> copies(fitness.size(), 1);
+    if (*least == *greatest)
+        return copies;
+    // Of half the fitness: the range of doubles may be wider than a double.
+    double mean = 0;
+    for (double each : fitness)
+        mean += each / 2 / static_cast<double>(fitness.size());
+    double above = *greatest / 2 - mean, below = mean - *least / 2;
+    double slope = std::min((best - 1) / above, 1 / below);
+    for (std::size_t i = 0; i < fitness.size(); ++i)
+        copies[i] = std::max(1 + slope * (fitness[i] / 2 - mean), 0.0);
+    return copies;
+}
+
+/// The rank of each, 0 for the worst; equals have the mean of their ranks.
+std::vector<double> ranks_of(std::span<const double> fitness) {
+    std::vector<std::size_t> order(fitness.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return fitness[a] != fitness[b] ? fitness[a] < fitness[b] : a < b; });
+    std::vector<double> ranks(fitness.size());
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+        while (end < order.size() && fitness[order[end]] == fitness[order[first]])
+            ++end;
+        for (std::size_t i = first; i < end; ++i)
+            ranks[order[i]] = static_cast<double>(first + end - 1) / 2;
+    }
+    return ranks;
+}
+
+} // namespace
+
+Parents RouletteReproduction::operator()(std::span<const double> fitness, std::size_t count,
+                                         RandomStream& random) const {
+    RouletteWheel wheel(fitness);
+    if (wheel.empty())
+        return std::nullopt;
+    std::vector<std::size_t> parents(count);
+    for (std::size_t& parent : parents)
+        parent = wheel.sector(random.uniform());
+    return parents;
+}
+
+Parents UniversalReproduction::operator()(std::span<const double> fitness, std::size_t count,
+                                          RandomStream& random) const {
+    RouletteWheel wheel(fitness);
+    if (wheel.empty())
+        return std::nullopt;
+    return sample_universally(wheel, count, random);
+}
+
+Parents ScaledReproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
+    return sample_universally(RouletteWheel(scaled_copies(fitness, best)), count, random);
+}
+
+Parents RankingReproduction::operator()(std::span<const double> fitness, std::size_t count,
+                                        RandomStream& random) const {
+    std::vector<double> copies = ranks_of(fitness);
+    double last = std::max(static_cast<double>(fitness.size()) - 1, 1.0);
+    for (double& each : copies)
+        each = 2 - best + 2 * (best - 1) * each / last;
+    return sample_universally(RouletteWheel(copies), count, random);
+}
+
+Parents TournamentReproduction::operator()(std::span<const double> fitness, std::size_t count,
+                                           RandomStream& random) const {
+    auto draw = [&] { return random.below(static_cast<std::uint32_t>(fitness.size())); };
+    std::vector<std::size_t> parents(count);
+    for (std::size_t& parent : parents) {
+        parent = draw();
+        for (std::size_t i = 1; i < size; ++i)
+            if (std::size_t other = draw(); fitness[other] > fitness[parent])
+                parent = other;
+    }
+    return parents;
+}
+
+Parents Reproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
+    return std::visit([&](const auto& way) { return way(fitness, count, random); }, policy());
+}
+
+} // namespace placedpar

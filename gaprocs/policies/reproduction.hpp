@@ -1,0 +1,90 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+#include "gaprocs/policies/roulette_wheel.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+class RandomStream;
+
+/// Indices of parents; none, and nothing drawn, when no individual may become one.
+using Parents = std::optional<std::vector<std::size_t>>;
+
+/// Reproduction by roulette: individual i is drawn with probability max(f_i, 0) / sum, with replacement, so
+/// that individuals of fitness <= 0 (or not a number) are discarded (thesis 3.1.1, step 4).
+struct RouletteReproduction {
+    static constexpr std::string_view name = "roulette",
+                                      about = "a spin for each parent; individuals of fitness <= 0 are discarded";
+    static constexpr std::tuple<> numbers() { return {}; }
+
+    /// One number of the stream a parent. Throws as RouletteWheel.
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+};
+
+/// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
+/// spin of a wheel with `count` evenly spaced balls, so that individual i becomes a parent floor(e) or ceil(e) times,
+/// e = count max(f_i, 0) / sum being what roulette gives on average. The parents are then shuffled, since crossover
+/// takes neighbours for mates.
+struct UniversalReproduction {
+    static constexpr std::string_view name = "universal",
+                                      about = "stochastic universal sampling: one spin with evenly spaced balls";
+    static constexpr std::tuple<> numbers() { return {}; }
+
+    /// One number for the spin, at least count - 1 for the shuffle. Throws as RouletteWheel.
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+};
+
+/// Linear scaling (D. Goldberg, "Genetic Algorithms in Search, Optimization and Machine Learning", 1989, p. 76): the
+/// individual of mean fitness has one copy, the best `best`, and those between by a straight line; where that would
+/// give the worst less than none, the line goes through the mean and the worst instead. It depends on differences of
+/// fitness only, so that fitness may be negative. Sampled as UniversalReproduction.
+struct ScaledReproduction {
+    static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average";
+    double best = 2;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100}); }
+
+    /// As UniversalReproduction; there are always parents.
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+};
+
+/// Linear ranking (J. Baker, "Adaptive selection methods for genetic algorithms", 1985): the best has `best` copies on
+/// average, the worst 2 - best, those between by their rank; equals share their ranks. Sampled as
+/// UniversalReproduction.
+struct RankingReproduction {
+    static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average";
+    double best = 2;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2}); }
+
+    /// As UniversalReproduction; there are always parents.
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+};
+
+/// Tournament: each parent is the best of `size` individuals that are drawn with replacement; the first of equals.
+struct TournamentReproduction {
+    static constexpr std::string_view name = "tournament",
+                                      about = "the best of `size` drawn at random, for each parent";
+    std::size_t size = 2;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6}); }
+
+    /// `size` numbers a parent, at least; there are always parents.
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+};
+
+/// How parents are chosen (thesis 1.1): the step of a genetic algorithm that makes the fit many.
+class Reproduction : public OneOf<RouletteReproduction, UniversalReproduction, ScaledReproduction, RankingReproduction,
+                                  TournamentReproduction> {
+public:
+    using OneOf::OneOf;
+    static Reproduction named(std::string_view text) { return read<Reproduction>(text); }
+
+    /// `count` parents. REQUIRES: every fitness is a finite number, and there is one.
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+};
+
+} // namespace placedpar

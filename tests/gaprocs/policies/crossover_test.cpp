@@ -1,0 +1,128 @@
+#include "gaprocs/policies/crossover.hpp"
+#include "runtime/random.hpp"
+#include "tests/gaprocs/strings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+using namespace placedpar;
+using test::ones_by_position;
+using test::strings;
+
+namespace {
+
+/// How often the first of two strings becomes what by this way.
+std::map<std::string, int> offspring(const Crossover& cross, const char* a, const char* b, int pairs) {
+    RandomStream random(8, "offspring");
+    std::map<std::string, int> seen;
+    for (int i = 0; i < pairs; ++i) {
+        auto population = strings({a, b});
+        cross(population, 1, random);
+        ++seen[population.front().to_string()];
+    }
+    return seen;
+}
+
+/// Each of them as often, to five standard deviations.
+void check_even(const std::map<std::string, int>& seen, std::size_t kinds) {
+    CHECK(seen.size() == kinds);
+    double all = 0;
+    for (const auto& [text, count] : seen)
+        all += count;
+    double share = 1 / static_cast<double>(kinds), deviation = std::sqrt(all * share * (1 - share));
+    for (const auto& [text, count] : seen) {
+        CAPTURE(text);
+        CHECK(std::abs(count - all * share) < 5 * deviation);
+    }
+}
+
+} // namespace
+
+TEST_CASE("every crossover keeps the bits at every position, whatever the population") {
+    RandomStream random(3, "crossover");
+    for (std::size_t count : {2u, 3u, 7u, 30u})
+        for (std::size_t bits : {1u, 2u, 10u, 64u, 65u, 130u}) {
+            for (const char* way : {"one-point", "two-point", "uniform", "by-difference"}) {
+                CAPTURE(way);
+                auto population = random_population(count, bits, random);
+                auto before = ones_by_position(population);
+                Crossover::named(way)(population, 1, random);
+                CHECK(ones_by_position(population) == before);
+            }
+        }
+}
+
+TEST_CASE("cuts are uniform over 1 ... L - 1 and happen at the stated rate") {
+    RandomStream random(4, "cuts");
+    constexpr int pairs = 50000;
+    std::map<std::string, int> seen;
+    for (int i = 0; i < pairs; ++i) {
+        auto population = strings({"00000", "11111"});
+        Crossover()(population, 0.8, random);
+        ++seen[population.front().to_string()];
+    }
+    std::map<std::string, double> expected{
+        {"00000", 0.2}, {"10000", 0.2}, {"11000", 0.2}, {"11100", 0.2}, {"11110", 0.2}};
+    double chi_squared = 0;
+    for (auto& [text, share] : expected)
+        chi_squared += std::pow(seen[text] - share * pairs, 2) / (share * pairs);
+    CHECK(seen.size() == expected.size());
+    CHECK(chi_squared < 18.47); // 4 degrees of freedom, 99.9 %
+}
+
+TEST_CASE("strings of one character are never cut") {
+    RandomStream random(5, "short");
+    auto population = strings({"0", "1", "1"});
+    Crossover()(population, 1, random);
+    CHECK(population == strings({"0", "1", "1"}));
+}
+
+TEST_CASE("the last of an odd number has no mate, but by difference") {
+    RandomStream random(9, "odd");
+    for (const char* way : {"one-point", "two-point", "uniform"}) {
+        auto population = random_population(7, 30, random);
+        Genome last = population.back();
+        Crossover::named(way)(population, 1, random);
+        CHECK(population.back() == last);
+    }
+    auto population = strings({"0000", "0001", "1111"}); // the second is too near
+    Crossover(DifferenceCrossover{})(population, 1, random);
+    CHECK(population[2] == Genome::from_string("0001"));
+    CHECK(population[0] != Genome::from_string("0000"));
+}
+
+TEST_CASE("two cuts of a ring: each of the pieces as often") {
+    // 4 places have 6 pairs of cuts; the second of the two strings has the complement.
+    auto seen = offspring(TwoPointCrossover{}, "0000", "1111", 60000);
+    check_even(seen, 6);
+    for (const char* never : {"0000", "1111", "0101", "1010"})
+        CHECK(!seen.contains(never));
+}
+
+TEST_CASE("uniform: each of the strings between the parents as often") {
+    check_even(offspring(UniformCrossover{}, "00010", "11110", 60000), 8); // they differ in three
+    CHECK(offspring(UniformCrossover{}, "00010", "11110", 1000).contains("01110"));
+}
+
+TEST_CASE("by difference: every offspring is new, each of the n - 1 cuts as often") {
+    // The parents differ at 1, 4 and 5: a cut at 2, 3 or 4 takes the first, a cut at 5 the first two.
+    auto seen = offspring(DifferenceCrossover{}, "000000", "010011", 40000);
+    CHECK(seen.size() == 2);
+    CHECK(std::abs(seen["010000"] - 30000) < 5 * std::sqrt(40000 * .75 * .25));
+    CHECK(seen["010010"] == 40000 - seen["010000"]);
+}
+
+TEST_CASE("by difference: parents that differ in one bit stay as they are") {
+    CHECK(offspring(DifferenceCrossover{}, "000000", "010000", 100).at("000000") == 100);
+}
+
+TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that differ everywhere, thesis table 6.2") {
+    for (std::size_t n : {2u, 3u, 8u}) {
+        std::string zeros(n, '0'), ones(n, '1');
+        auto firsts = offspring(OnePointCrossover{}, zeros.c_str(), ones.c_str(), 2000);
+        CHECK(firsts.size() == n - 1); // the second of the two is the other's complement
+    }
+}
