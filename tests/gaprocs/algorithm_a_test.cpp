@@ -99,6 +99,30 @@ TEST_CASE("... and with an elite, Gray code and universal sampling, each by itse
     CHECK(different.size() == 8); // no option goes unheard
 }
 
+TEST_CASE("... and with every policy of reproduction and crossover") {
+    std::set<std::string> different;
+    for (const char* reproduction : {"roulette", "universal", "scaled(1.5)", "ranking", "tournament(3)"})
+        for (const char* crossover : {"one-point", "two-point", "uniform", "by-difference"}) {
+            SearchSettings settings = settings_for(30);
+            settings.reproduction = Reproduction::named(reproduction);
+            settings.crossover = Crossover::named(crossover);
+            std::string traditional = populations_of_traditional(settings, 1, Coding::natural);
+            different.insert(traditional);
+            auto parameters = fmt::format("rehearsals = 1, reproduction = \"{}\", crossover_operator = \"{}\"",
+                                          reproduction, crossover);
+            CAPTURE(parameters);
+            Cluster cluster{.slaves = 3, .master_parameters = parameters};
+            CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);
+        }
+    CHECK(different.size() == 20);
+}
+
+TEST_CASE("a policy that is none is refused by the netlist's checker, with what would be right") {
+    Cluster cluster{.master_parameters = "rehearsals = 1, reproduction = \"tournament(0)\""};
+    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("a whole number from 1 to 1000000"),
+                         std::runtime_error);
+}
+
 TEST_CASE("an elite as large as the population is refused, naming what would be right") {
     Cluster cluster{.master_parameters = "rehearsals = 1, elite = 30"};
     CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("it is 28 at the most"), std::runtime_error);
