@@ -3,6 +3,8 @@
 #include "hydraulics/circuit/circuit_error.hpp"
 #include "hydraulics/circuit/parameter_coding.hpp"
 
+#include <boost/container/static_vector.hpp>
+
 #include <cstddef>
 #include <span>
 #include <string>
@@ -40,9 +42,9 @@ public:
     /// The error of one set of compliances, or of each of an array of them.
     template <typename T>
     T error_of(std::span<const T> compliances, std::span<const double> sample) const {
-        PerJunction<LinkSample> links;
+        boost::container::static_vector<LinkSample, all_links.size()> links;
         for (std::size_t j = 0; j < circuit_.size(); ++j)
-            links[j] = LinkSample::from(sample.subspan(j * LinkSample::channels));
+            links.push_back(LinkSample::from(sample.subspan(j * LinkSample::channels)));
         return circuit_error_in3_per_s<T>(circuit_, compliances, links, flow_, form_);
     }
 

@@ -27,8 +27,10 @@ std::string without_blanks_around(std::string text) {
 /// The option's text as a source of its own, so that messages can show it.
 std::shared_ptr<const SourceFile> source_of(const std::string& name, const std::string& value, Reporter& reporter) {
     LoadedSource source = check_source("--set", name + "=" + value);
-    if (!source.problems.empty())
-        pass_on({{.message = source.problems.front().message, .location = {source.file, 1, 1}}}, reporter);
+    if (!source.problems.empty()) {
+        reporter.error({source.file, 1, 1}, source.problems.front().message);
+        throw StatementRefused{};
+    }
     return source.file;
 }
 

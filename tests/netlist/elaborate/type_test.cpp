@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-const ProcessInstance& process(const Network& network, const std::string& name) {
+const ProcessInstance& typed_process(const Network& network, const std::string& name) {
     auto found = std::ranges::find(network.processes, name, &ProcessInstance::name);
     CAPTURE(name);
     REQUIRE(found != network.processes.end());
@@ -55,19 +55,19 @@ TEST_CASE("boards and modules carry what they were sold with") {
 TEST_CASE("processes are declared by process types") {
     auto network = good("types.cfs");
     auto kept = [&](const std::string& name, const std::string& attribute) {
-        return process(network, name).other.at(attribute);
+        return typed_process(network, name).other.at(attribute);
     };
-    CHECK(process(network, "source").high_priority);
-    CHECK(process(network, "sink").high_priority); // its own attribute goes before its type's
-    CHECK_FALSE(process(network, "last").high_priority);
-    CHECK_FALSE(process(network, "first").high_priority);
-    CHECK(process(network, "third").high_priority);
+    CHECK(typed_process(network, "source").high_priority);
+    CHECK(typed_process(network, "sink").high_priority); // its own attribute goes before its type's
+    CHECK_FALSE(typed_process(network, "last").high_priority);
+    CHECK_FALSE(typed_process(network, "first").high_priority);
+    CHECK(typed_process(network, "third").high_priority);
     CHECK(kept("first", "stacksize") == Value(std::int64_t{2048})); // from `process (...);`
     CHECK(kept("third", "heapsize") == Value(std::int64_t{16384}));
-    CHECK(process(network, "first").parameters.at("n") == Value(std::int64_t{8}));
-    CHECK(process(network, "second[1]").parameters.at("n") == Value(std::int64_t{16}));
-    CHECK(process(network, "third").ports.size() == 2);
-    CHECK(process(network, "source").kind == "any.lku");
+    CHECK(typed_process(network, "first").parameters.at("n") == Value(std::int64_t{8}));
+    CHECK(typed_process(network, "second[1]").parameters.at("n") == Value(std::int64_t{16}));
+    CHECK(typed_process(network, "third").ports.size() == 2);
+    CHECK(typed_process(network, "source").kind == "any.lku");
     auto node = [&](const std::string& name) { return *std::ranges::find(network.nodes, name, &Node::name); };
     CHECK(node("root").type == "T805");
     CHECK(node("old").type == "T414");
@@ -77,9 +77,9 @@ TEST_CASE("processes are declared by process types") {
 TEST_CASE("the attributes of a process type can be changed for those that follow") {
     auto network = good_text("T800 t; define process (stacksize = 1k) small; small a; small (stacksize = 4k); small b;"
                              "process c; place a on t; place b on t; place c on t;");
-    CHECK(process(network, "a").other.at("stacksize") == Value(std::int64_t{1024}));
-    CHECK(process(network, "b").other.at("stacksize") == Value(std::int64_t{4096}));
-    CHECK(process(network, "c").other.empty());
+    CHECK(typed_process(network, "a").other.at("stacksize") == Value(std::int64_t{1024}));
+    CHECK(typed_process(network, "b").other.at("stacksize") == Value(std::int64_t{4096}));
+    CHECK(typed_process(network, "c").other.empty());
 }
 
 TEST_CASE("names of types that no printed netlist uses are free") {
@@ -92,7 +92,7 @@ TEST_CASE("names of types that no printed netlist uses are free") {
 
 TEST_CASE("rows of char are strings") {
     auto network = good("tables.cfs");
-    const auto& parameters = process(network, "p[2]").parameters;
+    const auto& parameters = typed_process(network, "p[2]").parameters;
     CHECK(parameters.at("all[3]") == Value(std::string("west")));
     CHECK(parameters.at("name") == Value(std::string("south")));
     CHECK(parameters.at("initial") == Value(std::int64_t{'s'}));

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-struct Block {
+struct LongBlock {
     std::uint32_t bytes;
     WireForm wire_form() const { return WireForm(bytes); }
 };
@@ -30,16 +30,16 @@ struct Done {
 std::pair<Done, Done> done_until(Time limit, bool every_byte, bool other_direction = true) {
     Simulation simulation;
     Link& link = simulation.add<Link>(LinkTiming{});
-    Channel<Block> there("there"), back("back");
+    Channel<LongBlock> there("there"), back("back");
     if (every_byte)
         for (LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()})
             direction->simulate_every_byte();
     there.put_on(link.from_a_to_b());
     back.put_on(link.from_b_to_a());
-    simulation.process("sender", [&] { there.out().output(Block{50}); });
+    simulation.process("sender", [&] { there.out().output(LongBlock{50}); });
     simulation.process("receiver", [&] { there.in().input(); });
     if (other_direction) {
-        simulation.process("late sender", [&] { wait_for(17us), back.out().output(Block{3}); });
+        simulation.process("late sender", [&] { wait_for(17us), back.out().output(LongBlock{3}); });
         simulation.process("late receiver", [&] { back.in().input(); });
     }
     std::pair<Done, Done> done;
