@@ -120,6 +120,8 @@ private:
                           const std::vector<std::int64_t>& given);
     std::vector<std::int64_t> subscripts(const std::vector<ExpressionPointer>& expressions);
 
+    [[noreturn]] void refuse_placed_twice(const PlaceStatement& form, const char* what, const std::string& name,
+                                          const Location& first);
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {});
 

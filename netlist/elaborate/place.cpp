@@ -30,10 +30,14 @@ void Elaborator::place_process(const PlaceStatement& form) {
     if (!node.kind->runs_processes && node.kind->links != LinkRole::edge) // there it makes the edge a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
     if (process.node != nowhere)
-        refuse(form.what.at, fmt::format("the process \"{}\" is placed twice", process.name), "",
-               {{"first placed here", process.placed}});
+        refuse_placed_twice(form, "process", process.name, process.placed);
     process.node = index;
     process.placed = form.what.at;
+}
+
+void Elaborator::refuse_placed_twice(const PlaceStatement& form, const char* what, const std::string& name,
+                                     const Location& first) {
+    refuse(form.what.at, fmt::format("the {} \"{}\" is placed twice", what, name), "", {{"first placed here", first}});
 }
 
 void Elaborator::place_port(const PlaceStatement& form) {
@@ -46,9 +50,7 @@ void Elaborator::place_port(const PlaceStatement& form) {
     auto [known, is_new] =
         draft_.placements.emplace(std::pair(end.process, end.port), DraftPlacement{link, form.what.at});
     if (!is_new)
-        refuse(form.what.at,
-               fmt::format("the channel \"{}.{}\" is placed twice", draft_.processes[end.process].name, end.port), "",
-               {{"first placed here", known->second.at}});
+        refuse_placed_twice(form, "channel", draft_.processes[end.process].name + "." + end.port, known->second.at);
 }
 
 void Elaborator::place_edge_channel(const PlaceStatement& form) {
@@ -59,8 +61,7 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
         refuse(form.where.at, fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
                "such as host");
     if (channel.edge != nowhere)
-        refuse(form.what.at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
-               {{"first placed here", channel.placed}});
+        refuse_placed_twice(form, "channel", channel.name, channel.placed);
     channel.edge = index;
     channel.placed = form.what.at;
 }
@@ -74,8 +75,7 @@ void Elaborator::place_connection(const PlaceStatement& form) {
     auto channel = element(form.what, find(form.what)), wire = element(form.where, where);
     auto [known, is_new] = draft_.connection_placements.emplace(channel, DraftConnectionPlacement{wire, form.what.at});
     if (!is_new)
-        refuse(form.what.at, fmt::format("the connection \"{}\" is placed twice", draft_.connections[channel].name), "",
-               {{"first placed here", known->second.at}});
+        refuse_placed_twice(form, "connection", draft_.connections[channel].name, known->second.at);
 }
 
 } // namespace placedpar

@@ -44,6 +44,8 @@ class House:
         circle = walls.circle(self.includes) or walls.circle(walls.pieces(self.includes))
         if circle:
             yield "files include each other in a circle: " + " -> ".join(circle)
+        for loose in walls.loose_ends(self.includes):
+            yield f"{loose} is in no circle with the others of its knot: see KNOTS in tests/tidy/walls.py"
         for room in sorted(self.lines):
             if f"{room}/README.md" not in names:
                 yield f"{room}: there is no README.md that says what it is, where to start, what may be touched"

@@ -103,9 +103,14 @@ def include_fault(name, included):
     return f"{folder} may not include {included}"
 
 
+def stem_of(name):
+    """What a header and its source are both called."""
+    return posixpath.splitext(name)[0]
+
+
 def piece_of(name):
     """A header with its source, by their common name; a knot by the first of its names."""
-    stem = posixpath.splitext(name)[0]
+    stem = stem_of(name)
     return min(next((knot for knot in KNOTS if stem in knot), {stem}))
 
 
@@ -116,6 +121,23 @@ def pieces(graph):
         others = {piece_of(other) for other in included} - {piece_of(name)}
         found.setdefault(piece_of(name), set()).update(others)
     return found
+
+
+def loose_ends(graph, knots=KNOTS):
+    """Those of the knots' names that no circle of {file: files that it includes} ties to the others any more. Knots of a
+    tree without any of their files do not count."""
+    stems = {}
+    for name, included in graph.items():
+        stems.setdefault(stem_of(name), set()).update(stem_of(other) for other in included)
+
+    def reached(stem):
+        found, new = set(), {stem}
+        while new:
+            found |= new
+            new = set().union(*(stems.get(each, set()) for each in new)) - found
+        return found
+
+    return sorted(stem for knot in knots for stem in knot if knot & stems.keys() and not knot <= reached(stem))
 
 
 def circle(graph):

@@ -86,6 +86,20 @@ class Pieces(unittest.TestCase):
         self.assertEqual(walls.circle(around), ["runtime/event", "runtime/executive", "runtime/event"])
 
 
+class LooseEnds(unittest.TestCase):
+    KNOTS = ({"a/b", "a/c"},)
+
+    def test_none_while_both_include_each_other(self):
+        self.assertEqual(walls.loose_ends({"a/b.cpp": {"a/c.hpp"}, "a/c.cpp": {"a/b.hpp"}}, self.KNOTS), [])
+
+    def test_none_through_a_third(self):
+        around = {"a/b.cpp": {"a/d.hpp"}, "a/d.hpp": {"a/c.hpp"}, "a/c.cpp": {"a/b.hpp"}}
+        self.assertEqual(walls.loose_ends(around, self.KNOTS), [])
+
+    def test_one_that_includes_the_other_no_more(self):
+        self.assertEqual(walls.loose_ends({"a/b.cpp": {"a/c.hpp"}, "a/c.cpp": set()}, self.KNOTS), ["a/c"])
+
+
 class Circles(unittest.TestCase):
     def test_none(self):
         self.assertEqual(walls.circle({}), [])
