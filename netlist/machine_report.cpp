@@ -1,9 +1,29 @@
 #include "netlist/machine.hpp"
 #include "text/user_error.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace placedpar {
+
+namespace {
+
+/// Of those that wait when the work of the run is over, a process goes on if no deadlock holds it: it waits for that
+/// moment, or for one that does (see wait_until_work_is_over).
+void forget_waits_that_end(RunReport& report) {
+    auto is_held = [&](const ProcessUse& process) {
+        const auto& stuck = report.result.deadlock->processes;
+        return std::any_of(stuck.begin(), stuck.end(), [&](const StuckProcess& each) {
+            return each.path == process.name || each.path.starts_with(process.name + "/"); // it, or a component of it
+        });
+    };
+    for (ProcessUse& process : report.processes)
+        if (report.result.ending == Ending::completed || (report.result.deadlock && !is_held(process)))
+            process.waits_since.reset();
+}
+
+} // namespace
 
 RunReport Machine::run(Time limit) {
     RunReport report;
@@ -17,6 +37,7 @@ RunReport Machine::run(Time limit) {
     } catch (const std::overflow_error& beyond_the_end_of_time) {
         throw UserError(beyond_the_end_of_time.what());
     }
+    forget_waits_that_end(report);
     report.result.fingerprint = fingerprint_with(report.result.fingerprint, measurements_);
     report.measurements = measurements_;
     return report;

@@ -27,7 +27,7 @@ struct ProcessUse {
     std::string name;
     std::string processor;
     Time waiting;                    ///< how long it waited, with all its components
-    std::optional<Time> waits_since; ///< if it waits at the end: since when
+    std::optional<Time> waits_since; ///< if it waits at the end, for what does not come: since when
 };
 
 /// What a run reports: how it ended, what the processes measured, and how its work used the machine.

@@ -69,9 +69,9 @@ std::string why_not_a_file(const std::filesystem::path& path) {
         return "this is a directory, not a file";
     if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
         return "the file cannot be read: " + error.message();
-    if (status.type() != std::filesystem::file_type::regular)
-        return "this is no regular file";
-    return "";
+    bool can_be_read = status.type() == std::filesystem::file_type::regular ||
+                       status.type() == std::filesystem::file_type::fifo; // as a shell's <(...) is
+    return can_be_read ? "" : "this is neither a file nor a pipe";
 }
 
 } // namespace

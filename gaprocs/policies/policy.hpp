@@ -31,6 +31,9 @@ struct PolicyNumber {
     double least, most;
 };
 
+template <class Policy, class T> // for Clang 14, which deduces none for an aggregate
+PolicyNumber(std::string_view, T Policy::*, double, double)->PolicyNumber<Policy, T>;
+
 struct PolicyNumberDescription {
     std::string name;
     double by_default, least, most;

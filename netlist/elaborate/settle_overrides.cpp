@@ -14,8 +14,8 @@ bool is_bare(const Reference& target) { return target.subscripts.empty() && targ
 } // namespace
 
 void Elaborator::read_overrides(const Overrides& overrides) {
-    for (const auto& [name, value] : overrides)
-        attempt([&] { overrides_.push_back(read_override(name, value, reporter_)); });
+    for (const auto& option : overrides)
+        attempt([&] { overrides_.push_back(read_override(option.first, option.second, reporter_)); });
 }
 
 /// In the scopes as they are here.

@@ -16,8 +16,9 @@ std::string_view without_blanks(std::string_view line) {
 }
 
 bool begins_as_occam(std::string_view line) {
-    static constexpr std::array<std::string_view, 7> beginnings{"PLACED PAR", "#USE ", "#SC ",    "CHAN OF ",
-                                                                "PROTOCOL ",  "PROC ", "VAL INT "};
+    static constexpr std::array<std::string_view, 13> beginnings{
+        "PLACED PAR", "#USE ", "#SC ",  "CHAN OF ", "PROTOCOL ", "PROC ",  "VAL ",
+        "NODE ",      "ARC ",  "EDGE ", "NETWORK ", "MAPPING ",  "CONFIG "};
     return std::ranges::any_of(beginnings, [&](auto beginning) { return line.starts_with(beginning); });
 }
 

@@ -35,6 +35,15 @@ class Streams(unittest.TestCase):
         report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
         self.assertEqual(report["manifest"]["netlist"], "<standard input>")
 
+    def test_a_netlist_comes_from_a_pipe_with_a_name(self):
+        pipe = self.folder / "pipe.cfs"
+        os.mkfifo(pipe)
+        with subprocess.Popen(["cp", COMMSTIME, pipe]) as writer:
+            piped = placedpar("check", pipe)
+            self.assertEqual(writer.wait(timeout=60), 0)
+        self.assertEqual((piped.returncode, piped.stdout),
+                         (0, placedpar("check", COMMSTIME).stdout.replace(str(COMMSTIME), str(pipe))))
+
     def test_messages_call_it_standard_input(self):
         self.assertTrue(self.fed("val n 1;\nval k;\n", "check", "-").stderr.startswith("<standard input>:2:6: error: "))
         self.assertTrue(self.fed(b"T800\0", "check", "-").stderr.startswith(b"<standard input>:1:5: error: this is no text"))

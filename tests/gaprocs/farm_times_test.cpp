@@ -70,6 +70,7 @@ TEST_CASE("rehearsals disturb none of the work's figures") {
             CHECK(many.measured("master0", time) == none.measured("master0", time));
         CHECK(many.measured("master0", "C_time2") == doctest::Approx(few.measured("master0", "C_time2")).epsilon(0.1));
         CHECK_FALSE(has(none, "C_time2"));
+        CHECK(std::ranges::none_of(many.processes, [](const ProcessUse& p) { return p.waits_since.has_value(); }));
     }
 }
 
