@@ -45,7 +45,7 @@ TEST_CASE("what is no text file") {
     std::filesystem::create_directories(folder);
     CHECK(first_message(read_netlist(folder / "nothing.cfs", small_catalogue())) == "there is no such file");
     CHECK(first_message(read_netlist(folder, small_catalogue())) == "this is a directory, not a file");
-    CHECK(first_message(read_netlist("/dev/null", small_catalogue())) == "this is no regular file");
+    CHECK(first_message(read_netlist("/dev/null", small_catalogue())) == "this is neither a file nor a pipe");
     CHECK(
         first_message(read_netlist(std::string(5000, 'x'), small_catalogue())).starts_with("the file cannot be read"));
     std::ofstream(folder / "large.cfs") << std::string(largest_source_bytes + 10, ' ');

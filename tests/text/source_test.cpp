@@ -76,7 +76,7 @@ TEST_CASE("a file that cannot be read is a problem of the whole file") {
     auto folder = std::filesystem::temp_directory_path();
     CHECK(problem_of(load_source(folder / "placedpar_no_such_file")) == "0:0: there is no such file");
     CHECK(problem_of(load_source(folder)) == "0:0: this is a directory, not a file");
-    CHECK(problem_of(load_source("/dev/null")) == "0:0: this is no regular file");
+    CHECK(problem_of(load_source("/dev/null")) == "0:0: this is neither a file nor a pipe");
 }
 
 TEST_CASE("a source takes the memory of its text, not of the largest text that there may be") {

@@ -19,6 +19,7 @@ workstation sun;
 T800 t[2], x;
 connect sun.link[0] to t[0].link[0];
 connect t[0].link[1] to t[1].link[0];
+connect t[1].link[1] to x.link[0];
 process (interface (output to_masters[1])) host;
 process (interface (input from_host, output to_slaves, input from_slaves)) master;
 process (interface (input from_master, output to_master)) slave;
