@@ -19,7 +19,7 @@ say() { printf '\n== %s %s\n' "$(date +%T)" "$*"; }
 
 remove_machine() {
     [ -n "$machine" ] || return 0
-    umount "$machine/proc"
+    umount "$machine/proc" "$machine/dev/pts"
     rm -rf --one-file-system "$machine"
     machine=""
 }
@@ -39,6 +39,7 @@ machine_for() {
     machine=$folder/$1
     cp -a "$folder/base" "$machine"
     mount -t proc proc "$machine/proc"
+    mount --bind /dev/pts "$machine/dev/pts" # what a terminal shows is tested on pseudoterminals
     [ "$1" = root ] || chroot "$machine" useradd --home-dir /srv "$1"
     git clone --quiet --no-hardlinks "$top" "$machine/srv/placed par"
     chroot "$machine" chown -R "$1" /srv
