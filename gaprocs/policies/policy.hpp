@@ -23,7 +23,7 @@ namespace placedpar {
 // and a step is done by a OneOf<...> of them. Library and netlists name a policy by the same text:
 // "tournament", "tournament(3)", "tournament(size = 3)".
 
-/// A number of a policy, a double or a size: its name, where it lies, and its range with both ends.
+/// A number of a policy, a double, a size or a bool (0 or 1): its name, where it lies, and its range with both ends.
 template <class Policy, class T>
 struct PolicyNumber {
     std::string_view name;
