@@ -2,36 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace placedpar {
-
-std::size_t best_index(std::span<const double> fitness) {
-    return static_cast<std::size_t>(std::max_element(fitness.begin(), fitness.end()) - fitness.begin());
-}
-
-std::size_t worst_index(std::span<const double> fitness) {
-    return static_cast<std::size_t>(std::min_element(fitness.begin(), fitness.end()) - fitness.begin());
-}
-
-std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count) {
-    if (count == 0)
-        return {};
-    std::vector<std::size_t> indices(fitness.size());
-    std::iota(indices.begin(), indices.end(), std::size_t{0});
-    auto better = [&](std::size_t a, std::size_t b) {
-        return fitness[a] != fitness[b] ? fitness[a] > fitness[b] : a < b;
-    };
-    auto end = indices.begin() + static_cast<std::ptrdiff_t>(count);
-    std::partial_sort(indices.begin(), end, indices.end(), better);
-    indices.resize(count);
-    return indices;
-}
 
 Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
     : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction), crossover_(settings.crossover),
@@ -61,7 +37,9 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
 }
 
 void Search::next_generation(std::span<const double> fitness) {
-    best_ = emigrant(fitness);
+    require_fitness(fitness);
+    std::size_t best = best_index(fitness);
+    best_ = Individual{population_[best], fitness[best]};
     ++generation_;
     offspring_.clear();
     for (std::size_t index : best_indices(fitness, elite_))
@@ -86,20 +64,31 @@ const Individual& Search::best() const {
     return *best_;
 }
 
-Individual Search::emigrant(std::span<const double> fitness) const {
+std::vector<Individual> Search::emigrants(std::span<const double> fitness, const Emigration& emigration) {
     require_fitness(fitness);
-    std::size_t index = best_index(fitness);
-    return {population_[index], fitness[index]};
+    std::vector<Individual> leaving;
+    for (std::size_t index : emigration(fitness, random_))
+        leaving.push_back({population_[index], fitness[index]});
+    return leaving;
 }
 
-void Search::accept(const Individual& immigrant, std::span<double> fitness) {
+Places Search::accept(std::span<const Individual> immigrants, std::span<double> fitness, const Acceptance& acceptance) {
     require_fitness(fitness);
+    for (const Individual& immigrant : immigrants)
+        require_length(immigrant);
+    Places places = acceptance({population_, fitness, elite_}, immigrants, random_);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (auto place = places[i]) {
+            population_[*place] = immigrants[i].genome;
+            fitness[*place] = immigrants[i].fitness;
+        }
+    return places;
+}
+
+void Search::require_length(const Individual& immigrant) const {
     if (immigrant.genome.size() != bits_)
         throw std::invalid_argument(
             fmt::format("an immigrant of {} bits comes to an island of {} bits", immigrant.genome.size(), bits_));
-    std::size_t index = worst_index(fitness);
-    population_[index] = immigrant.genome;
-    fitness[index] = immigrant.fitness;
 }
 
 void Search::require_fitness(std::span<const double> fitness) const {

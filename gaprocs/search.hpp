@@ -1,6 +1,9 @@
 #pragma once
 
+#include "gaprocs/policies/acceptance.hpp"
 #include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/emigration.hpp"
+#include "gaprocs/policies/individual.hpp"
 #include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
 #include "gaprocs/representation/genome.hpp"
@@ -14,26 +17,13 @@
 
 namespace placedpar {
 
-struct Individual {
-    Genome genome;
-    double fitness = 0;
-
-    friend bool operator==(const Individual&, const Individual&) = default;
-};
-
-/// Index of the greatest (smallest) fitness; the lowest index among equals. REQUIRES: not empty.
-std::size_t best_index(std::span<const double> fitness);
-std::size_t worst_index(std::span<const double> fitness);
-/// Indices of the `count` greatest, the greatest first; the lower index first among equals.
-/// REQUIRES: count <= fitness.size().
-std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count);
-
 /// The state of a traditional genetic algorithm, one generation at a time. It does not evaluate: its owner (a plain
 /// loop, a master with its slaves, an island) finds the fitness of population() and hands it in. The next generation
 /// depends on the settings, the stream and those numbers alone, not on which process found them: so algorithm A gives
 /// exactly the generations of the traditional algorithm.
 ///
-/// The order of calls on an island: evaluate; emigrant() to the neighbour; accept() the immigrant; next_generation().
+/// The order of calls on an island: evaluate; emigrants() to the neighbours; accept() the immigrants;
+/// next_generation().
 ///
 /// An elite (SearchSettings::elite) is copied unchanged to the head of the next population, the best first. Only the
 /// strings are copied: the elite is evaluated again with all others, since its fitness changes when the window moves.
@@ -61,15 +51,18 @@ public:
     /// Throws std::logic_error before the first next_generation().
     const Individual& best() const;
 
-    /// The best of the population with this fitness, to be sent to another island. Throws as
-    /// next_generation().
-    Individual emigrant(std::span<const double> fitness) const;
-    /// The immigrant replaces the worst, better or not: its string in population(), its fitness in `fitness`.
-    /// Throws as next_generation(), or when its string has another length.
-    void accept(const Individual& immigrant, std::span<double> fitness);
+    /// Copies of those who leave for another island, with this fitness: by default the best. Ways that draw take their
+    /// numbers from this search's stream. Throws as next_generation(), and UserError when more leave than there are.
+    std::vector<Individual> emigrants(std::span<const double> fitness, const Emigration& emigration = {});
+    /// Each immigrant that is not turned away replaces an individual, by default the worst, better or not: its string
+    /// in population(), its fitness in `fitness`. Says where each came to live. Draws as emigrants(). Throws as
+    /// next_generation(), when a string has another length, and UserError for more immigrants than there are
+    /// individuals that are not of the elite.
+    Places accept(std::span<const Individual> immigrants, std::span<double> fitness, const Acceptance& acceptance = {});
 
 private:
     void require_fitness(std::span<const double> fitness) const;
+    void require_length(const Individual& immigrant) const;
 
     std::size_t bits_;
     std::size_t elite_;

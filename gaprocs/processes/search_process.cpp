@@ -108,11 +108,11 @@ private:
     /// The best goes to the next island; the best of the island before replaces the worst.
     void exchange(std::vector<double>& fitness) {
         Emigrant emigrant;
-        emigrant.individual = search_.emigrant(fitness);
+        emigrant.individual = search_.emigrants(fitness).front();
         emigrant.bytes = workload_.string_bytes + workload_.fitness_bytes;
         Emigrant immigrant;
         par([&] { to_ring_.output(emigrant); }, [&] { immigrant = from_ring_.input(); });
-        search_.accept(immigrant.individual, fitness);
+        search_.accept({&immigrant.individual, 1}, fitness);
     }
 
     void report() {

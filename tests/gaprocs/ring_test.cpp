@@ -40,12 +40,12 @@ TEST_CASE("exchange of bests around a ring of three islands of three strings") {
                       {{"0011", "0101", "0000"}, {3, 5, 0}}};
     std::vector<Individual> sent;
     for (Island& island : ring)
-        sent.push_back(island.search.emigrant(island.fitness));
+        sent.push_back(island.search.emigrants(island.fitness).front());
     CHECK(sent[0] == Individual{Genome::from_string("0111"), 7});
     CHECK(sent[1] == Individual{Genome::from_string("1000"), 8});
     CHECK(sent[2] == Individual{Genome::from_string("0101"), 5});
     for (std::size_t i = 0; i < 3; ++i)
-        ring[i].search.accept(sent[(i + 2) % 3], ring[i].fitness);
+        ring[i].search.accept({&sent[(i + 2) % 3], 1}, ring[i].fitness);
 
     CHECK(ring[0].search.population() == Island::genomes({"0101", "0111", "0100"}));
     CHECK(ring[0].fitness == std::vector<double>{5, 7, 4});
@@ -62,7 +62,8 @@ TEST_CASE("exchange of bests around a ring of three islands of three strings") {
 
 TEST_CASE("an immigrant comes in even when it is worse than the worst") {
     Island island({"0011", "0101", "0110"}, {3, 5, 6});
-    island.search.accept({Genome::from_string("0000"), -9}, island.fitness);
+    const Individual immigrant{Genome::from_string("0000"), -9};
+    island.search.accept({&immigrant, 1}, island.fitness);
     CHECK(island.search.population() == Island::genomes({"0000", "0101", "0110"}));
     CHECK(island.fitness == std::vector<double>{-9, 5, 6});
 }

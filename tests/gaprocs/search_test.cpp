@@ -212,6 +212,7 @@ TEST_CASE("fitness that does not fit is refused") {
     std::vector<double> infinite{1, 2, std::numeric_limits<double>::infinity()};
     CHECK_THROWS_WITH_AS(search.next_generation(infinite), "the fitness of individual 2 is inf", std::invalid_argument);
     std::vector<double> fitness{1, 2, 3};
-    CHECK_THROWS_WITH_AS(search.accept({Genome(5), 1}, fitness), "an immigrant of 5 bits comes to an island of 4 bits",
+    const Individual longer{Genome(5), 1};
+    CHECK_THROWS_WITH_AS(search.accept({&longer, 1}, fitness), "an immigrant of 5 bits comes to an island of 4 bits",
                          std::invalid_argument);
 }

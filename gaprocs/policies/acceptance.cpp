@@ -1,0 +1,77 @@
+#include "gaprocs/policies/acceptance.hpp"
+
+#include "runtime/random.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+namespace placedpar {
+
+namespace {
+
+/// Gives each immigrant the one of `candidates`, the least fit first, that choose(immigrant, candidates left) points
+/// at.
+template <class Choose>
+Places give_places(const IslandPopulation& island, std::span<const Individual> immigrants,
+                   std::vector<std::size_t> candidates, bool only_if_better, Choose choose) {
+    Places places;
+    for (const Individual& immigrant : immigrants) {
+        auto chosen = candidates.begin() + static_cast<std::ptrdiff_t>(choose(immigrant, candidates));
+        if (only_if_better && !(immigrant.fitness > island.fitness[*chosen])) {
+            places.emplace_back();
+            continue;
+        }
+        places.emplace_back(*chosen);
+        candidates.erase(chosen);
+    }
+    return places;
+}
+
+std::vector<std::size_t> all_but_elite(const IslandPopulation& island) {
+    return worst_indices(island.fitness, island.fitness.size() - island.elite);
+}
+
+} // namespace
+
+Places WorstAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                                   RandomStream&) const {
+    auto worst = worst_indices(island.fitness, immigrants.size());
+    return give_places(island, immigrants, std::move(worst), only_if_better,
+                       [](const Individual&, const auto&) { return 0; });
+}
+
+Places RandomAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                                    RandomStream& random) const {
+    return give_places(island, immigrants, all_but_elite(island), only_if_better,
+                       [&](const Individual&, const auto& candidates) {
+                           return random.below(static_cast<std::uint32_t>(candidates.size()));
+                       });
+}
+
+Places AlikeAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                                   RandomStream&) const {
+    auto most_alike = [&](const Individual& immigrant, const std::vector<std::size_t>& candidates) {
+        auto more_alike = [&](std::size_t a, std::size_t b) {
+            return difference(island.strings[a], immigrant.genome) < difference(island.strings[b], immigrant.genome);
+        };
+        return std::min_element(candidates.begin(), candidates.end(), more_alike) - candidates.begin();
+    };
+    return give_places(island, immigrants, all_but_elite(island), only_if_better, most_alike);
+}
+
+Places Acceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                              RandomStream& random) const {
+    std::size_t places = island.fitness.size() - island.elite;
+    if (immigrants.size() > places)
+        throw UserError(fmt::format("{} immigrants come at once to an island of {} individuals, {} of them elite, "
+                                    "expected at most {}",
+                                    immigrants.size(), island.fitness.size(), island.elite, places));
+    return std::visit([&](const auto& way) { return way(island, immigrants, random); }, policy());
+}
+
+} // namespace placedpar

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace placedpar {
+
+class RandomStream;
+
+// Each way chooses `count` different individuals, by index, of which copies leave; they themselves stay.
+// REQUIRES, everywhere: count <= fitness.size().
+
+/// The best first; the lower index first among equals. Draws nothing.
+struct BestEmigration {
+    static constexpr std::string_view name = "best", about = "the `count` best";
+    std::size_t count = 1;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"count", &BestEmigration::count, 1, 1e6}); }
+    std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
+};
+
+/// Each individual with the same chance. At least one number for each that leaves.
+struct RandomEmigration {
+    static constexpr std::string_view name = "random", about = "`count` drawn at random";
+    std::size_t count = 1;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"count", &RandomEmigration::count, 1, 1e6}); }
+    std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
+};
+
+/// Each the best of `size` individuals that are drawn with replacement from those not chosen yet; the first of equals.
+/// At least `size` numbers for each that leaves.
+struct TournamentEmigration {
+    static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random";
+    std::size_t count = 1, size = 2;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"count", &TournamentEmigration::count, 1, 1e6},
+                          PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6});
+    }
+    std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
+};
+
+/// Who leaves an island, and how many.
+class Emigration : public OneOf<BestEmigration, RandomEmigration, TournamentEmigration> {
+public:
+    using OneOf::OneOf;
+    static Emigration named(std::string_view text) { return read<Emigration>(text); }
+
+    /// Throws UserError where more shall leave than there are.
+    void validate_for(std::size_t population) const;
+    /// The indices of those who leave. Throws as validate_for(). REQUIRES: every fitness is a finite number.
+    std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
+};
+
+} // namespace placedpar

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace placedpar {
+
+/// The islands to which each island's emigrants may go, by number from 0, in the order in which a sequential schedule
+/// takes them.
+using Neighbours = std::vector<std::vector<std::size_t>>;
+
+// Each way gives the neighbours of `islands` islands. An island that would be its own neighbour, or somebody's
+// neighbour twice (as in a torus of two columns), is left out. In all but the star, the neighbours at one place of
+// the lists are a permutation of the islands: when all send to their first, each gets from one.
+// REQUIRES: islands >= 1. Throws UserError for a number of islands that does not fit.
+
+/// The next, of the last the first; both ways also the one before.
+struct RingTopology {
+    static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before";
+    std::size_t ways = 1;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"ways", &RingTopology::ways, 1, 2}); }
+    Neighbours operator()(std::size_t islands) const;
+};
+
+/// The islands whose number differs in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
+/// dimensions). A power of two of islands.
+struct HypercubeTopology {
+    static constexpr std::string_view name = "hypercube", about = "to those whose number differs in one binary digit";
+    static constexpr std::tuple<> numbers() { return {}; }
+    Neighbours operator()(std::size_t islands) const;
+};
+
+/// Island i stands in row i / columns and column i % columns of a rectangle closed in both directions: to the east,
+/// south, west, north.
+struct TorusTopology {
+    static constexpr std::string_view name = "torus", about = "a closed rectangle, to the east, south, west and north";
+    std::size_t rows = 2;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6}); }
+    Neighbours operator()(std::size_t islands) const;
+};
+
+/// Island 0 to 1, 2, 3, ...; all others to island 0.
+struct StarTopology {
+    static constexpr std::string_view name = "star", about = "island 0 with all others, which have only that one";
+    static constexpr std::tuple<> numbers() { return {}; }
+    Neighbours operator()(std::size_t islands) const;
+};
+
+/// All others, from the next on: i + 1, i + 2, ... and after the last island from the first on.
+struct CompleteTopology {
+    static constexpr std::string_view name = "complete", about = "to all others, from the next on";
+    static constexpr std::tuple<> numbers() { return {}; }
+    Neighbours operator()(std::size_t islands) const;
+};
+
+struct NoTopology {
+    static constexpr std::string_view name = "none", about = "no exchange";
+    static constexpr std::tuple<> numbers() { return {}; }
+    Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
+};
+
+/// As listed. The list is no part of its text: who names it by text lists the neighbours elsewhere, as a netlist does
+/// by its connections. An island may only send or only receive, but not be without both.
+struct GivenTopology {
+    static constexpr std::string_view name = "given", about = "neighbours as they are listed";
+    static constexpr std::tuple<> numbers() { return {}; }
+    Neighbours neighbours;
+    /// Throws UserError: lists of another number of islands, a neighbour that does not exist, is the island itself or
+    /// is listed twice.
+    Neighbours operator()(std::size_t islands) const;
+};
+
+/// Which islands exchange individuals.
+class Topology : public OneOf<RingTopology, HypercubeTopology, TorusTopology, StarTopology, CompleteTopology,
+                              NoTopology, GivenTopology> {
+public:
+    using OneOf::OneOf;
+    static Topology named(std::string_view text) { return read<Topology>(text); }
+
+    /// Throws UserError, saying what would be right: no island, a number of islands that does not fit, an island
+    /// without neighbours in any topology but "none".
+    Neighbours neighbours(std::size_t islands) const;
+};
+
+/// Exchanges until what was on one island may be on each of the others, when all neighbours are sent to at once:
+/// 0 for the island itself, nothing where it never comes. REQUIRES: from < neighbours.size().
+std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
+
+/// The islands in parts that exchange nothing with each other, each part and the parts in ascending order. One part:
+/// the whole is connected.
+std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
+
+} // namespace placedpar
