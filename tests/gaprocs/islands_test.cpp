@@ -1,8 +1,6 @@
-// Algorithm B on the simulated machine against islands stepped by hand.
+// Algorithm B on the simulated machine against the islands of the library.
 
-#include "gaprocs/search.hpp"
-#include "gaprocs/traditional.hpp"
-#include "gaprocs/window.hpp"
+#include "gaprocs/islands.hpp"
 #include "runtime/fingerprint.hpp"
 #include "tests/gaprocs/cluster.hpp"
 
@@ -14,48 +12,40 @@ using namespace placedpar;
 
 namespace {
 
-/// Islands in a ring, all in step: every third generation the best of each replaces the worst of the next.
-std::vector<std::string> populations_of_ring(int islands, int population) {
-    SearchSettings settings;
-    settings.population = static_cast<std::size_t>(population);
+/// A hash of every population of each island, as processes measure it, with the policies by default: every third
+/// generation the best of each replaces the worst of the next.
+std::vector<std::string> populations_of_ring(std::size_t islands, std::size_t population) {
     auto problem = make_search_problem(LineProblem{});
-    std::vector<Search> searches;
-    std::vector<Fingerprint> populations(static_cast<std::size_t>(islands));
-    for (int i = 0; i < islands; ++i)
-        searches.emplace_back(problem->bits(), settings, RandomStream(1, fmt::format("master{}", i)));
-    SlidingWindow window(settings.window);
-    int generation = 0;
+    SearchSettings each;
+    each.population = population;
+    std::vector<RandomStream> streams;
+    for (std::size_t i = 0; i < islands; ++i)
+        streams.emplace_back(1, fmt::format("master{}", i));
+    IslandsSettings settings;
+    settings.islands.assign(islands, each);
+    Islands side_by_side(*problem, settings, streams);
+    std::vector<Fingerprint> populations(islands);
     for (const Sample& sample : line_record(line_samples)) {
-        window.push(sample);
-        for (std::size_t trial = 0; window.ready() && trial < settings.window.trials; ++trial) {
-            std::vector<std::vector<double>> fitness;
-            std::vector<Individual> emigrants;
-            for (std::size_t i = 0; i < searches.size(); ++i) {
-                for (const Genome& genome : searches[i].population())
+        side_by_side.push(sample);
+        for (std::size_t trial = 0; side_by_side.ready() && trial < each.window.trials; ++trial) {
+            for (std::size_t i = 0; i < islands; ++i)
+                for (const Genome& genome : side_by_side.searches()[i].population())
                     for (std::uint64_t word : genome.words())
                         populations[i].mix(word);
-                fitness.push_back(evaluate(*problem, searches[i].population(), window.samples(), settings.window.bias));
-                emigrants.push_back(searches[i].emigrant(fitness.back()));
-            }
-            ++generation;
-            for (std::size_t i = 0; i < searches.size(); ++i) {
-                if (generation % 3 == 0)
-                    searches[(i + 1) % searches.size()].accept(emigrants[i], fitness[(i + 1) % searches.size()]);
-            }
-            for (std::size_t i = 0; i < searches.size(); ++i)
-                searches[i].next_generation(fitness[i]);
+            side_by_side.next_generation();
         }
     }
     std::vector<std::string> hashes;
-    for (const Fingerprint& each : populations)
-        hashes.push_back(fmt::format("{:016x}", each.value()));
+    for (const Fingerprint& hash : populations)
+        hashes.push_back(fmt::format("{:016x}", hash.value()));
     return hashes;
 }
 
 void check_ring(const Cluster& cluster) {
     RunReport report = run_on_line(cluster.netlist());
     CHECK(report.result.ending == Ending::completed);
-    auto expected = populations_of_ring(cluster.islands, cluster.population);
+    auto expected =
+        populations_of_ring(static_cast<std::size_t>(cluster.islands), static_cast<std::size_t>(cluster.population));
     for (int i = 0; i < cluster.islands; ++i)
         CHECK(report.measured_text(fmt::format("master{}", i), "populations") == expected[static_cast<std::size_t>(i)]);
 }

@@ -1,0 +1,54 @@
+#include "gaprocs/policies/schedule.hpp"
+#include "gaprocs/policies/topology.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+using IslandNumbers = std::vector<std::size_t>;
+
+IslandNumbers destinations(const char* schedule, std::uint64_t generation, const IslandNumbers& neighbours) {
+    auto found = Schedule::named(schedule).destinations(generation, neighbours);
+    return {found.begin(), found.end()};
+}
+
+} // namespace
+
+TEST_CASE("broadcast: to all neighbours, every n generations, the first after n") {
+    IslandNumbers neighbours{7, 2, 5};
+    for (std::uint64_t generation = 0; generation <= 12; ++generation) {
+        bool due = generation == 4 || generation == 8 || generation == 12;
+        CHECK(destinations("broadcast(4)", generation, neighbours) == (due ? neighbours : IslandNumbers{}));
+    }
+    CHECK(destinations("broadcast(1)", 1, neighbours) == neighbours);
+    CHECK(destinations("broadcast", 3, {}).empty());
+}
+
+TEST_CASE("sequential: to one neighbour after the other, and again from the first") {
+    IslandNumbers visited;
+    for (std::uint64_t generation = 0; generation <= 14; ++generation)
+        for (std::size_t to : destinations("sequential(2)", generation, {7, 2, 5})) {
+            CHECK(generation % 2 == 0);
+            visited.push_back(to);
+        }
+    CHECK(visited == IslandNumbers{7, 2, 5, 7, 2, 5, 7});
+    CHECK(destinations("sequential", 3, {}).empty());
+}
+
+TEST_CASE("sequential on a hypercube of two dimensions: i xor 1 and i xor 2 alternately") {
+    auto square = Topology::named("hypercube").neighbours(4);
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::uint64_t exchange = 1; exchange <= 6; ++exchange)
+            CHECK(destinations("sequential(every = 5)", 5 * exchange, square[i]) ==
+                  IslandNumbers{i ^ (exchange % 2 == 1 ? 1u : 2u)});
+}
+
+TEST_CASE("schedules have names") {
+    CHECK(Schedule().text() == "broadcast(every = 3)");
+    CHECK(Schedule::named("sequential(10)").text() == "sequential(every = 10)");
+}

@@ -1,0 +1,167 @@
+#include "gaprocs/policies/topology.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+using IslandNumbers = std::vector<std::size_t>;
+
+Neighbours neighbours_in(const char* topology, std::size_t islands) {
+    return Topology::named(topology).neighbours(islands);
+}
+
+bool is_edge(const Neighbours& neighbours, std::size_t from, std::size_t to) {
+    return std::count(neighbours[from].begin(), neighbours[from].end(), to) == 1;
+}
+
+/// The greatest distance between two islands. Throws std::bad_optional_access where there is no way.
+std::size_t diameter(const Neighbours& neighbours) {
+    std::size_t greatest = 0;
+    for (std::size_t from = 0; from < neighbours.size(); ++from)
+        for (auto distance : distances(neighbours, from))
+            greatest = std::max(greatest, distance.value());
+    return greatest;
+}
+
+void check_degrees(const Neighbours& neighbours, std::size_t degree) {
+    for (const auto& list : neighbours)
+        CHECK(list.size() == degree);
+}
+
+void check_edges_both_ways(const Neighbours& neighbours) {
+    for (std::size_t from = 0; from < neighbours.size(); ++from)
+        for (std::size_t to : neighbours[from]) {
+            CHECK(to != from);
+            CHECK(is_edge(neighbours, from, to));
+            CHECK(is_edge(neighbours, to, from));
+        }
+}
+
+std::string refusal(const Topology& topology, std::size_t islands) {
+    try {
+        topology.neighbours(islands);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("a ring: to the next, with two ways also to the one before; n - 1 or n / 2 exchanges to the farthest") {
+    CHECK(neighbours_in("ring", 4) == Neighbours{{1}, {2}, {3}, {0}});
+    CHECK(neighbours_in("ring(ways = 2)", 4) == Neighbours{{1, 3}, {2, 0}, {3, 1}, {0, 2}});
+    CHECK(neighbours_in("ring(2)", 2) == Neighbours{{1}, {0}});
+    for (std::size_t n : {2u, 3u, 8u, 13u}) {
+        CHECK(diameter(neighbours_in("ring", n)) == n - 1);
+        CHECK(diameter(neighbours_in("ring(2)", n)) == n / 2);
+        check_edges_both_ways(neighbours_in("ring(2)", n));
+    }
+}
+
+TEST_CASE("a hypercube: i xor 1, i xor 2, i xor 4, ...; the distance is the number of binary digits that differ") {
+    CHECK(neighbours_in("hypercube", 4) == Neighbours{{1, 2}, {0, 3}, {3, 0}, {2, 1}});
+    for (std::size_t dimensions : {1u, 2u, 3u, 6u}) {
+        auto cube = neighbours_in("hypercube", std::size_t{1} << dimensions);
+        check_degrees(cube, dimensions);
+        check_edges_both_ways(cube);
+        CHECK(diameter(cube) == dimensions);
+    }
+    CHECK(distances(neighbours_in("hypercube", 8), 5)[2] == 3u);
+    CHECK(distances(neighbours_in("hypercube", 8), 5)[4] == 1u);
+}
+
+TEST_CASE("a torus: east, south, west and north; half of the rows and half of the columns to the farthest") {
+    // 0 1 2 3
+    // 4 5 6 7
+    // 8 9 10 11
+    auto torus = neighbours_in("torus(3)", 12);
+    CHECK(torus[5] == IslandNumbers{6, 9, 4, 1});
+    CHECK(torus[11] == IslandNumbers{8, 3, 10, 7});
+    check_degrees(torus, 4);
+    check_edges_both_ways(torus);
+    CHECK(diameter(torus) == 1 + 2);
+    CHECK(neighbours_in("torus(2)", 4) == Neighbours{{1, 2}, {0, 3}, {3, 0}, {2, 1}}); // nobody twice
+    CHECK(neighbours_in("torus(1)", 5) == neighbours_in("ring(2)", 5));
+    check_edges_both_ways(neighbours_in("torus(2)", 10));
+}
+
+TEST_CASE("a star: all with island 0, two exchanges to the farthest") {
+    auto star = neighbours_in("star", 5);
+    CHECK(star == Neighbours{{1, 2, 3, 4}, {0}, {0}, {0}, {0}});
+    check_edges_both_ways(star);
+    CHECK(diameter(star) == 2);
+}
+
+TEST_CASE("complete: all others from the next on, one exchange to each") {
+    auto complete = neighbours_in("complete", 5);
+    CHECK(complete[3] == IslandNumbers{4, 0, 1, 2});
+    check_degrees(complete, 4);
+    check_edges_both_ways(complete);
+    CHECK(diameter(complete) == 1);
+}
+
+TEST_CASE("where all send to the neighbour at the same place, each island gets from one") {
+    for (const char* topology : {"ring(2)", "hypercube", "torus(4)", "torus(2)", "complete"}) {
+        CAPTURE(topology);
+        auto neighbours = neighbours_in(topology, 16);
+        for (std::size_t place = 0; place < neighbours.front().size(); ++place) {
+            std::vector<std::size_t> receivers;
+            for (const auto& list : neighbours)
+                receivers.push_back(list.at(place));
+            std::sort(receivers.begin(), receivers.end());
+            for (std::size_t i = 0; i < receivers.size(); ++i)
+                CHECK(receivers[i] == i);
+        }
+    }
+}
+
+TEST_CASE("no topology: nobody has neighbours, one island too") {
+    CHECK(neighbours_in("none", 3) == Neighbours(3));
+    CHECK(neighbours_in("none", 1) == Neighbours(1));
+    CHECK_FALSE(distances(neighbours_in("none", 2), 0)[1].has_value());
+}
+
+TEST_CASE("parts that exchange nothing with each other") {
+    for (const char* topology : {"ring", "ring(2)", "hypercube", "torus(4)", "star", "complete"})
+        CHECK(separate_parts(neighbours_in(topology, 8)).size() == 1);
+    CHECK(separate_parts(neighbours_in("none", 3)) == Neighbours{{0}, {1}, {2}});
+    CHECK(separate_parts({{2}, {3}, {0}, {1}}) == Neighbours{{0, 2}, {1, 3}});
+    CHECK(separate_parts({{}, {0}, {1}}) == Neighbours{{0, 1, 2}}); // one way is enough
+}
+
+TEST_CASE("neighbours as they are given, one way too") {
+    Neighbours given{{2, 1}, {}, {0}};
+    CHECK(Topology(GivenTopology{given}).neighbours(3) == given);
+    CHECK(refusal(GivenTopology{given}, 4) == "the neighbours of 3 islands are given, expected those of 4");
+    CHECK(refusal(GivenTopology{{{1}, {2}}}, 2) == "island 1 has island 2 as neighbour, expected 0 to 1");
+    CHECK(refusal(GivenTopology{{{1}, {0, 1}}}, 2) == "island 1 is its own neighbour, expected another island");
+    CHECK(refusal(GivenTopology{{{1, 1}, {0}}}, 2) == "island 0 has island 1 as neighbour twice, expected once");
+    CHECK(refusal(GivenTopology{{{1}, {0}, {}}}, 3) ==
+          "island 2 of 3 has no neighbours, expected at least one, or the topology \"none\" for islands that exchange "
+          "nothing");
+    CHECK(refusal(Topology::named("given"), 2) == "the neighbours of 0 islands are given, expected those of 2");
+}
+
+TEST_CASE("a number of islands that does not fit is refused with what would be right") {
+    CHECK(refusal(HypercubeTopology{}, 12) == "a hypercube of 12 islands, expected a power of two such as 8 or 16");
+    CHECK(refusal(TorusTopology{3}, 10) ==
+          "a torus of 10 islands in 3 rows, expected rows that divide 10: 1, 2, 5, 10");
+    for (const PolicyDescription& way : Topology::descriptions())
+        CHECK(refusal(Topology::named(way.name), 0) == "0 islands, expected at least 1");
+    for (const char* topology : {"ring", "hypercube", "torus(1)", "star", "complete"})
+        CHECK(refusal(Topology::named(topology), 1).starts_with("island 0 of 1 has no neighbours"));
+}
+
+TEST_CASE("topologies have names") {
+    CHECK(Topology().text() == "ring(ways = 1)");
+    CHECK(Topology::named("torus(4)").text() == "torus(rows = 4)");
+    for (const PolicyDescription& way : Topology::descriptions())
+        CHECK(Topology::named(way.text()).text() == way.text());
+}

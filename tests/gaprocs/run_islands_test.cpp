@@ -1,0 +1,306 @@
+// Islands as a library: alone the same as searches, together as their policies say. On the machine: islands_test.cpp.
+
+#include "gaprocs/islands.hpp"
+#include "tests/gaprocs/cluster.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <set>
+#include <utility>
+
+using namespace placedpar;
+
+namespace {
+
+/// A number of 16 bits, the greater the fitter, whatever the sample.
+struct GreatestNumber {
+    std::size_t bits() const { return 16; }
+    std::size_t channels() const { return 1; }
+    double error(const Genome& genome, std::span<const double>) const {
+        return 20 * (1 - static_cast<double>(genome.field(0, 16)) / 65535);
+    }
+    std::vector<double> decode(const Genome& genome) const { return {static_cast<double>(genome.field(0, 16))}; }
+    std::vector<std::string> parameter_names() const { return {"number"}; }
+    std::vector<std::string> parameter_units() const { return {"1"}; }
+};
+
+IslandsSettings alike(std::size_t islands, const SearchSettings& each) {
+    IslandsSettings settings;
+    settings.islands.assign(islands, each);
+    return settings;
+}
+
+IslandsSettings small_islands(std::size_t islands) {
+    SearchSettings each;
+    each.population = 12;
+    each.elite = 1;
+    return alike(islands, each);
+}
+
+/// Small islands on which nothing new comes into being: the best of all spreads, and all else may change.
+IslandsSettings barren(std::size_t islands, const char* topology, const char* schedule) {
+    SearchSettings each;
+    each.population = 12;
+    each.elite = 1;
+    each.crossover_probability = each.mutation_probability = 0;
+    each.window.length = 1;
+    IslandsSettings settings = alike(islands, each);
+    settings.topology = Topology::named(topology);
+    settings.schedule = Schedule::named(schedule);
+    return settings;
+}
+
+/// Islands of which one has an individual that is better than all of the others'.
+class Takeover {
+public:
+    explicit Takeover(const IslandsSettings& settings)
+        : problem_(make_search_problem(GreatestNumber{})),
+          islands_(*problem_, settings, island_streams(1, settings.islands.size())) {
+        islands_.push({0});
+        std::size_t equals = 0;
+        for (std::size_t i = 0; i < islands_.searches().size(); ++i)
+            for (const Genome& genome : islands_.searches()[i].population())
+                if (genome.field(0, 16) >= greatest_.field(0, 16)) {
+                    equals = genome == greatest_ ? equals + 1 : 0;
+                    greatest_ = genome;
+                    home_ = i;
+                }
+        REQUIRE(equals == 0);
+    }
+
+    std::size_t home() const { return home_; }
+    void next_generation() { islands_.next_generation(); }
+    bool reached(std::size_t island) const { return islands_.searches()[island].best().genome == greatest_; }
+    /// Until it is the best of each island.
+    std::size_t generations() {
+        std::size_t count = 0;
+        for (bool everywhere = false; !everywhere && count < 1000; ++count) {
+            next_generation();
+            everywhere = true;
+            for (std::size_t i = 0; i < islands_.searches().size(); ++i)
+                everywhere = everywhere && reached(i);
+        }
+        return count;
+    }
+
+private:
+    std::shared_ptr<const SearchProblem> problem_;
+    Islands islands_;
+    Genome greatest_ = Genome(16);
+    std::size_t home_ = 0;
+};
+
+std::size_t generations_to_take_over(std::size_t islands, const char* topology, const char* schedule) {
+    return Takeover(barren(islands, topology, schedule)).generations();
+}
+
+IslandsResult run_on_line_record(const IslandsSettings& settings, std::uint64_t seed = 1) {
+    return run_islands(*make_search_problem(LineProblem{}), line_record(line_samples), settings,
+                       island_streams(seed, settings.islands.size()));
+}
+
+bool same(const SearchResult& a, const SearchResult& b) {
+    auto same_estimate = [](const Estimate& one, const Estimate& other) {
+        return one.sample == other.sample && one.best == other.best && one.parameters == other.parameters;
+    };
+    return std::ranges::equal(a.estimates, b.estimates, same_estimate) && a.generations == b.generations &&
+           a.redraws == b.redraws && a.population == b.population;
+}
+
+bool same(const IslandsResult& a, const IslandsResult& b) {
+    auto same_island = [](const SearchResult& one, const SearchResult& other) { return same(one, other); };
+    return std::ranges::equal(a.islands, b.islands, same_island) && a.migrations == b.migrations;
+}
+
+std::string refusal(const IslandsSettings& settings) {
+    try {
+        run_on_line_record(settings);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("without exchange each island is the traditional algorithm, with its own settings") {
+    IslandsSettings settings = small_islands(3);
+    settings.topology = NoTopology{};
+    settings.islands[1].population = 30;
+    settings.islands[2].window.length = 7;
+    auto problem = make_search_problem(LineProblem{});
+    IslandsResult result = run_on_line_record(settings);
+    CHECK(result.migrations.empty());
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(same(result.islands[i],
+                   run_traditional(*problem, line_record(line_samples), settings.islands[i], island_streams(1, 3)[i])));
+}
+
+TEST_CASE("the best of all spreads as far as exchanges go, and no farther") {
+    for (const char* topology : {"ring", "ring(2)", "hypercube", "torus(2)", "star", "complete"}) {
+        CAPTURE(topology);
+        Takeover takeover(barren(8, topology, "broadcast(1)"));
+        auto distance = distances(Topology::named(topology).neighbours(8), takeover.home());
+        for (std::size_t generation = 1; generation <= 8; ++generation) {
+            takeover.next_generation();
+            for (std::size_t i = 0; i < 8; ++i)
+                CHECK(takeover.reached(i) == (distance[i].value() <= generation));
+        }
+    }
+}
+
+TEST_CASE("takeover: n - 1 exchanges around a ring, n / 2 both ways, log2 n on a hypercube") {
+    for (std::size_t n : {2u, 4u, 8u, 16u}) {
+        CHECK(generations_to_take_over(n, "ring", "broadcast(1)") == n - 1);
+        CHECK(generations_to_take_over(n, "ring(2)", "broadcast(1)") == n / 2);
+        auto dimensions = static_cast<std::size_t>(std::bit_width(n) - 1);
+        CHECK(generations_to_take_over(n, "hypercube", "broadcast(1)") == dimensions);
+        CHECK(generations_to_take_over(n, "hypercube", "broadcast(5)") == 5 * dimensions);
+        // One dimension after the other reaches as many: the numbers of those reached double each time.
+        CHECK(generations_to_take_over(n, "hypercube", "sequential(1)") == dimensions);
+    }
+    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // one island more each time
+    CHECK(generations_to_take_over(8, "complete", "broadcast(1)") == 1);
+}
+
+TEST_CASE("sequential exchange on four islands: with i xor 1, then with i xor 2") {
+    IslandsSettings settings = small_islands(4);
+    settings.topology = HypercubeTopology{};
+    settings.schedule = SequentialSchedule{4};
+    IslandsResult result = run_on_line_record(settings);
+    std::size_t exchanges = result.islands[0].generations / 4;
+    REQUIRE(exchanges == 10); // 8 of 12 samples from the fifth on, 5 generations each
+    REQUIRE(result.migrations.size() == 4 * exchanges);
+    for (std::size_t m = 0; m < result.migrations.size(); ++m) {
+        const Migration& migration = result.migrations[m];
+        CHECK(migration.generation == 4 * (m / 4 + 1));
+        CHECK(migration.to == m % 4);
+        CHECK(migration.from == (migration.to ^ (m / 4 % 2 == 0 ? 1u : 2u)));
+        CHECK(migration.place.has_value());
+    }
+}
+
+TEST_CASE("a broadcast of two to both neighbours: the same two to each, in the order of the islands they come from") {
+    IslandsSettings settings = small_islands(5);
+    settings.topology = RingTopology{2};
+    settings.emigration = BestEmigration{2};
+    auto migrations = run_on_line_record(settings).migrations;
+    REQUIRE(migrations.size() == 13 * 5 * 4);
+    std::vector<std::pair<std::size_t, std::size_t>> ways;
+    for (std::size_t m = 0; m < 8; ++m)
+        ways.emplace_back(migrations[m].from, migrations[m].to);
+    CHECK(ways == std::vector<std::pair<std::size_t, std::size_t>>{
+                      {1, 0}, {1, 0}, {4, 0}, {4, 0}, {0, 1}, {0, 1}, {2, 1}, {2, 1}});
+    auto sent_by_1 = [&](std::size_t m) { return migrations[m].individual; };
+    CHECK(sent_by_1(0) == sent_by_1(8)); // to island 0, to island 2
+    CHECK(sent_by_1(1) == sent_by_1(9));
+    CHECK(sent_by_1(0).fitness >= sent_by_1(1).fitness);
+}
+
+TEST_CASE("who comes to another window is measured in it") {
+    IslandsSettings settings = small_islands(2);
+    settings.islands[1].window.length = 3;
+    settings.islands[1].window.bias = 100;
+    auto problem = make_search_problem(LineProblem{});
+    auto record = line_record(line_samples);
+    IslandsResult result = run_on_line_record(settings);
+    REQUIRE(result.migrations.size() > 10);
+    for (const Migration& migration : result.migrations) {
+        std::size_t end = 5 + (migration.generation - 1) / 5,
+                    length = migration.to == 0 ? std::min<std::size_t>(end, 10) : 3;
+        CHECK(migration.individual.fitness == problem->fitness(migration.individual.genome,
+                                                               std::span(record).subspan(end - length, length),
+                                                               migration.to == 0 ? 400 : 100));
+    }
+    // The short window is full after three samples, and waits for the other's five.
+    CHECK(result.islands[1].estimates.front().sample == 4);
+    CHECK(result.islands[1].generations == result.islands[0].generations);
+}
+
+TEST_CASE("same seed, same run; another seed or policy, another run") {
+    std::set<std::vector<std::string>> different;
+    std::size_t runs = 0;
+    for (const char* topology : {"ring", "hypercube", "star"})
+        for (const char* schedule : {"broadcast(2)", "sequential(2)"})
+            for (const char* emigration : {"best", "random(2)", "tournament"})
+                for (const char* acceptance : {"worst", "worst(1)", "random", "alike"}) {
+                    IslandsSettings settings = small_islands(4);
+                    settings.topology = Topology::named(topology);
+                    settings.schedule = Schedule::named(schedule);
+                    settings.emigration = Emigration::named(emigration);
+                    settings.acceptance = Acceptance::named(acceptance);
+                    IslandsResult once = run_on_line_record(settings);
+                    CHECK(same(once, run_on_line_record(settings)));
+                    CHECK_FALSE(same(once, run_on_line_record(settings, 2)));
+                    std::vector<std::string> texts;
+                    for (const SearchResult& island : once.islands)
+                        for (const Genome& genome : island.population)
+                            texts.push_back(genome.to_string());
+                    different.insert(texts);
+                    // On a ring, to the one neighbour in turn is to all.
+                    runs += topology != std::string("ring") || schedule == std::string("broadcast(2)");
+                }
+    CHECK(different.size() == runs);
+}
+
+TEST_CASE("an elite is not lost to immigrants: in a window that stands the best never falls") {
+    auto problem = make_search_problem(GreatestNumber{});
+    for (const char* acceptance : {"worst", "random", "alike"})
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            IslandsSettings settings = small_islands(4);
+            settings.topology = CompleteTopology{};
+            settings.schedule = BroadcastSchedule{1};
+            settings.emigration = RandomEmigration{3};
+            settings.acceptance = Acceptance::named(acceptance);
+            for (SearchSettings& island : settings.islands)
+                island.window.length = 1;
+            Islands islands(*problem, settings, island_streams(seed, 4));
+            islands.push({0});
+            std::vector<double> best(4, -1e300);
+            for (int generation = 0; generation < 30; ++generation) {
+                islands.next_generation();
+                for (std::size_t i = 0; i < 4; ++i) {
+                    CHECK(islands.searches()[i].best().fitness >= best[i]);
+                    best[i] = islands.searches()[i].best().fitness;
+                }
+            }
+        }
+}
+
+TEST_CASE("only if better: who is turned away is recorded, and changes nothing") {
+    IslandsSettings settings = small_islands(4);
+    settings.acceptance = RandomAcceptance{true};
+    auto migrations = run_on_line_record(settings).migrations;
+    auto away = std::ranges::count_if(migrations, [](const Migration& each) { return !each.place; });
+    CHECK(away > 0);
+    CHECK(away < static_cast<std::ptrdiff_t>(migrations.size()));
+}
+
+TEST_CASE("islands that cannot be are refused, with what would be right") {
+    IslandsSettings settings = small_islands(3);
+    settings.islands[2].window.trials = 4;
+    CHECK(refusal(settings) ==
+          "island 0 makes 5 generations per sample and island 2 makes 4, expected the same number: "
+          "they exchange in the same generations");
+    settings = small_islands(3);
+    settings.islands[1].population = 5;
+    settings.emigration = BestEmigration{6};
+    CHECK(refusal(settings) == "6 emigrants from a population of 5, expected at most 5");
+    settings = small_islands(16);
+    settings.topology = StarTopology{};
+    CHECK(refusal(settings) ==
+          "15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
+    settings = small_islands(12);
+    settings.topology = HypercubeTopology{};
+    CHECK(refusal(settings) == "a hypercube of 12 islands, expected a power of two such as 8 or 16");
+    CHECK(refusal(small_islands(0)) == "0 islands, expected at least 1");
+    CHECK(refusal(small_islands(1)).starts_with("island 0 of 1 has no neighbours"));
+    settings = small_islands(2);
+    settings.islands[1].window.length = 13;
+    CHECK(refusal(settings) == "the window holds 13 samples, the record only 12");
+    CHECK_THROWS_WITH_AS(Islands(*make_search_problem(LineProblem{}), small_islands(2), island_streams(1, 3)),
+                         "3 streams of random numbers for 2 islands", std::invalid_argument);
+}
