@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <set>
 #include <utility>
 
 using namespace placedpar;
@@ -221,29 +220,23 @@ TEST_CASE("who comes to another window is measured in it") {
 }
 
 TEST_CASE("same seed, same run; another seed or policy, another run") {
-    std::set<std::vector<std::string>> different;
-    std::size_t runs = 0;
-    for (const char* topology : {"ring", "hypercube", "star"})
+    std::vector<IslandsResult> runs;
+    for (const char* topology : {"ring(2)", "hypercube", "star"})
         for (const char* schedule : {"broadcast(2)", "sequential(2)"})
             for (const char* emigration : {"best", "random(2)", "tournament"})
-                for (const char* acceptance : {"worst", "worst(1)", "random", "alike"}) {
+                for (const char* acceptance : {"worst", "random", "alike"}) {
                     IslandsSettings settings = small_islands(4);
                     settings.topology = Topology::named(topology);
                     settings.schedule = Schedule::named(schedule);
                     settings.emigration = Emigration::named(emigration);
                     settings.acceptance = Acceptance::named(acceptance);
-                    IslandsResult once = run_on_line_record(settings);
-                    CHECK(same(once, run_on_line_record(settings)));
-                    CHECK_FALSE(same(once, run_on_line_record(settings, 2)));
-                    std::vector<std::string> texts;
-                    for (const SearchResult& island : once.islands)
-                        for (const Genome& genome : island.population)
-                            texts.push_back(genome.to_string());
-                    different.insert(texts);
-                    // On a ring, to the one neighbour in turn is to all.
-                    runs += topology != std::string("ring") || schedule == std::string("broadcast(2)");
+                    runs.push_back(run_on_line_record(settings));
+                    CHECK(same(runs.back(), run_on_line_record(settings)));
+                    CHECK_FALSE(same(runs.back(), run_on_line_record(settings, 2)));
                 }
-    CHECK(different.size() == runs);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            CHECK_FALSE(same(runs[i], runs[j]));
 }
 
 TEST_CASE("an elite is not lost to immigrants: in a window that stands the best never falls") {
