@@ -1,9 +1,9 @@
 #pragma once
 
-#include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record.hpp"
+#include "identification/circuit_problem.hpp"
 #include "identification/identification_way.hpp"
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Question {
 
 /// A search for compliances, set up from a record.
 struct ComplianceSearch {
-    hydraulics::CircuitProblem problem;
+    CircuitProblem problem;
     hydraulics::FlowConstants flow;
     hydraulics::LinkCalibrations calibrations;
     std::vector<hydraulics::CircuitSample> samples; ///< the usable ones

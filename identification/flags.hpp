@@ -19,7 +19,7 @@ inline constexpr double uncertain_share = 0.1;
 ///   of excitation has already been flagged.
 ///
 /// `samples` are all that were used, `window` the last of them.
-void add_flags(Identified& identified, const hydraulics::CircuitProblem& problem, const hydraulics::FlowConstants& flow,
+void add_flags(Identified& identified, const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                const IdentificationWay& way);
 

@@ -2,8 +2,8 @@
 
 #include "gaprocs/representation/coding.hpp"
 #include "gaprocs/settings.hpp"
-#include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"
+#include "identification/circuit_problem.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -21,7 +21,7 @@ struct ExcitationGate {
 /// How compliances are identified.
 struct IdentificationWay {
     SearchSettings search;
-    std::size_t bits = hydraulics::CircuitProblem::usual_bits; ///< of one compliance
+    std::size_t bits = CircuitProblem::usual_bits; ///< of one compliance
     Coding coding = Coding::natural;
     hydraulics::UsableSamples usable;
     std::optional<ExcitationGate> gate; ///< the thesis has none

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"
+#include "identification/circuit_problem.hpp"
 #include "identification/identification_way.hpp"
 #include "runtime/random.hpp"
 
@@ -30,8 +30,7 @@ struct SearchRun {
 /// One search over the samples, which identify() does `searches` times. Differs from run_traditional() in two things:
 /// the gate, and gaps of the record, after which the window begins anew. Throws UnfitRecord when there are not enough
 /// samples for the first generation.
-SearchRun search_transient(const hydraulics::CircuitProblem& problem,
-                           std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way,
-                           RandomStream random);
+SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
+                           const IdentificationWay& way, RandomStream random);
 
 } // namespace placedpar::identification

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gaprocs/fitness.hpp"
-#include "hydraulics/circuit/circuit_problem.hpp"
+#include "identification/circuit_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ struct Transient {
 
     static constexpr std::size_t population = 120, window = 10, first = 5, trials = 5;
     static constexpr double bias = 400, crossover = 0.8, mutation = 0.01;
-    static constexpr double largest = hydraulics::CircuitProblem::largest_in3_per_psi;
-    static constexpr std::size_t bits = hydraulics::CircuitProblem::usual_bits;
+    static constexpr double largest = CircuitProblem::largest_in3_per_psi;
+    static constexpr std::size_t bits = CircuitProblem::usual_bits;
 
     /// Windows that get generations.
     std::size_t windows() const { return record.size() + 1 - first; }

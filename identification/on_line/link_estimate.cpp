@@ -1,6 +1,6 @@
 #include "identification/on_line/link_estimate.hpp"
 
-#include "hydraulics/circuit/circuit_problem.hpp"
+#include "identification/circuit_problem.hpp"
 #include "identification/statistics.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "gaprocs/representation/genome.hpp"
 #include "hydraulics/circuit/circuit_error.hpp"
-#include "hydraulics/circuit/circuit_problem.hpp"
+#include "identification/circuit_problem.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #include "identification/on_line/settings.hpp"
 
-#include "hydraulics/circuit/circuit_problem.hpp"
+#include "identification/circuit_problem.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "gaprocs/search_problem.hpp"
-#include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
+#include "identification/circuit_problem.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // Identification of the boom's compliance over 50 seeds: figures of an independent prototype.
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
-#include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
+#include "identification/circuit_problem.hpp"
 #include "identification/statistics.hpp"
 
 #include <doctest/doctest.h>

@@ -5,8 +5,8 @@
 #include "gaprocs/processes/share.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "gaprocs/search_problem.hpp"
-#include "hydraulics/circuit/circuit_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
+#include "identification/circuit_problem.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace placedpar::hydraulics {
+namespace placedpar {
 
 /// A binary string whose bits can be read as whole numbers, bit `first` the most significant of `count`.
 template <typename G>
@@ -65,4 +65,4 @@ private:
     std::size_t bits_ = 0;
 };
 
-} // namespace placedpar::hydraulics
+} // namespace placedpar

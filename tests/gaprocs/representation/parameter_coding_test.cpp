@@ -1,5 +1,5 @@
 #include "gaprocs/representation/genome.hpp"
-#include "hydraulics/circuit/parameter_coding.hpp"
+#include "gaprocs/representation/parameter_coding.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 using namespace placedpar;
-using namespace placedpar::hydraulics;
 
 TEST_CASE("a field of bits is low + (high - low) n / 2^bits") {
     ParameterField field{-1, 3, 4}; // eq. 1.5: steps of a quarter

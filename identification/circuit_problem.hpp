@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gaprocs/representation/parameter_coding.hpp"
 #include "hydraulics/circuit/circuit_error.hpp"
-#include "hydraulics/circuit/parameter_coding.hpp"
 
 #include <boost/container/static_vector.hpp>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace placedpar::hydraulics {
+namespace placedpar {
 
 /// Identification of the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2), as a
 /// search problem. The string has a whole number of `bits` bits for each junction, in the circuit's order, over
@@ -23,14 +23,15 @@ public:
     static constexpr std::size_t usual_bits = 10;
 
     /// Throws std::invalid_argument when the circuit has no junction or more than 4, and as ParameterCoding.
-    CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits = usual_bits)
-        : CircuitProblem(circuit, flow, bits, printed_inlet_flow(circuit.size())) {}
-    CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form);
+    CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits = usual_bits)
+        : CircuitProblem(circuit, flow, bits, hydraulics::printed_inlet_flow(circuit.size())) {}
+    CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits,
+                   hydraulics::InletFlow form);
 
     std::size_t bits() const { return coding_.bits(); }
-    std::size_t channels() const { return circuit_.size() * LinkSample::channels; }
-    const Circuit& circuit() const { return circuit_; }
-    InletFlow inlet_flow() const { return form_; }
+    std::size_t channels() const { return circuit_.size() * hydraulics::LinkSample::channels; }
+    const hydraulics::Circuit& circuit() const { return circuit_; }
+    hydraulics::InletFlow inlet_flow() const { return form_; }
     /// That of every compliance.
     const ParameterField& field() const { return coding_.field(0); }
 
@@ -42,10 +43,10 @@ public:
     /// The error of one set of compliances, or of each of an array of them.
     template <typename T>
     T error_of(std::span<const T> compliances, std::span<const double> sample) const {
-        boost::container::static_vector<LinkSample, all_links.size()> links;
+        boost::container::static_vector<hydraulics::LinkSample, hydraulics::all_links.size()> links;
         for (std::size_t j = 0; j < circuit_.size(); ++j)
-            links.push_back(LinkSample::from(sample.subspan(j * LinkSample::channels)));
-        return circuit_error_in3_per_s<T>(circuit_, compliances, links, flow_, form_);
+            links.push_back(hydraulics::LinkSample::from(sample.subspan(j * hydraulics::LinkSample::channels)));
+        return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, links, flow_, form_);
     }
 
     template <BinaryString G>
@@ -54,7 +55,7 @@ public:
     }
     template <BinaryString G>
     double error(const G& genome, std::span<const double> sample) const {
-        PerJunction<double> compliances;
+        hydraulics::PerJunction<double> compliances;
         for (std::size_t j = 0; j < circuit_.size(); ++j)
             compliances[j] = coding_.value(genome, j);
         return error_of<double>(compliances, sample);
@@ -65,10 +66,10 @@ public:
     std::vector<std::string> parameter_units() const;
 
 private:
-    Circuit circuit_;
-    FlowConstants flow_;
+    hydraulics::Circuit circuit_;
+    hydraulics::FlowConstants flow_;
     ParameterCoding coding_;
-    InletFlow form_;
+    hydraulics::InletFlow form_;
 };
 
-} // namespace placedpar::hydraulics
+} // namespace placedpar

@@ -1,4 +1,4 @@
-#include "hydraulics/circuit/parameter_coding.hpp"
+#include "gaprocs/representation/parameter_coding.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar::hydraulics {
+namespace placedpar {
 
 namespace {
 
@@ -32,4 +32,4 @@ ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(s
     }
 }
 
-} // namespace placedpar::hydraulics
+} // namespace placedpar

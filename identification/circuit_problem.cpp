@@ -1,30 +1,31 @@
-#include "hydraulics/circuit/circuit_problem.hpp"
+#include "identification/circuit_problem.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <utility>
 
-namespace placedpar::hydraulics {
+namespace placedpar {
 
 namespace {
 
-Circuit checked(Circuit circuit) {
-    if (circuit.empty() || circuit.size() > all_links.size())
+hydraulics::Circuit checked(hydraulics::Circuit circuit) {
+    if (circuit.empty() || circuit.size() > hydraulics::all_links.size())
         throw std::invalid_argument(fmt::format("a circuit of {} junctions, expected 1 to 4", circuit.size()));
     return circuit;
 }
 
 } // namespace
 
-CircuitProblem::CircuitProblem(Circuit circuit, FlowConstants flow, std::size_t bits, InletFlow form)
+CircuitProblem::CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits,
+                               hydraulics::InletFlow form)
     : circuit_(checked(std::move(circuit))), flow_(flow), coding_(circuit_.size(), {0, largest_in3_per_psi, bits}),
       form_(form) {}
 
 std::vector<std::string> CircuitProblem::parameter_names() const {
     std::vector<std::string> names;
-    for (const Junction& junction : circuit_)
-        names.push_back(fmt::format("C_{}i", symbol_of(junction.link)));
+    for (const hydraulics::Junction& junction : circuit_)
+        names.push_back(fmt::format("C_{}i", hydraulics::symbol_of(junction.link)));
     return names;
 }
 
@@ -32,4 +33,4 @@ std::vector<std::string> CircuitProblem::parameter_units() const {
     return std::vector<std::string>(circuit_.size(), "in^3/psi");
 }
 
-} // namespace placedpar::hydraulics
+} // namespace placedpar
