@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace placedpar {
+
+class RandomStream;
+
+/// The second-order plant of thesis eq. 5.8 with the delay of 5.9:
+///
+///     y(k) = a1 y(k-1) + a2 y(k-2) + b0 (u(k-d) + b1 u(k-d-1)) + e(k) + c1 e(k-1) + c2 e(k-2)
+///
+/// 5.8 has u(k), thus d = 0, which is outside of the search space of Table 5.1; here d is 1.
+struct Plant {
+    double a1 = 1.5, a2 = -0.7, b0 = 1, b1 = 0.5;
+    std::size_t delay = 1; ///< in samples, 1 to 4
+};
+
+/// The pole alpha + j beta, beta >= 0, of y(k) = a1 y(k-1) + a2 y(k-2). REQUIRES: a complex pair.
+struct Pole {
+    double alpha, beta;
+};
+Pole pole_of(double a1, double a2);
+
+/// How a1 changes during an experiment. Table 5.4 prints a1 = -1.5 + 1.0 (gen - 200), where the sign is that of
+/// A(q^-1), and the plant would not be stable for a second generation: here the way from one to the other takes as long
+/// as the table says.
+enum class PlantChange : unsigned char {
+    none,
+    ramp, ///< a1 = 1.5 - (gen - 200) / 200 from generation 200 to 400
+    step, ///< a1 = 0.5 from generation 200 on
+};
+double a1_at(PlantChange change, double generation);
+
+/// An experiment on the plant as chapter 5 describes it: input +-1 by pseudo random bits of four samples.
+struct PlantExperiment {
+    PlantChange change = PlantChange::ramp;
+    double noise = 0;               ///< standard deviation of e, which is Gaussian
+    std::array<double, 2> colour{}; ///< c1, c2: white noise
+    std::size_t generations = 601;  ///< in Table 5.4, 0 to 600
+    std::size_t per_sample = 3;     ///< generations between two samples; chapter 5 is silent
+    std::size_t window = 30;        ///< samples that are there at generation 0
+    std::size_t settling = 80;      ///< samples before these, which nobody sees
+
+    /// Samples that arrive from generation 0 on.
+    std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }
+};
+
+/// A sample of the plant: y(k), y(k-1), y(k-2), u(k-1), ..., u(k-6).
+inline constexpr std::size_t plant_inputs = 6;
+inline constexpr std::size_t plant_channels = 3 + plant_inputs;
+
+/// What is measured: `window` - 1 samples before generation 0, then that of generation 0, `per_sample`, ... The stream
+/// gives the start of the input's period (one number) and two numbers a sample for the noise, if there is any.
+/// Throws UserError: no window, no generations per sample, a noise that is negative or no number.
+std::vector<std::vector<double>> plant_record(const PlantExperiment& experiment, RandomStream random);
+
+} // namespace placedpar

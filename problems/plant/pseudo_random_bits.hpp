@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+namespace placedpar {
+
+/// A pseudo random binary sequence of period 127, of a shift register of seven bits (x^7 + x^6 + 1): every seven bits
+/// but seven zeros come up once in a period.
+class PseudoRandomBits {
+public:
+    static constexpr std::size_t period = 127;
+
+    /// Starts `start` bits into the period. REQUIRES: start < period.
+    explicit PseudoRandomBits(std::size_t start = 0);
+    bool next();
+
+private:
+    unsigned register_ = 1;
+};
+
+} // namespace placedpar
