@@ -1,0 +1,50 @@
+#include "gaprocs/policies/error_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar {
+
+namespace {
+
+constexpr double least_error = 1e-12;
+
+double error_of_window(std::span<const double> errors, ErrorMatrix::Sum sum) {
+    double total = 0;
+    for (double error : errors)
+        total += sum == ErrorMatrix::Sum::plain ? error : error * error;
+    return sum == ErrorMatrix::Sum::means ? total / static_cast<double>(errors.size()) : std::abs(total);
+}
+
+} // namespace
+
+ErrorMatrix::ErrorMatrix(const ErrorsOfBest& bests, Sum sum) : islands_(bests.windows.size()) {
+    for (std::size_t window : bests.windows)
+        for (const std::vector<double>& errors : bests.errors)
+            errors_.push_back(error_of_window(std::span(errors).last(window), sum));
+}
+
+double ErrorMatrix::normalised(std::size_t window, std::size_t island, Normaliser normaliser) const {
+    std::size_t own = normaliser == Normaliser::column ? island : window;
+    return std::max(error(window, island), least_error) / std::max(error(own, own), least_error);
+}
+
+double ErrorMatrix::sum_over_windows(std::size_t island, Normaliser normaliser) const {
+    double sum = 0;
+    for (std::size_t window = 0; window < islands_; ++window)
+        sum += normalised(window, island, normaliser);
+    return sum;
+}
+
+double ErrorMatrix::sum_over_islands(std::size_t window, Normaliser normaliser) const {
+    double sum = 0;
+    for (std::size_t island = 0; island < islands_; ++island)
+        sum += normalised(window, island, normaliser);
+    return sum;
+}
+
+double ErrorMatrix::ratio(std::size_t island, Normaliser normaliser) const {
+    return sum_over_islands(island, normaliser) / sum_over_windows(island, normaliser);
+}
+
+} // namespace placedpar

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "gaprocs/policies/error_matrix.hpp"
+#include "gaprocs/policies/policy.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+
+namespace placedpar {
+
+class RandomStream;
+
+// Active error analysis (thesis 5.3.2): each way chooses, of islands with windows of different lengths, the one whose
+// best is the answer. Ratios are those of 5.7, and of equal ones the first island's wins.
+// REQUIRES, everywhere: as ErrorMatrix, at least one island.
+//
+// The rule as it is printed cannot do what the thesis says of it. Windows are nested: the newest ten samples are among
+// the newest thirty. So whatever the errors, with squares Error(w_i, A_j) cannot fall when w_i grows, and with
+// w_1 >= w_2 >= ... >= w_n, the errors not 0:
+//   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, the contrary of 5.5 in every case;
+//   terms are at least 1 in row 1 and column n, at most 1 in row n and column 1:  SA_1 <= n <= SA_n, Sw_n <= n <= Sw_1;
+//   hence Sw_1 / SA_1 >= 1 >= Sw_n / SA_n: the shortest window is never preferred to the longest.
+
+/// The greatest Sw_i / SA_i to the letter of 5.3, 5.4 and 5.7, with the squares of 5.1.
+struct PrintedChoice {
+    static constexpr std::string_view name = "printed", about = "greatest Sw/SA as printed (5.7), squared errors";
+    static constexpr std::tuple<> numbers() { return {}; }
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
+};
+
+/// The same to the letter of 5.2 too, in which errors of both signs cancel.
+struct PlainSumChoice {
+    static constexpr std::string_view name = "plain",
+                                      about = "greatest Sw/SA, plain errors summed with their signs (5.2)";
+    static constexpr std::tuple<> numbers() { return {}; }
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
+};
+
+/// Means in place of sums, so that a window is not worse for being longer.
+struct MeansChoice {
+    static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors";
+    static constexpr std::tuple<> numbers() { return {}; }
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
+};
+
+/// Divided by the error of the row's own island: Sw_i is how much worse the others are than island i in its window.
+/// With it, means and sums are the same.
+struct RowChoice {
+    static constexpr std::string_view name = "row", about = "greatest Sw/SA, divided by the row's own error";
+    static constexpr std::tuple<> numbers() { return {}; }
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
+};
+
+/// Always the same island, counted from 0.
+struct FixedChoice {
+    static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0";
+    std::size_t island = 0;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6}); }
+    /// Throws UserError where there is no such island.
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
+};
+
+/// An island at random: what a rule has to beat. One number.
+struct RandomChoice {
+    static constexpr std::string_view name = "random", about = "an island drawn anew each time";
+    static constexpr std::tuple<> numbers() { return {}; }
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
+};
+
+/// Which island's best is the answer of all.
+class IslandChoice : public OneOf<PrintedChoice, PlainSumChoice, MeansChoice, RowChoice, FixedChoice, RandomChoice> {
+public:
+    using OneOf::OneOf;
+    static IslandChoice named(std::string_view text) { return read<IslandChoice>(text); }
+
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
+};
+
+} // namespace placedpar

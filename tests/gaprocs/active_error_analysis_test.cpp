@@ -1,0 +1,46 @@
+#include "gaprocs/active_error_analysis.hpp"
+
+#include "tests/gaprocs/line_problem.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// The line of a slope in 256ths.
+Individual line_of(std::uint64_t code) {
+    Individual line{Genome(8), 0};
+    line.genome.set_field(0, 8, code);
+    return line;
+}
+
+} // namespace
+
+TEST_CASE("the errors of each island's best are those of the newest samples") {
+    auto problem = make_search_problem(LineProblem());
+    std::vector<Sample> samples{{100, 0}, {1, 0.5}, {2, 0.5}};
+    std::vector<Individual> bests{line_of(128), line_of(64)};
+    std::vector<std::size_t> windows{2, 1};
+    ErrorsOfBest found = errors_of_best(*problem, bests, windows, samples);
+    CHECK(found.windows == windows);
+    CHECK(found.errors == std::vector<std::vector<double>>{{0, -0.5}, {0.25, 0}});
+}
+
+TEST_CASE("the answer is the chosen island's best, held until the next analysis") {
+    auto problem = make_search_problem(LineProblem());
+    ActiveErrorAnalysis analysis(*problem, {4, 2}, IslandChoice::named("row"), RandomStream(1, "answer"));
+    std::vector<Individual> bests{line_of(128), line_of(64)};
+    // The slope has changed from 1/2 to 1/4; both samples of the short window are of the new one.
+    std::vector<Sample> samples{{1, 0.5}, {1, 0.501}, {1, 0.25}, {1, 0.26}};
+    analysis.analyse(bests, samples);
+    CHECK(analysis.island() == 1);
+    CHECK(analysis.answer() == bests[1]);
+    samples = {{1, 0.5}, {1, 0.501}, {1, 0.5}, {1, 0.51}};
+    CHECK(analysis.answer() == bests[1]);
+    analysis.analyse(bests, samples);
+    CHECK(analysis.island() == 0);
+    CHECK(analysis.answer() == bests[0]);
+}
