@@ -1,5 +1,6 @@
 #include "gaprocs/islands.hpp"
 
+#include "gaprocs/usual_settings.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +31,13 @@ void validate_islands(const IslandsSettings& settings) {
     require_generations_in_step(settings.islands);
 }
 
+/// The settings of each island as they hold for the problem.
+IslandsSettings settings_for(const SearchProblem& problem, IslandsSettings settings) {
+    for (SearchSettings& island : settings.islands)
+        island = placedpar::settings_for(problem, island);
+    return settings;
+}
+
 void add_estimates(const SearchProblem& problem, const Islands& islands, std::size_t sample, IslandsResult& result) {
     for (std::size_t i = 0; i < result.islands.size(); ++i) {
         const Individual& best = islands.searches()[i].best();
@@ -55,7 +63,7 @@ void IslandsSettings::validate_for(std::size_t record_length) const {
 }
 
 Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams)
-    : problem_(problem), settings_(std::move(settings)) {
+    : problem_(problem), settings_(settings_for(problem, std::move(settings))) {
     validate_islands(settings_);
     if (streams.size() != settings_.islands.size())
         throw std::invalid_argument(
@@ -124,8 +132,9 @@ void Islands::accept(std::size_t island, std::span<Migration> arrivals) {
         arrivals[i].place = places[i];
 }
 
-IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
+IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& wanted,
                           std::vector<RandomStream> streams) {
+    IslandsSettings settings = settings_for(problem, wanted);
     settings.validate_for(record.size());
     Islands islands(problem, settings, std::move(streams));
     IslandsResult result;
@@ -143,6 +152,11 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
     }
     end_result(islands, result);
     return result;
+}
+
+IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
+                          std::vector<RandomStream> streams) {
+    return run_islands(problem, empty_record(generations), settings, std::move(streams));
 }
 
 std::vector<RandomStream> island_streams(std::uint64_t seed, std::size_t islands) {

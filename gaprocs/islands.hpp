@@ -53,8 +53,8 @@ struct Migration {
 class Islands {
 public:
     /// A stream for each island, which draws the first population from it. `problem` must outlive this. Throws as
-    /// IslandsSettings::validate_for() for a record of any length, and std::invalid_argument for another number of
-    /// streams.
+    /// IslandsSettings::validate_for() for a record of any length and settings_for(), and std::invalid_argument for
+    /// another number of streams.
     Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams);
 
     /// A new sample comes into the windows of all.
@@ -90,6 +90,9 @@ struct IslandsResult {
 /// The islands over a record, without processes, machine or time. Throws as Islands and
 /// IslandsSettings::validate_for().
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
+                          std::vector<RandomStream> streams);
+/// The same for an objective problem, whose record is empty samples: an estimate of each island for each generation.
+IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
                           std::vector<RandomStream> streams);
 
 /// The streams of a run: "island 0", "island 1", ...

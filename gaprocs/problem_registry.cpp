@@ -1,10 +1,13 @@
 #include "gaprocs/problem_registry.hpp"
 
+#include "text/nearest.hpp"
 #include "text/user_error.hpp"
 
+#include <boost/algorithm/string/trim.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -24,6 +27,8 @@ const std::vector<Sample>& RecordedProblem::record() const {
 }
 
 void RecordedProblem::take(std::vector<Sample> record) const {
+    if (problem_->objective() && !record.empty())
+        throw std::invalid_argument("an objective problem has no record");
     for (std::size_t i = 0; i < record.size(); ++i)
         if (record[i].size() != problem_->channels())
             throw std::invalid_argument(
@@ -33,14 +38,18 @@ void RecordedProblem::take(std::vector<Sample> record) const {
     record_ = std::move(record);
 }
 
-template <class Record>
-void ProblemRegistry::add_recorded(std::string name, std::shared_ptr<const SearchProblem> problem, Record record) {
+void ProblemRegistry::require_new(const std::string& name) const {
     if (name.empty())
         throw std::invalid_argument("a search problem needs a name");
+    if (problems_.contains(name) || families_.contains(name))
+        throw std::invalid_argument(fmt::format("search problem '{}' is named twice", name));
+}
+
+template <class Record>
+void ProblemRegistry::add_recorded(std::string name, std::shared_ptr<const SearchProblem> problem, Record record) {
+    require_new(name);
     if (!problem)
         throw std::invalid_argument(fmt::format("search problem '{}': there is none", name));
-    if (problems_.contains(name))
-        throw std::invalid_argument(fmt::format("search problem '{}' is named twice", name));
     try {
         problems_.emplace(name, RecordedProblem(std::move(problem), std::move(record)));
     } catch (const std::invalid_argument& unfit) {
@@ -56,17 +65,50 @@ void ProblemRegistry::add_to_make(std::string name, std::shared_ptr<const Search
     add_recorded(std::move(name), std::move(problem), std::move(record));
 }
 
+void ProblemRegistry::add(ProblemFamily family) {
+    require_new(family.description.name);
+    std::string name = family.description.name;
+    families_.emplace(std::move(name), std::move(family));
+}
+
 const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
-    auto found = problems_.find(name);
-    if (found == problems_.end())
-        throw UserError(fmt::format("there is no search problem '{}'; known: {}", name, fmt::join(names(), ", ")));
-    return found->second;
+    if (auto found = problems_.find(name); found != problems_.end())
+        return found->second;
+    auto family = families_.find(boost::algorithm::trim_copy(name.substr(0, name.find('('))));
+    if (family != families_.end())
+        return make(family->second, name);
+    std::string guess = did_you_mean(name, names());
+    throw UserError(fmt::format("there is no search problem '{}'; known: {}{}", name, fmt::join(names(), ", "),
+                                guess.empty() ? "" : "; " + guess));
+}
+
+/// What a problem refuses is what was asked for by name.
+const RecordedProblem& ProblemRegistry::make(const ProblemFamily& family, std::string_view text) const {
+    std::vector<double> numbers = read_policy(text, {family.description}).numbers;
+    std::string full = family.description.text(numbers);
+    if (auto found = made_.find(full); found != made_.end())
+        return found->second;
+    try {
+        return made_.emplace(full, RecordedProblem(family.make(numbers), std::vector<Sample>{})).first->second;
+    } catch (const std::invalid_argument& unfit) {
+        throw UserError(fmt::format("search problem '{}': {}", full, unfit.what()));
+    }
 }
 
 std::vector<std::string> ProblemRegistry::names() const {
     std::vector<std::string> all;
     for (const auto& [name, problem] : problems_)
         all.push_back(name);
+    for (const auto& [name, family] : families_)
+        all.push_back(name);
+    std::ranges::sort(all);
+    return all;
+}
+
+std::vector<PolicyDescription> ProblemRegistry::families() const {
+    std::vector<PolicyDescription> all;
+    for (const auto& [name, family] : families_)
+        all.push_back(family.description);
     return all;
 }
 

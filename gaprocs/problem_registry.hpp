@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/problem_family.hpp"
 #include "gaprocs/search_problem.hpp"
 
 #include <cstddef>
@@ -18,10 +19,12 @@ struct RecordToMake {
     std::function<std::vector<Sample>()> make;
 };
 
-/// A search problem and the record of measurement it is searched over. Not thread-safe: the first record() may make it.
+/// A search problem and the record of measurement it is searched over: none for an objective problem. Not thread-safe:
+/// the first record() may make it.
 class RecordedProblem {
 public:
-    /// Throws std::invalid_argument: a sample has not as many numbers as the problem has channels.
+    /// Throws std::invalid_argument: a sample has not as many numbers as the problem has channels, or an objective
+    /// problem has a record.
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
         : problem_(std::move(problem)), samples_(record.samples), make_(std::move(record.make)) {}
@@ -48,20 +51,31 @@ class ProblemRegistry {
 public:
     /// `record`: the samples, or how to make them. Throws std::invalid_argument: empty or repeated name, no problem,
     /// or a sample that has not as many numbers as the problem has channels.
-    void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
+    void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record = {});
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
-    /// Throws UserError, naming the problems there are. The reference lives as long as the registry.
+    /// Problems that are made when they are asked for by name and numbers: "sphere", "sphere(3)", "sphere(bits = 20)".
+    /// Throws std::invalid_argument for an empty or repeated name.
+    void add(ProblemFamily family);
+
+    /// Throws UserError: there is no such problem (it names those there are), its numbers are wrong, or it cannot be
+    /// made with them. The reference lives as long as the registry.
     const RecordedProblem& find(std::string_view name) const;
 
-    /// In alphabetical order.
+    /// In alphabetical order; of families the names alone.
     std::vector<std::string> names() const;
+    /// In alphabetical order.
+    std::vector<PolicyDescription> families() const;
 
 private:
     template <class Record>
     void add_recorded(std::string name, std::shared_ptr<const SearchProblem> problem, Record record);
+    void require_new(const std::string& name) const;
+    const RecordedProblem& make(const ProblemFamily& family, std::string_view text) const;
 
     std::map<std::string, RecordedProblem, std::less<>> problems_;
+    std::map<std::string, ProblemFamily, std::less<>> families_;
+    mutable std::map<std::string, RecordedProblem> made_; ///< of families, by their full text
 };
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/fitness.hpp"
+#include "gaprocs/objective.hpp"
 #include "gaprocs/population_fitness.hpp"
 #include "gaprocs/representation/coding.hpp"
 #include "gaprocs/representation/genome.hpp"
@@ -9,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -42,9 +44,13 @@ public:
 
     /// Length of the binary string.
     virtual std::size_t bits() const = 0;
-    /// Numbers in a sample.
+    /// Numbers in a sample; none where there is an objective().
     virtual std::size_t channels() const = 0;
-    /// The error of one individual at one sample (eq. 3.8). REQUIRES: sizes as stated by bits(), channels().
+    /// Of a problem that gives a number for an individual as it is, and is searched over no record: its fitness() is
+    /// the objective's, whatever the samples and the bias. Nothing where a problem states the error at a sample.
+    virtual std::optional<Objective> objective() const { return std::nullopt; }
+    /// The error of one individual at one sample (eq. 3.8). REQUIRES: sizes as stated by bits(), channels(); no
+    /// objective().
     virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
     /// The sum of fitness_term over the samples: one call an individual, the loop inside is not virtual.
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;

@@ -1,7 +1,10 @@
 #include "gaprocs/traditional.hpp"
 
+#include "gaprocs/usual_settings.hpp"
 #include "gaprocs/window.hpp"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace placedpar {
@@ -13,8 +16,9 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
     return fitness;
 }
 
-SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
-                             const SearchSettings& settings, RandomStream random) {
+SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record, const SearchSettings& wanted,
+                             RandomStream random) {
+    SearchSettings settings = settings_for(problem, wanted);
     settings.window.validate_for(record.size());
     Search search(problem.bits(), settings, std::move(random));
     SlidingWindow window(settings.window);
@@ -31,6 +35,19 @@ SearchResult run_traditional(const SearchProblem& problem, std::span<const Sampl
     result.redraws = search.redraws();
     result.population = search.population();
     return result;
+}
+
+SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
+                             RandomStream random) {
+    return run_traditional(problem, empty_record(generations), settings, std::move(random));
+}
+
+const Estimate& SearchResult::best() const {
+    auto fitness = [](const Estimate& estimate) { return estimate.best.fitness; };
+    auto best = std::ranges::max_element(estimates, {}, fitness);
+    if (best == estimates.end())
+        throw std::logic_error("no generation has been evaluated, so there is no best individual");
+    return *best;
 }
 
 } // namespace placedpar

@@ -22,6 +22,10 @@ struct SearchResult {
     std::uint64_t generations = 0;
     std::uint64_t redraws = 0;
     std::vector<Genome> population; ///< as the last generation left it, not yet evaluated
+
+    /// The best of all estimates, the first of equals: of use where fitness does not move with a window, as that of an
+    /// objective. Throws std::logic_error where there is none.
+    const Estimate& best() const;
 };
 
 /// The fitness of each individual over the samples of the window.
@@ -30,8 +34,11 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
 
 /// The traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1): no processes, no machine, no
 /// time. This is the reference that algorithm A must reproduce bit for bit.
-/// Throws as SearchSettings::validate(), and UserError for a window longer than the record.
+/// Throws as SearchSettings::validate() and settings_for(), and UserError for a window longer than the record.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random);
+/// The same for an objective problem, whose record is empty samples: an estimate for each generation.
+SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
+                             RandomStream random);
 
 } // namespace placedpar

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <stdexcept>
 
 namespace placedpar {
@@ -21,6 +22,14 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
     std::string place = process.declared.text();
     throw UserError(
         fmt::format("{}{}process {} ({}): {}", place, place.empty() ? "" : ": ", process.name, process.kind, why));
+}
+
+/// The parameters that the netlist gives.
+std::set<std::string> names_given(const ProcessInstance& process) {
+    std::set<std::string> names;
+    for (const auto& [name, place] : process.given)
+        names.insert(name);
+    return names;
 }
 
 /// Runs a process's program. What it refuses to work with is reported with the process, its kind and its place.
@@ -143,8 +152,8 @@ Process& Machine::make_process(const ProcessInstance& process, const ProcessKind
     std::vector<ProcessEnvironment::Port> ports;
     for (const PortBinding& binding : process.ports)
         ports.push_back({binding.port, channels_[binding.channel].get()});
-    ProcessEnvironment& environment =
-        environments_.emplace_back(process.name, process.parameters, std::move(ports), seed_, measurements_);
+    ProcessEnvironment& environment = environments_.emplace_back(process.name, process.parameters, names_given(process),
+                                                                 std::move(ports), seed_, measurements_);
     return simulation_.process(
         process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
         executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);

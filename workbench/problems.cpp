@@ -64,11 +64,28 @@ std::vector<ProcessKind>& own_kinds() {
     return kinds;
 }
 
+std::vector<ProblemFamily>& own_problems() {
+    static std::vector<ProblemFamily> problems;
+    return problems;
+}
+
+/// Throws UserError.
+[[noreturn]] void refuse_taken(const char* what, const std::string& name) {
+    throw UserError(fmt::format("this program adds a {0} \"{1}\", but that name is taken: give the {0} another, such "
+                                "as \"own.{2}\"",
+                                what, name, name.substr(name.rfind('.') + 1)));
+}
+
+void add_own_problem(ProblemRegistry& problems, const ProblemFamily& family) {
+    const std::string& name = family.description.name;
+    if (auto known = problems.names(); std::ranges::count(known, name) > 0)
+        refuse_taken("search problem", name);
+    problems.add(family);
+}
+
 void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
     if (catalogue.find(kind.name) != nullptr)
-        throw UserError(fmt::format("this program adds a process kind \"{}\", but that name is taken: give the kind "
-                                    "another, such as \"own.{}\"",
-                                    kind.name, kind.name.substr(kind.name.rfind('.') + 1)));
+        refuse_taken("process kind", kind.name);
     catalogue.add(kind);
 }
 
@@ -76,10 +93,16 @@ void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
 
 void add_own_kinds(std::vector<ProcessKind> kinds) { std::ranges::move(kinds, std::back_inserter(own_kinds())); }
 
+void add_own_problems(std::vector<ProblemFamily> problems) {
+    std::ranges::move(problems, std::back_inserter(own_problems()));
+}
+
 ProblemRegistry known_problems(std::uint64_t seed) {
     ProblemRegistry problems;
     add_boom(problems, seed);
     add_plant(problems, seed);
+    for (const ProblemFamily& family : own_problems())
+        add_own_problem(problems, family);
     return problems;
 }
 

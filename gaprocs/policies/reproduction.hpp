@@ -21,6 +21,7 @@ using Parents = std::optional<std::vector<std::size_t>>;
 struct RouletteReproduction {
     static constexpr std::string_view name = "roulette",
                                       about = "a spin for each parent; individuals of fitness <= 0 are discarded";
+    static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
     /// One number of the stream a parent. Throws as RouletteWheel.
@@ -34,6 +35,7 @@ struct RouletteReproduction {
 struct UniversalReproduction {
     static constexpr std::string_view name = "universal",
                                       about = "stochastic universal sampling: one spin with evenly spaced balls";
+    static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
     /// One number for the spin, at least count - 1 for the shuffle. Throws as RouletteWheel.
@@ -46,6 +48,7 @@ struct UniversalReproduction {
 /// fitness only, so that fitness may be negative. Sampled as UniversalReproduction.
 struct ScaledReproduction {
     static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average";
+    static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100}); }
 
@@ -58,6 +61,7 @@ struct ScaledReproduction {
 /// UniversalReproduction.
 struct RankingReproduction {
     static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average";
+    static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2}); }
 
@@ -69,6 +73,7 @@ struct RankingReproduction {
 struct TournamentReproduction {
     static constexpr std::string_view name = "tournament",
                                       about = "the best of `size` drawn at random, for each parent";
+    static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6}); }
 
@@ -82,6 +87,11 @@ class Reproduction : public OneOf<RouletteReproduction, UniversalReproduction, S
 public:
     using OneOf::OneOf;
     static Reproduction named(std::string_view text) { return read<Reproduction>(text); }
+
+    /// Whether individuals of fitness <= 0 never become parents.
+    bool needs_positive_fitness() const {
+        return std::visit([](const auto& way) { return way.needs_positive_fitness; }, policy());
+    }
 
     /// `count` parents. REQUIRES: every fitness is a finite number, and there is one.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;

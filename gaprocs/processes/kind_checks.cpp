@@ -3,11 +3,13 @@
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/processes/slave_chain.hpp"
+#include "gaprocs/usual_settings.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -23,18 +25,27 @@ public:
         try {
             recorded_ = &problems.find(text("problem"));
         } catch (const UserError& unknown) {
-            refuse("problem", unknown.what());
+            if (!refused_before())
+                refuse("problem", unknown.what());
         }
     }
 
     void host() {
-        if (recorded_ && integer("samples") > record_length())
+        if (!recorded_)
+            return;
+        if (has_objective())
+            return refuse_given({"samples", "sample_bytes"}, "\"generations\" says how long it is searched");
+        refuse_generations();
+        if (integer("samples") > record_length())
             refuse("samples", fmt::format("samples = {}, but the record of \"{}\" has {}", integer("samples"),
                                           text("problem"), record_length()));
     }
 
     void search() {
-        check_window();
+        if (has_objective())
+            check_objective();
+        else
+            check_window();
         if (integer("elite") > integer("population") - 2)
             refuse("elite",
                    fmt::format("an elite of {} leaves no pair to be bred in a population of {}", integer("elite"),
@@ -61,12 +72,55 @@ private:
     }
     const std::string& name(std::size_t process) const { return network_.processes[process].name; }
     std::int64_t record_length() const { return static_cast<std::int64_t>(recorded_->samples()); }
+    bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
+    bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
+
+    /// Whether a process before this one has the same problem, and so was told what is wrong with it.
+    bool refused_before() const {
+        auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
+        return std::any_of(first, self, [&](const ProcessInstance& other) {
+            auto problem = other.parameters.find("problem");
+            return other.kind.starts_with("ga.") && problem != other.parameters.end() &&
+                   problem->second == Value(text("problem"));
+        });
+    }
 
     void refuse(std::string about, std::string message, std::string hint = "") {
         refuse_of(process_, std::move(about), std::move(message), std::move(hint));
     }
     void refuse_of(std::size_t process, std::string about, std::string message, std::string hint = "") {
         complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
+    }
+
+    void refuse_given(std::initializer_list<const char*> parameters, const std::string& hint) {
+        for (const char* parameter : parameters)
+            if (given(parameter))
+                refuse(parameter,
+                       fmt::format("{} is of identification only: \"{}\" gives a number for each individual as it is, "
+                                   "and has no record of measurements",
+                                   parameter, text("problem")),
+                       hint);
+    }
+
+    void refuse_generations() {
+        if (given("generations"))
+            refuse("generations",
+                   fmt::format("generations is of problems without a record: \"{}\" has one of {} samples",
+                               text("problem"), record_length()),
+                   "\"samples\" says how many of them are sent, \"trials\" of a master how many generations are made "
+                   "for each");
+    }
+
+    void check_objective() {
+        refuse_given({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
+                      "measurements"},
+                     "leave it out: \"generations\" of ga.host says how long it is searched");
+        if (given("reproduction"))
+            try {
+                require_fitting_reproduction(*recorded_->problem(), Reproduction::named(text("reproduction")));
+            } catch (const UserError& unfit) {
+                refuse("reproduction", unfit.what());
+            }
     }
 
     void check_window() {
@@ -89,11 +143,18 @@ private:
         }
     }
 
-    /// An unknown problem is reported by the process that names it.
+    /// The problem that another process works on; null where it is unknown, which that process is told.
+    const RecordedProblem* problem_of(std::size_t process) const {
+        try {
+            return &problems_.find(text_of(process, "problem"));
+        } catch (const UserError&) {
+            return nullptr;
+        }
+    }
+
     void check_problem(std::size_t process, std::size_t other) {
-        auto known = problems_.names();
-        if (text_of(process, "problem") != text_of(other, "problem") &&
-            std::ranges::count(known, text_of(process, "problem")) > 0)
+        const RecordedProblem* problem = problem_of(process);
+        if (problem && problem != problem_of(other))
             refuse_of(process, "problem",
                       fmt::format("\"{}\" works on the problem \"{}\", but \"{}\" on \"{}\"", name(process),
                                   text_of(process, "problem"), name(other), text_of(other, "problem")));

@@ -1,5 +1,6 @@
 #include "gaprocs/processes/parameters.hpp"
 
+#include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
 
 #include <fmt/format.h>
@@ -33,12 +34,12 @@ Workload read_slave_workload(const ProcessEnvironment& environment) {
     return workload;
 }
 
-Workload read_workload(const ProcessEnvironment& environment) {
+Workload read_workload(const ProcessEnvironment& environment, const SearchProblem& problem) {
     Workload workload = read_slave_workload(environment);
     workload.genetic_operators = Cycles{environment.integer("cycles_per_individual")};
     workload.measurement_conversion = Cycles{environment.integer("cycles_per_measurement_word")};
     workload.string_bytes = bytes(environment, "string_bytes");
-    workload.measurement_bytes = bytes(environment, "measurement_bytes");
+    workload.measurement_bytes = problem.objective() ? 0 : bytes(environment, "measurement_bytes");
     return workload;
 }
 
@@ -46,19 +47,20 @@ Coding read_coding(const ProcessEnvironment& environment) {
     return coding_named(environment.text("coding")).value(); // the catalogue allows no other
 }
 
-SearchSettings read_search_settings(const ProcessEnvironment& environment) {
-    SearchSettings settings;
+SearchSettings read_search_settings(const ProcessEnvironment& environment, const SearchProblem& problem) {
+    SearchSettings settings = usual_settings(problem);
     settings.population = size(environment, "population");
     settings.crossover_probability = environment.real("crossover");
     settings.mutation_probability = environment.real("mutation");
     settings.elite = size(environment, "elite");
-    settings.reproduction = Reproduction::named(environment.text("reproduction"));
+    if (environment.given("reproduction") || !problem.objective())
+        settings.reproduction = Reproduction::named(environment.text("reproduction"));
     settings.crossover = Crossover::named(environment.text("crossover_operator"));
     settings.window.length = size(environment, "window");
     settings.window.first = size(environment, "first_window");
     settings.window.trials = size(environment, "trials");
     settings.window.bias = environment.real("bias");
-    return settings;
+    return settings_for(problem, settings);
 }
 
 Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {

@@ -115,6 +115,9 @@ std::vector<MeasurementDescription> search_measurements() {
          "with everything that a generation and a new sample cost; not there when they cost no time"},
         {"populations", "", "a hash of every population, in order: equal for equal generations"},
         {"best_fitness", "(unit of the error)^2", "of the last generation's best individual"},
+        {"best_objective", "the problem's",
+         "in place of it for a problem without a record: the best of all generations"},
+        {"known_optimum", "the problem's", "the best objective there is, where the problem knows it"},
         {"the problem's parameters", "", "as decoded from that individual"},
     };
 }

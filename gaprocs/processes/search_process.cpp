@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -35,8 +36,8 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 class SearchProcess {
 public:
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem)
-        : environment_(environment), problem_(problem), settings_(read_search_settings(environment)),
-          workload_(read_workload(environment)), from_host_(environment.input<HostMessage>("from_host")),
+        : environment_(environment), problem_(problem), settings_(read_search_settings(environment, problem)),
+          workload_(read_workload(environment, problem)), from_host_(environment.input<HostMessage>("from_host")),
           farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.bits(), settings_, environment.random_stream(stream_name(environment))) {
@@ -92,6 +93,8 @@ private:
         operators_.start();
         compute(static_cast<std::int64_t>(fitness.size()) * workload_.genetic_operators);
         search_.next_generation(fitness);
+        if (!best_ || search_.best().fitness > best_->fitness)
+            best_ = search_.best();
         operators_.stop();
         execution_.stop();
     }
@@ -145,11 +148,26 @@ private:
             environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
     }
 
+    /// With measurements the last generation knows most; an objective stays, and so does the best that was ever found.
     void report_estimate() {
-        environment_.measure("best_fitness", search_.best().fitness);
-        auto values = problem_.decode(search_.best().genome);
+        auto objective = problem_.objective();
+        const Individual& best = objective ? *best_ : search_.best();
+        if (objective)
+            report_objective(*objective, best.fitness);
+        else
+            environment_.measure("best_fitness", best.fitness);
+        auto values = problem_.decode(best.genome);
         for (std::size_t i = 0; i < values.size(); ++i)
             environment_.measure(problem_.parameter_names()[i], values[i], problem_.parameter_units()[i]);
+    }
+
+    void report_objective(const Objective& objective, double fitness) {
+        if (auto value = objective.value(fitness))
+            environment_.measure("best_objective", *value, objective.unit);
+        else
+            environment_.measure("best_objective", "not a finite number");
+        if (objective.optimum)
+            environment_.measure("known_optimum", *objective.optimum, objective.unit);
     }
 
     ProcessEnvironment& environment_;
@@ -166,6 +184,7 @@ private:
 
     SlidingWindow window_;
     Search search_;
+    std::optional<Individual> best_; ///< of all generations; of no use where the window moves
     Fingerprint populations_;
 
     bool timing_ = false;
@@ -175,7 +194,8 @@ private:
 
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
-    read_search_settings(environment).window.validate_for(recorded.samples());
+    if (!recorded.problem()->objective())
+        read_search_settings(environment, *recorded.problem()).window.validate_for(recorded.samples());
     SearchProcess(environment, *recorded.problem()->coded(read_coding(environment))).run();
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,10 +37,10 @@ public:
         AnyChannel* channel;
     };
 
-    ProcessEnvironment(std::string process, std::map<std::string, Value> parameters, std::vector<Port> ports,
-                       std::uint64_t seed, std::vector<Measurement>& measurements)
-        : process_(std::move(process)), parameters_(std::move(parameters)), ports_(std::move(ports)), seed_(seed),
-          measurements_(measurements) {}
+    ProcessEnvironment(std::string process, std::map<std::string, Value> parameters, std::set<std::string> given,
+                       std::vector<Port> ports, std::uint64_t seed, std::vector<Measurement>& measurements)
+        : process_(std::move(process)), parameters_(std::move(parameters)), given_(std::move(given)),
+          ports_(std::move(ports)), seed_(seed), measurements_(measurements) {}
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
@@ -47,6 +48,8 @@ public:
     std::int64_t integer(std::string_view parameter) const { return get<std::int64_t>(parameter); }
     double real(std::string_view parameter) const { return get<double>(parameter); }
     const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
+    /// Whether the netlist gives the parameter; else it has its default.
+    bool given(const std::string& parameter) const { return given_.contains(parameter); }
 
     bool connected(std::string_view port) const { return find(port) != nullptr; }
     template <class T>
@@ -106,6 +109,7 @@ private:
 
     std::string process_;
     std::map<std::string, Value> parameters_;
+    std::set<std::string> given_;
     std::vector<Port> ports_;
     std::uint64_t seed_;
     std::vector<Measurement>& measurements_;

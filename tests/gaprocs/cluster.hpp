@@ -6,6 +6,7 @@
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "tests/gaprocs/objectives.hpp"
 
 #include <fmt/format.h>
 
@@ -26,11 +27,14 @@ struct Cluster {
     std::string workstation = "linkspeed = 20M";
     std::string master_parameters = "rehearsals = 2";
     std::string stream = "one stream";
+    std::string problem = "line";
+    std::string host_parameters = "";
 
     std::string netlist() const {
-        std::string text = fmt::format("workstation ({}) sun;\nprocess (interface (output to_masters[{}])) host;\n"
-                                       "use \"ga.host\" for host;\nplace host on sun;\nhost (problem = \"line\");\n",
-                                       workstation, islands);
+        std::string text =
+            fmt::format("workstation ({}) sun;\nprocess (interface (output to_masters[{}])) host;\n"
+                        "use \"ga.host\" for host;\nplace host on sun;\nhost (problem = \"{}\"{}{});\n",
+                        workstation, islands, problem, host_parameters.empty() ? "" : ", ", host_parameters);
         for (int island = 0; island < islands; ++island)
             text += master(island);
         for (int island = 0; island < islands; ++island)
@@ -56,13 +60,14 @@ private:
                         "use \"ga.island\" for master{0};\nplace master{0} on t{0}_0;\n"
                         "connect sun.link[{0}] to t{0}_0.link[0];\n"
                         "connect host.to_masters[{0}] to master{0}.from_host;\n"
-                        "master{0} (problem = \"line\", population = {1}, {2});\n",
-                        island, population, master_parameters);
+                        "master{0} (problem = \"{3}\", population = {1}, {2});\n",
+                        island, population, master_parameters, problem);
         if (islands == 1)
             text += fmt::format("master{} (stream = \"{}\");\n", island, stream);
         if (slaves > 0)
-            text += fmt::format("master{} (slaves = {}, split = \"{}\", measurements = \"{}\");\n", island, slaves,
-                                split, measurements);
+            text += fmt::format("master{} (slaves = {}, split = \"{}\");\n", island, slaves, split);
+        if (slaves > 0 && !measurements.empty())
+            text += fmt::format("master{} (measurements = \"{}\");\n", island, measurements);
         return text;
     }
 
@@ -72,10 +77,10 @@ private:
                fmt::format("process (interface (input from_master, output to_master, output to_next, input from_next)) "
                            "slave{0}_{1};\nuse \"ga.slave\" for slave{0}_{1};\nplace slave{0}_{1} on t{0}_{2};\n"
                            "connect t{0}_{1}.link[3] to t{0}_{2}.link[1];\n"
-                           "slave{0}_{1} (problem = \"line\");\n"
+                           "slave{0}_{1} (problem = \"{6}\");\n"
                            "connect {3}.{4} to slave{0}_{1}.from_master;\nconnect slave{0}_{1}.to_master to {3}.{5};\n",
                            island, i, i + 1, before, i == 0 ? "to_slaves" : "to_next",
-                           i == 0 ? "from_slaves" : "from_next");
+                           i == 0 ? "from_slaves" : "from_next", problem);
     }
 };
 
@@ -84,6 +89,9 @@ inline constexpr std::size_t line_samples = 12;
 inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1) {
     ProblemRegistry problems;
     problems.add("line", make_search_problem(LineProblem{}), line_record(line_samples));
+    problems.add("sphere", minimise(PlainSphere{}));
+    problems.add("nowhere", minimise(Nowhere{}));
+    problems.add(minimised<Valley>());
     Catalogue catalogue;
     add_genetic_algorithm_kinds(catalogue, problems);
     ReadResult read = read_netlist_text(netlist, catalogue);

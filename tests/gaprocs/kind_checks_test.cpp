@@ -5,6 +5,7 @@
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "tests/gaprocs/objectives.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -49,6 +50,7 @@ struct Kinds {
     Kinds() {
         problems.add("line", make_search_problem(LineProblem{}), line_record(samples));
         problems.add("other line", make_search_problem(LineProblem{}), line_record(samples));
+        problems.add("sphere", minimise(PlainSphere{}));
         add_genetic_algorithm_kinds(catalogue, problems);
     }
 };
@@ -138,10 +140,60 @@ TEST_CASE("settings that do not fit together are refused at the parameter") {
 
 TEST_CASE("problems are known, and all work on the same") {
     says(refusal("slave 0", "slave[0] (problem = \"curve\");"),
-         "farm.cfs:6:11: error: there is no search problem 'curve'; known: line, other line");
+         "farm.cfs:6:11: error: there is no search problem 'curve'; known: line, other line, sphere");
     says(refusal("slave 1", "slave[1] (problem = \"other line\");"),
          "farm.cfs:7:11: error: \"slave[1]\" works on the problem \"other line\", but \"master\" on \"line\"");
     says(refusal("host", "host (problem = \"other line\");"), "\"host\" works on the problem \"other line\"");
+}
+
+TEST_CASE("a problem that does not exist is refused once, by the first that asks for it") {
+    auto lines = statements();
+    for (auto& [name, statement] : lines)
+        for (auto at = statement.find("\"line\""); at != std::string::npos; at = std::string::npos)
+            statement.replace(at, 6, "\"curve\"");
+    Kinds kinds;
+    auto read = read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs");
+    CHECK(read.diagnostics.size() == 1);
+    says(render(read.diagnostics), "farm.cfs:4:7: error: there is no search problem 'curve'");
+}
+
+namespace {
+
+/// All that is said where all work on the sphere.
+std::string refusal_of_sphere(const std::string& host, const std::string& master) {
+    auto lines = statements();
+    lines.at("host") = fmt::format("host (problem = \"sphere\"{});", host);
+    lines.at("master") = fmt::format("master (problem = \"sphere\", slaves = 2{});", master);
+    lines.at("slave 0") = "slave[0] (problem = \"sphere\");";
+    lines.at("slave 1") = "slave[1] (problem = \"sphere\");";
+    Kinds kinds;
+    return render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
+}
+
+} // namespace
+
+TEST_CASE("what is of identification only is refused where there is no record") {
+    CHECK(refusal_of_sphere("", "").empty());
+    CHECK(refusal_of_sphere(", generations = 7", "").empty());
+    for (const char* parameter :
+         {"window = 10", "first_window = 5", "trials = 5", "bias = 400.0", "measurement_bytes = 148",
+          "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
+        std::string name(parameter, std::string(parameter).find(' '));
+        says(refusal_of_sphere("", fmt::format(", {}", parameter)),
+             fmt::format("farm.cfs:5:41: error: {} is of identification only: \"sphere\" gives a number for each "
+                         "individual as it is, and has no record of measurements",
+                         name));
+    }
+    says(refusal_of_sphere(", samples = 3", ""), "farm.cfs:4:27: error: samples is of identification only");
+    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" says how long it is searched");
+    says(refusal("host", "host (problem = \"line\", generations = 3);"),
+         "farm.cfs:4:25: error: generations is of problems without a record: \"line\" has one of 12 samples");
+}
+
+TEST_CASE("reproduction that an objective does not allow is refused where it is given") {
+    says(refusal_of_sphere("", ", reproduction = \"roulette\""),
+         "farm.cfs:5:41: error: reproduction by roulette discards individuals of fitness <= 0");
+    CHECK(refusal_of_sphere("", ", reproduction = \"tournament\"").empty());
 }
 
 TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {

@@ -1,7 +1,10 @@
 // Two processes of a program that uses PlacedPar as a library, and something of every room.
 
 #include "placedpar/experiments/kit/experiment.hpp"
+#include "placedpar/gaprocs/objective_problem.hpp"
 #include "placedpar/gaprocs/representation/genome.hpp"
+#include "placedpar/gaprocs/traditional.hpp"
+#include "placedpar/gaprocs/usual_settings.hpp"
 #include "placedpar/hydraulics/circuit/boom_orifices.hpp"
 #include "placedpar/identification/identification.hpp"
 #include "placedpar/monitor/service/service.hpp"
@@ -22,6 +25,20 @@ std::size_t number_of_the_boom() {
     return index_of(Link::boom);
 }
 
+struct Parabola {
+    placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {-2, 2, 8}); }
+    double objective(std::span<const double> x) const { return x[0] * x[0]; }
+};
+
+/// A problem of this program's own, in the library.
+bool parabola_is_searched() {
+    auto parabola = placedpar::minimise(Parabola{});
+    auto settings = placedpar::usual_settings(*parabola);
+    return placedpar::run_traditional(*parabola, 50, settings, placedpar::RandomStream(1, "parabola"))
+               .best()
+               .best.fitness == 0;
+}
+
 bool every_room_is_there() {
     placedpar::ProblemRegistry problems = placedpar::known_problems(1);
     return placedpar::Genome::from_string("101").field(0, 3) == 5 &&
@@ -40,5 +57,7 @@ int main() {
     simulation.process("receiver", [&] { received = c.in().input(); });
     bool completed = simulation.run().ending == placedpar::Ending::completed;
     std::printf("received %d\n", received);
-    return completed && received == 42 && number_of_the_boom() == 1 && every_room_is_there() ? 0 : 1;
+    return completed && received == 42 && number_of_the_boom() == 1 && parabola_is_searched() && every_room_is_there()
+               ? 0
+               : 1;
 }

@@ -11,12 +11,16 @@ must(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build
 must(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 must(${SCRATCH}/build/consumer)
 
-# The program of docs/own-processes.md, as the page says.
-must(${CMAKE_COMMAND} -G Ninja -S ${SCRATCH}/installed/share/placedpar/examples/40-own-process -B ${SCRATCH}/own
-     -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
-     -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
-must(${CMAKE_COMMAND} --build ${SCRATCH}/own)
-must(${SCRATCH}/own/own_process run ${SCRATCH}/installed/share/placedpar/examples/40-own-process/thin.cfs)
+# The programs of docs/own-processes.md and docs/own-problem.md, as the pages say.
+foreach(example 40-own-process/thin 41-own-problem/tin)
+    cmake_path(GET example PARENT_PATH folder)
+    string(REGEX REPLACE "^[0-9]+-own-(.*)$" "own_\\1" program ${folder})
+    must(${CMAKE_COMMAND} -G Ninja -S ${SCRATCH}/installed/share/placedpar/examples/${folder} -B ${SCRATCH}/${program}
+         -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+         -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+    must(${CMAKE_COMMAND} --build ${SCRATCH}/${program})
+    must(${SCRATCH}/${program}/${program} run ${SCRATCH}/installed/share/placedpar/examples/${example}.cfs)
+endforeach()
 
 unset(ENV{PLACEDPAR_EXAMPLES})
 must(${SCRATCH}/installed/bin/placedpar kinds)

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace placedpar {
+
+enum class Goal : unsigned char { minimise, maximise };
+
+/// The fitness of an individual whose objective is not a number, or infinite: less than that of every other. Finite, so
+/// that the fitness of a whole population can be added up.
+inline constexpr double worst_fitness = -0x1p1000;
+
+/// A number that a problem gives for an individual as it is, without any measurements.
+struct Objective {
+    Goal goal = Goal::minimise;
+    std::string unit = {};
+    std::optional<double> optimum = {}; ///< the best value there is, where it is known
+
+    /// The greater the better: the value, negated where it is to be minimised. Beyond 2^1000 they are all the same.
+    double fitness(double value) const {
+        if (!std::isfinite(value))
+            return worst_fitness;
+        return std::clamp(goal == Goal::maximise ? value : -value, worst_fitness, -worst_fitness);
+    }
+    /// The value of an individual of this fitness; nothing where it is no finite number.
+    std::optional<double> value(double fitness) const {
+        if (fitness == worst_fitness)
+            return std::nullopt;
+        return goal == Goal::maximise ? fitness : 0 - fitness;
+    }
+};
+
+} // namespace placedpar

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "gaprocs/objective.hpp"
+#include "gaprocs/representation/parameter_coding.hpp"
+#include "gaprocs/search_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+// A problem of which a search needs to know one number for each individual is a plain struct such as
+//
+//     struct Sphere {
+//         ParameterCoding representation() const { return ParameterCoding(3, {-5.12, 5.12, 16}); }
+//         double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
+//     };
+//
+// and minimise(Sphere{}) makes it a SearchProblem. An objective that is not a number, or infinite, is worse than every
+// other: so a problem says that an individual is not allowed.
+
+/// What such a struct states: how a string is read, and the objective of what was read.
+/// Optional: parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit; objective_unit();
+/// optimum(), the best objective there is.
+template <typename P>
+concept StatesObjective = requires(const P& problem, const Genome& genome) {
+    { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;
+    { problem.representation().bits() } -> std::convertible_to<std::size_t>;
+};
+
+/// SearchProblem around such a struct.
+template <StatesObjective P>
+class ObjectiveProblemOf final : public SearchProblem {
+public:
+    ObjectiveProblemOf(P problem, Goal goal, Coding coding = Coding::natural)
+        : problem_(std::move(problem)),
+          representation_(problem_.representation()), objective_{goal, unit(), known_optimum()}, coding_(coding) {}
+
+    std::size_t bits() const override { return representation_.bits(); }
+    std::size_t channels() const override { return 0; }
+    double error(const Genome&, std::span<const double>) const override {
+        throw std::logic_error("an objective problem has no error");
+    }
+    double fitness(const Genome& genome, std::span<const Sample>, double) const override {
+        return objective_.fitness(problem_.objective(read(genome)));
+    }
+    void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
+                    std::span<double> out) const override {
+        for (std::size_t i = 0; i < population.size(); ++i)
+            out[i] = fitness(population[i], samples, bias);
+    }
+    std::optional<Objective> objective() const override { return objective_; }
+
+    std::vector<double> decode(const Genome& genome) const override { return read(genome); }
+    std::vector<std::string> parameter_names() const override {
+        if constexpr (requires { problem_.parameter_names(); })
+            return problem_.parameter_names();
+        std::vector<std::string> names;
+        for (std::size_t i = 1; i <= representation_.parameters(); ++i)
+            names.push_back(fmt::format("x_{}", i));
+        return names;
+    }
+    std::vector<std::string> parameter_units() const override {
+        if constexpr (requires { problem_.parameter_units(); })
+            return problem_.parameter_units();
+        return std::vector<std::string>(representation_.parameters());
+    }
+
+    Coding coding() const override { return coding_; }
+    std::shared_ptr<const SearchProblem> coded(Coding coding) const override {
+        return std::make_shared<ObjectiveProblemOf>(problem_, objective_.goal, coding);
+    }
+
+private:
+    auto read(const Genome& genome) const {
+        if (coding_ == Coding::gray)
+            return representation_.decode(GrayCoded(genome));
+        return representation_.decode(genome);
+    }
+    std::string unit() const {
+        if constexpr (requires { problem_.objective_unit(); })
+            return std::string(problem_.objective_unit());
+        return "";
+    }
+    std::optional<double> known_optimum() const {
+        if constexpr (requires { problem_.optimum(); })
+            return problem_.optimum();
+        return std::nullopt;
+    }
+
+    P problem_;
+    std::remove_cvref_t<decltype(std::declval<const P&>().representation())> representation_;
+    Objective objective_;
+    Coding coding_;
+};
+
+/// Throws as P::representation() does.
+template <StatesObjective P>
+std::shared_ptr<const SearchProblem> minimise(P problem) {
+    return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise);
+}
+template <StatesObjective P>
+std::shared_ptr<const SearchProblem> maximise(P problem) {
+    return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::maximise);
+}
+
+} // namespace placedpar

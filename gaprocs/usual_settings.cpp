@@ -1,0 +1,37 @@
+#include "gaprocs/usual_settings.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+SearchSettings usual_settings(const SearchProblem& problem) {
+    SearchSettings settings;
+    if (problem.objective())
+        settings.reproduction = RankingReproduction{};
+    return settings;
+}
+
+SearchSettings settings_for(const SearchProblem& problem, SearchSettings settings) {
+    require_fitting_reproduction(problem, settings.reproduction);
+    if (problem.objective())
+        settings.window = {.length = 1, .first = 1, .trials = 1};
+    return settings;
+}
+
+void require_fitting_reproduction(const SearchProblem& problem, const Reproduction& reproduction) {
+    auto objective = problem.objective();
+    if (objective && objective->goal == Goal::minimise && reproduction.needs_positive_fitness())
+        throw UserError(fmt::format("reproduction by {} discards individuals of fitness <= 0, and an objective that is "
+                                    "minimised is negated: expected ranking, scaled or tournament",
+                                    reproduction.text()));
+}
+
+std::vector<Sample> empty_record(std::size_t generations) {
+    if (generations == 0)
+        throw UserError("0 generations, expected at least 1");
+    return std::vector<Sample>(generations);
+}
+
+} // namespace placedpar

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gaprocs/search_problem.hpp"
+#include "gaprocs/settings.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar {
+
+/// The settings for a problem where nobody says otherwise: the thesis's, but for reproduction by ranking where the
+/// problem has an objective, which may be negative.
+SearchSettings usual_settings(const SearchProblem&);
+
+/// `settings` as they hold for the problem. Window and generations per sample are of identification: with an objective
+/// they stand for one empty sample and one generation, whatever they are. Throws UserError for settings that do not fit
+/// the problem: see require_fitting_reproduction().
+SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
+
+/// Throws UserError, saying what would be right, for a reproduction by which no individual could become a parent: one
+/// that needs positive fitness, with an objective that is minimised and therefore negated.
+void require_fitting_reproduction(const SearchProblem&, const Reproduction&);
+
+/// The record of an objective problem for so many generations: samples without a number. Throws UserError for none.
+std::vector<Sample> empty_record(std::size_t generations);
+
+} // namespace placedpar

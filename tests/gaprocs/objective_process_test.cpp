@@ -1,0 +1,114 @@
+// Objective problems on the simulated machine: the generations of the library, whoever evaluates them.
+
+#include "gaprocs/islands.hpp"
+#include "gaprocs/traditional.hpp"
+#include "gaprocs/usual_settings.hpp"
+#include "runtime/fingerprint.hpp"
+#include "tests/gaprocs/cluster.hpp"
+#include "tests/gaprocs/objectives.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr std::size_t generations = 12;
+
+Cluster sphere_cluster(int slaves, const char* split) {
+    return {.slaves = slaves,
+            .split = split,
+            .measurements = "",
+            .problem = "sphere",
+            .host_parameters = fmt::format("generations = {}", generations)};
+}
+
+std::shared_ptr<const SearchProblem> the_sphere() { return minimise(PlainSphere{}); }
+
+SearchSettings sphere_settings(std::size_t population) {
+    SearchSettings settings = usual_settings(*the_sphere());
+    settings.population = population;
+    return settings;
+}
+
+void mix(Fingerprint& populations, const std::vector<Genome>& population) {
+    for (const Genome& genome : population)
+        for (std::uint64_t word : genome.words())
+            populations.mix(word);
+}
+
+/// A hash of every population of each island, as processes measure it.
+std::vector<std::string> populations_of_library(std::size_t islands, std::vector<RandomStream> streams) {
+    auto sphere = the_sphere();
+    IslandsSettings settings;
+    settings.islands.assign(islands, sphere_settings(30));
+    if (islands == 1)
+        settings.topology = NoTopology{};
+    Islands side_by_side(*sphere, settings, std::move(streams));
+    std::vector<Fingerprint> populations(islands);
+    for (std::size_t generation = 0; generation < generations; ++generation) {
+        side_by_side.push({});
+        for (std::size_t i = 0; i < islands; ++i)
+            mix(populations[i], side_by_side.searches()[i].population());
+        side_by_side.next_generation();
+    }
+    std::vector<std::string> hashes;
+    for (const Fingerprint& hash : populations)
+        hashes.push_back(fmt::format("{:016x}", hash.value()));
+    return hashes;
+}
+
+} // namespace
+
+TEST_CASE("a farm gives an objective problem the library's generations, for every split") {
+    std::string expected = populations_of_library(1, {RandomStream(1, "one stream")}).front();
+    auto result = run_traditional(*the_sphere(), generations, sphere_settings(30), RandomStream(1, "one stream"));
+    for (const char* split : {"individuals", "demand", "evaluations"})
+        for (int slaves : {0, 1, 2, 7, 29}) {
+            CAPTURE(split);
+            CAPTURE(slaves);
+            RunReport report = run_on_line(sphere_cluster(slaves, split).netlist());
+            CHECK(report.result.ending == Ending::completed);
+            CHECK(report.measured("master0", "generations") == generations);
+            CHECK(report.measured_text("master0", "populations") == expected);
+            CHECK(report.measured("master0", "best_objective") == -result.best().best.fitness);
+            CHECK(report.measured("master0", "x_3") == result.best().parameters[2]);
+        }
+}
+
+TEST_CASE("islands of an objective problem exchange as in the library") {
+    Cluster cluster = sphere_cluster(2, "individuals");
+    cluster.islands = 3;
+    RunReport report = run_on_line(cluster.netlist());
+    std::vector<RandomStream> streams;
+    for (const char* name : {"master0", "master1", "master2"})
+        streams.emplace_back(1, name);
+    auto expected = populations_of_library(3, streams);
+    for (int i = 0; i < 3; ++i)
+        CHECK(report.measured_text(fmt::format("master{}", i), "populations") == expected[static_cast<std::size_t>(i)]);
+}
+
+TEST_CASE("nothing is measured, so no measurements are sent") {
+    Cluster cluster = sphere_cluster(1, "individuals");
+    RunReport cheap = run_on_line(cluster.netlist());
+    Cluster line{.slaves = 1, .master_parameters = "window = 1, trials = 1, rehearsals = 2"};
+    RunReport dear = run_on_line(line.netlist());
+    // 148 bytes of 11 bits at 20 Mbit/s, and making them ready.
+    double difference = dear.measured("master0", "C_time2") - cheap.measured("master0", "C_time2");
+    CHECK(difference > 0.08);
+    CHECK(difference < 0.2);
+}
+
+TEST_CASE("a goal that is known is measured beside what was found; a result that is none is said in words") {
+    Cluster valley = sphere_cluster(0, "individuals");
+    valley.problem = "valley(low = -0.5)";
+    RunReport report = run_on_line(valley.netlist());
+    CHECK(report.measured("master0", "known_optimum") == 0);
+    CHECK(report.measured("master0", "best_objective") < 0.1);
+    CHECK(report.measured("master0", "along") >= -0.5);
+    valley.problem = "nowhere";
+    CHECK(run_on_line(valley.netlist()).measured_text("master0", "best_objective") == "not a finite number");
+}

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "gaprocs/objective_problem.hpp"
+#include "gaprocs/policies/policy.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+/// The least complete problem there is.
+struct PlainSphere {
+    placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(3, {-4, 4, 8}); }
+    double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
+};
+
+/// All that one may state, with numbers that a name may give.
+struct Valley {
+    static constexpr std::string_view name = "valley", about = "a straight valley";
+    std::size_t dimensions = 2;
+    double low = -1;
+    static constexpr auto numbers() {
+        return std::tuple(placedpar::PolicyNumber{"dimensions", &Valley::dimensions, 1, 9},
+                          placedpar::PolicyNumber{"low", &Valley::low, -9, 9});
+    }
+
+    placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(dimensions, {low, 1, 4}); }
+    double objective(std::span<const double> x) const { return std::abs(x[0]); }
+    std::vector<std::string> parameter_names() const { return {"across", "along"}; }
+    std::vector<std::string> parameter_units() const { return {"m", "km"}; }
+    std::string_view objective_unit() const { return "m"; }
+    double optimum() const { return 0; }
+};
+
+/// x where it is a number, and no number or infinity elsewhere.
+struct Cliff {
+    placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
+    double objective(std::span<const double> x) const {
+        using Limits = std::numeric_limits<double>;
+        return x[0] == 1   ? Limits::quiet_NaN()
+               : x[0] == 2 ? Limits::infinity()
+               : x[0] == 3 ? -Limits::infinity()
+                           : x[0];
+    }
+};
+
+/// No number anywhere.
+struct Nowhere {
+    placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
+    double objective(std::span<const double>) const { return std::numeric_limits<double>::quiet_NaN(); }
+};

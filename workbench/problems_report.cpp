@@ -1,0 +1,124 @@
+#include "workbench/problems_report.hpp"
+
+#include "text/paint.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// Nothing where the problem is no family.
+std::optional<PolicyDescription> family_named(const ProblemRegistry& problems, std::string_view name) {
+    auto families = problems.families();
+    auto found = std::ranges::find(families, name, &PolicyDescription::name);
+    return found == families.end() ? std::nullopt : std::optional(*found);
+}
+
+/// "sphere" of "sphere(3)".
+std::string base_of(const std::string& name) { return name.substr(0, name.find('(')); }
+
+std::string record_of(const RecordedProblem& recorded) {
+    return fmt::format("identified over a record of {} samples of {} numbers", recorded.samples(),
+                       recorded.problem()->channels());
+}
+
+std::string goal_of(const Objective& objective) {
+    std::string optimum = objective.optimum ? fmt::format("; the optimum is {}", *objective.optimum) : "";
+    return fmt::format("{}{}{}", objective.goal == Goal::minimise ? "minimised" : "maximised", optimum,
+                       objective.optimum && !objective.unit.empty() ? " " + objective.unit : "");
+}
+
+std::string what_is_searched(const RecordedProblem& recorded) {
+    auto objective = recorded.problem()->objective();
+    return objective ? goal_of(*objective) : record_of(recorded);
+}
+
+std::string print_number(const PolicyNumberDescription& number) {
+    return fmt::format("  {:<16} {:<7} default {:<14} {} .. {}\n", number.name, number.whole ? "int" : "double",
+                       number.by_default, number.least, number.most);
+}
+
+/// "C_BUi in^3/psi"; of many alike the first and the last.
+std::string print_parameters(const SearchProblem& problem) {
+    auto names = problem.parameter_names(), units = problem.parameter_units();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (!units[i].empty())
+            names[i] += " " + units[i];
+    if (names.size() > 4)
+        names = {names[0], names[1], "...", names.back()};
+    return names.empty() ? "" : fmt::format("parameters: {}\n", fmt::join(names, ", "));
+}
+
+boost::json::value value_or_null(std::optional<double> value) {
+    return value ? boost::json::value(*value) : boost::json::value();
+}
+
+boost::json::array numbers_json(const std::optional<PolicyDescription>& family) {
+    boost::json::array array;
+    for (const PolicyNumberDescription& number : family ? family->numbers : std::vector<PolicyNumberDescription>{})
+        array.push_back({{"name", number.name},
+                         {"whole", number.whole},
+                         {"default", number.by_default},
+                         {"least", number.least},
+                         {"most", number.most}});
+    return array;
+}
+
+} // namespace
+
+std::string print_problems(const ProblemRegistry& problems) {
+    std::string out = painted(Paint::heading, "problems\n");
+    for (const std::string& name : problems.names()) {
+        auto family = family_named(problems, name);
+        out += fmt::format("  {:<42} {}\n", family ? family->text() : name,
+                           family ? family->about : record_of(problems.find(name)));
+    }
+    return out;
+}
+
+std::string print_problem(const ProblemRegistry& problems, const std::string& name) {
+    const RecordedProblem& recorded = problems.find(name);
+    std::string out = painted(Paint::heading, name) + "\n";
+    auto family = family_named(problems, base_of(name));
+    if (family)
+        out += family->about + "\n";
+    out += fmt::format("{}\nstring: {} bits\n", what_is_searched(recorded), recorded.problem()->bits()) +
+           print_parameters(*recorded.problem());
+    if (!family || family->numbers.empty())
+        return out;
+    out += painted(Paint::heading, "\nnumbers\n");
+    for (const PolicyNumberDescription& number : family->numbers)
+        out += print_number(number);
+    return out;
+}
+
+boost::json::object problem_json(const ProblemRegistry& problems, const std::string& name) {
+    const RecordedProblem& recorded = problems.find(name);
+    auto family = family_named(problems, base_of(name));
+    auto objective = recorded.problem()->objective();
+    return {{"name", name},
+            {"about", family ? family->about : ""},
+            {"numbers", numbers_json(family)},
+            {"goal", !objective                          ? ""
+                     : objective->goal == Goal::minimise ? "minimise"
+                                                         : "maximise"},
+            {"unit", objective ? objective->unit : ""},
+            {"optimum", value_or_null(objective ? objective->optimum : std::nullopt)},
+            {"samples", recorded.samples()},
+            {"bits", recorded.problem()->bits()}};
+}
+
+boost::json::array problems_json(const ProblemRegistry& problems) {
+    boost::json::array array;
+    for (const std::string& name : problems.names())
+        array.push_back(problem_json(problems, name));
+    return array;
+}
+
+} // namespace placedpar
