@@ -72,7 +72,7 @@ Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::ve
     fitness_.resize(streams.size());
     for (std::size_t i = 0; i < streams.size(); ++i) {
         windows_.emplace_back(settings_.islands[i].window);
-        searches_.emplace_back(problem.bits(), settings_.islands[i], std::move(streams[i]));
+        searches_.emplace_back(problem.representation(), settings_.islands[i], std::move(streams[i]));
     }
 }
 

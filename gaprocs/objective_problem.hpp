@@ -2,6 +2,7 @@
 
 #include "gaprocs/objective.hpp"
 #include "gaprocs/representation/parameter_coding.hpp"
+#include "gaprocs/representation/representation.hpp"
 #include "gaprocs/search_problem.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +26,11 @@ namespace placedpar {
 //         double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 //     };
 //
-// and minimise(Sphere{}) makes it a SearchProblem. An objective that is not a number, or infinite, is worse than every
-// other: so a problem says that an individual is not allowed.
+// and minimise(Sphere{}) makes it a SearchProblem. What objective() takes is what the representation reads: numbers
+// (std::span<const double>) of a ParameterCoding or a RealVector, the string itself (const Genome&) of a BitString, an
+// order (std::span<const std::size_t>) of a Permutation. A ParameterCoding can be searched as bits or, without them, as
+// the real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is not a number, or infinite, is
+// worse than every other: so a problem says that an individual is not allowed.
 
 /// What such a struct states: how a string is read, and the objective of what was read.
 /// Optional: parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit; objective_unit();
@@ -41,11 +45,22 @@ concept StatesObjective = requires(const P& problem, const Genome& genome) {
 template <StatesObjective P>
 class ObjectiveProblemOf final : public SearchProblem {
 public:
-    ObjectiveProblemOf(P problem, Goal goal, Coding coding = Coding::natural)
+    ObjectiveProblemOf(P problem, Goal goal)
         : problem_(std::move(problem)),
-          representation_(problem_.representation()), objective_{goal, unit(), known_optimum()}, coding_(coding) {}
+          representation_(problem_.representation()), objective_{goal, unit(), known_optimum()} {}
+    ObjectiveProblemOf(P problem, Objective objective, Coding coding)
+        : problem_(std::move(problem)), representation_(problem_.representation()), objective_(std::move(objective)),
+          coding_(coding) {}
 
-    std::size_t bits() const override { return representation_.bits(); }
+    std::size_t bits() const override { return representation().bits(); }
+    Representation representation() const override {
+        if constexpr (by_fields) {
+            if (coding_ == Coding::real)
+                return representation_.reals();
+            return BitString(representation_.bits());
+        } else
+            return representation_;
+    }
     std::size_t channels() const override { return 0; }
     double error(const Genome&, std::span<const double>) const override {
         throw std::logic_error("an objective problem has no error");
@@ -60,31 +75,60 @@ public:
     }
     std::optional<Objective> objective() const override { return objective_; }
 
-    std::vector<double> decode(const Genome& genome) const override { return read(genome); }
+    /// Nothing where the string stands for no numbers.
+    std::vector<double> decode(const Genome& genome) const override {
+        if constexpr (of_numbers)
+            return read(genome);
+        else
+            return {};
+    }
     std::vector<std::string> parameter_names() const override {
         if constexpr (requires { problem_.parameter_names(); })
             return problem_.parameter_names();
         std::vector<std::string> names;
-        for (std::size_t i = 1; i <= representation_.parameters(); ++i)
+        for (std::size_t i = 1; i <= parameters(); ++i)
             names.push_back(fmt::format("x_{}", i));
         return names;
     }
     std::vector<std::string> parameter_units() const override {
         if constexpr (requires { problem_.parameter_units(); })
             return problem_.parameter_units();
-        return std::vector<std::string>(representation_.parameters());
+        return std::vector<std::string>(parameters());
     }
 
     Coding coding() const override { return coding_; }
-    std::shared_ptr<const SearchProblem> coded(Coding coding) const override {
-        return std::make_shared<ObjectiveProblemOf>(problem_, objective_.goal, coding);
-    }
 
 private:
-    auto read(const Genome& genome) const {
+    using Read = std::remove_cvref_t<decltype(std::declval<const P&>().representation())>;
+    static constexpr bool by_fields = std::is_same_v<Read, ParameterCoding>;
+    static constexpr bool of_numbers = by_fields || std::is_same_v<Read, RealVector>;
+
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
+        if (!by_fields && coding != Coding::natural)
+            refuse_coding(coding);
+        return std::make_shared<ObjectiveProblemOf>(problem_, objective_, coding);
+    }
+    std::size_t parameters() const {
+        if constexpr (of_numbers)
+            return representation_.parameters();
+        else
+            return 0;
+    }
+    decltype(auto) read(const Genome& genome) const {
+        if constexpr (by_fields)
+            return read_fields(genome);
+        else
+            return representation_.decode(genome);
+    }
+    std::vector<double> read_fields(const Genome& genome) const {
+        if (coding_ == Coding::natural)
+            return representation_.decode(genome);
         if (coding_ == Coding::gray)
             return representation_.decode(GrayCoded(genome));
-        return representation_.decode(genome);
+        std::vector<double> values = representation_.reals().decode(genome);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = representation_.field(i).rounded(values[i]);
+        return values;
     }
     std::string unit() const {
         if constexpr (requires { problem_.objective_unit(); })
@@ -98,9 +142,9 @@ private:
     }
 
     P problem_;
-    std::remove_cvref_t<decltype(std::declval<const P&>().representation())> representation_;
+    Read representation_;
     Objective objective_;
-    Coding coding_;
+    Coding coding_ = Coding::natural;
 };
 
 /// Throws as P::representation() does.

@@ -11,20 +11,32 @@
 namespace placedpar {
 
 /// Objective problems of one name that differ in their numbers, such as "sphere(dimensions = 3, bits = 16)": a struct
-/// as in gaprocs/objective_problem.hpp that also has the name, the line about it and the numbers of a policy.
+/// as in gaprocs/objective_problem.hpp that also has the name, the line about it and the numbers of a policy; or a
+/// struct with these and a problem() that makes one.
 struct ProblemFamily {
     PolicyDescription description;
     /// REQUIRES: as many numbers as described, in their ranges. Throws as the struct's representation().
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
 };
 
-template <StatesObjective P>
-ProblemFamily minimised() {
-    return {describe_policy<P>(), [](const std::vector<double>& numbers) { return minimise(make_policy<P>(numbers)); }};
+/// The problem of a struct with these numbers: itself, or what its problem() makes of them.
+template <class P>
+auto problem_with(const std::vector<double>& numbers) {
+    if constexpr (requires(const P& family) { family.problem(); })
+        return make_policy<P>(numbers).problem();
+    else
+        return make_policy<P>(numbers);
 }
-template <StatesObjective P>
+
+template <class P>
+ProblemFamily minimised() {
+    return {describe_policy<P>(),
+            [](const std::vector<double>& numbers) { return minimise(problem_with<P>(numbers)); }};
+}
+template <class P>
 ProblemFamily maximised() {
-    return {describe_policy<P>(), [](const std::vector<double>& numbers) { return maximise(make_policy<P>(numbers)); }};
+    return {describe_policy<P>(),
+            [](const std::vector<double>& numbers) { return maximise(problem_with<P>(numbers)); }};
 }
 
 } // namespace placedpar

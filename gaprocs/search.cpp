@@ -1,5 +1,7 @@
 #include "gaprocs/search.hpp"
 
+#include "text/user_error.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,31 +11,48 @@
 
 namespace placedpar {
 
-Search::Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
-    : bits_(bits), elite_(settings.elite), reproduction_(settings.reproduction), crossover_(settings.crossover),
-      crossover_probability_(settings.crossover_probability), mutation_{settings.mutation_probability},
-      random_(std::move(random)) {
+namespace {
+
+/// REQUIRES: the population is not empty.
+BitString strings_of(const std::vector<Genome>& population) {
+    return BitString(population.empty() ? 0 : population.front().size());
+}
+
+void require_initial_length(const Representation& representation, const Genome& genome) {
+    if (genome.size() != representation.bits())
+        throw UserError(
+            fmt::format("an initial individual has {} bits, expected {}", genome.size(), representation.bits()));
+}
+
+} // namespace
+
+Search::Search(Representation representation, const SearchSettings& settings, RandomStream random)
+    : representation_(std::move(representation)), elite_(settings.elite), reproduction_(settings.reproduction),
+      crossover_(settings.crossover), crossover_probability_(settings.crossover_probability),
+      mutation_(settings.mutation), mutation_probability_(settings.mutation_probability), random_(std::move(random)),
+      population_(settings.initial) {
     settings.validate();
-    if (bits == 0)
-        throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
-    population_ = random_population(settings.population, bits, random_);
+    require_fitting_operators(representation_, settings);
+    for (const Genome& genome : population_)
+        require_initial_length(representation_, genome);
+    while (population_.size() < settings.population)
+        population_.push_back(representation_.random(random_));
 }
 
 Search::Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random)
-    : bits_(population.empty() ? 0 : population.front().size()), elite_(settings.elite),
-      reproduction_(settings.reproduction), crossover_(settings.crossover),
-      crossover_probability_(settings.crossover_probability), mutation_{settings.mutation_probability},
-      random_(std::move(random)), population_(std::move(population)) {
+    : representation_(strings_of(population)), elite_(settings.elite), reproduction_(settings.reproduction),
+      crossover_(settings.crossover), crossover_probability_(settings.crossover_probability),
+      mutation_(settings.mutation), mutation_probability_(settings.mutation_probability), random_(std::move(random)),
+      population_(std::move(population)) {
     settings.validate();
+    require_fitting_operators(representation_, settings);
     if (population_.size() != settings.population)
         throw std::invalid_argument(
             fmt::format("{} strings are given for a population of {}", population_.size(), settings.population));
-    if (bits_ == 0)
-        throw std::invalid_argument("the binary string has 0 bits, expected at least 1");
     for (const Genome& genome : population_)
-        if (genome.size() != bits_)
+        if (genome.size() != representation_.bits())
             throw std::invalid_argument(
-                fmt::format("a population of strings of {} and of {} bits", bits_, genome.size()));
+                fmt::format("a population of strings of {} and of {} bits", representation_.bits(), genome.size()));
 }
 
 void Search::next_generation(std::span<const double> fitness) {
@@ -48,12 +67,12 @@ void Search::next_generation(std::span<const double> fitness) {
         for (std::size_t parent : *parents)
             offspring_.push_back(population_[parent]);
         std::span<Genome> bred = std::span(offspring_).subspan(elite_);
-        crossover_(bred, crossover_probability_, random_);
-        mutation_(bred, random_);
+        crossover_(bred, crossover_probability_, representation_, random_);
+        mutation_(bred, mutation_probability_, representation_, random_);
     } else {
         ++redraws_;
         while (offspring_.size() < population_.size())
-            offspring_.push_back(Genome::random(bits_, random_));
+            offspring_.push_back(representation_.random(random_));
     }
     std::swap(population_, offspring_);
 }
@@ -76,7 +95,7 @@ Places Search::accept(std::span<const Individual> immigrants, std::span<double> 
     require_fitness(fitness);
     for (const Individual& immigrant : immigrants)
         require_length(immigrant);
-    Places places = acceptance({population_, fitness, elite_}, immigrants, random_);
+    Places places = acceptance({population_, fitness, elite_, &representation_}, immigrants, random_);
     for (std::size_t i = 0; i < places.size(); ++i)
         if (auto place = places[i]) {
             population_[*place] = immigrants[i].genome;
@@ -86,9 +105,9 @@ Places Search::accept(std::span<const Individual> immigrants, std::span<double> 
 }
 
 void Search::require_length(const Individual& immigrant) const {
-    if (immigrant.genome.size() != bits_)
-        throw std::invalid_argument(
-            fmt::format("an immigrant of {} bits comes to an island of {} bits", immigrant.genome.size(), bits_));
+    if (immigrant.genome.size() != representation_.bits())
+        throw std::invalid_argument(fmt::format("an immigrant of {} bits comes to an island of {} bits",
+                                                immigrant.genome.size(), representation_.bits()));
 }
 
 void Search::require_fitness(std::span<const double> fitness) const {

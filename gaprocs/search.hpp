@@ -7,12 +7,14 @@
 #include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
 #include "gaprocs/representation/genome.hpp"
+#include "gaprocs/representation/representation.hpp"
 #include "gaprocs/settings.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -30,10 +32,15 @@ namespace placedpar {
 /// While the window stays, the best fitness never falls.
 class Search {
 public:
-    /// Draws the first population. Throws std::invalid_argument for 0 bits, and as SearchSettings::validate().
-    Search(std::size_t bits, const SearchSettings& settings, RandomStream random);
-    /// Starts from a given population. Throws std::invalid_argument also when it is not settings.population
-    /// strings of one length.
+    /// Draws the first population, but for SearchSettings::initial. Throws as SearchSettings::validate(), and UserError
+    /// for a crossover or a mutation that does not fit the representation and for initial individuals of another
+    /// length.
+    Search(Representation representation, const SearchSettings& settings, RandomStream random);
+    /// The same of binary strings. Throws also std::invalid_argument for 0 bits.
+    Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
+        : Search(BitString(bits), settings, std::move(random)) {}
+    /// Goes on from a given population of binary strings. Throws std::invalid_argument also when it is not
+    /// settings.population strings of one length.
     Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random);
 
     const std::vector<Genome>& population() const { return population_; }
@@ -64,12 +71,13 @@ private:
     void require_fitness(std::span<const double> fitness) const;
     void require_length(const Individual& immigrant) const;
 
-    std::size_t bits_;
+    Representation representation_;
     std::size_t elite_;
     Reproduction reproduction_;
     Crossover crossover_;
     double crossover_probability_;
-    BitMutation mutation_;
+    Mutation mutation_;
+    double mutation_probability_;
     RandomStream random_;
     std::vector<Genome> population_;
     std::vector<Genome> offspring_; ///< the next population in the making: kept to reuse its memory

@@ -2,10 +2,11 @@
 
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/objective.hpp"
+#include "gaprocs/policies/coding.hpp"
 #include "gaprocs/population_fitness.hpp"
 #include "gaprocs/representation/coding.hpp"
 #include "gaprocs/representation/genome.hpp"
-#include "text/user_error.hpp"
+#include "gaprocs/representation/representation.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -42,8 +43,10 @@ class SearchProblem {
 public:
     virtual ~SearchProblem() = default;
 
-    /// Length of the binary string.
+    /// Length of the string.
     virtual std::size_t bits() const = 0;
+    /// What the string is made of.
+    virtual Representation representation() const { return BitString(bits()); }
     /// Numbers in a sample; none where there is an objective().
     virtual std::size_t channels() const = 0;
     /// Of a problem that gives a number for an individual as it is, and is searched over no record: its fitness() is
@@ -65,14 +68,21 @@ public:
     /// Empty where they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
-    /// How the fields of the string are read, and the same problem with its fields read another way.
-    /// Throws UserError when the problem does not read its string by fields.
+    /// How the string is read.
     virtual Coding coding() const = 0;
-    virtual std::shared_ptr<const SearchProblem> coded(Coding) const = 0;
+    /// The same problem with its string read another way. Throws UserError when it cannot be.
+    std::shared_ptr<const SearchProblem> coded(Coding) const;
+
+private:
+    /// As coded(). REQUIRES: no don't-care bits.
+    virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
+/// What coded() says of a way in which a problem cannot be read.
+[[noreturn]] void refuse_coding(Coding);
+
 /// SearchProblem around a plain struct.
-template <Searchable P, Coding C = Coding::natural>
+template <Searchable P, bool gray = false>
 class SearchProblemOf final : public SearchProblem {
 public:
     explicit SearchProblemOf(P problem) : problem_(std::move(problem)) {}
@@ -108,20 +118,19 @@ public:
             return {};
     }
 
-    Coding coding() const override { return C; }
-    std::shared_ptr<const SearchProblem> coded(Coding coding) const override {
-        if (coding == Coding::natural)
-            return std::make_shared<SearchProblemOf<P, Coding::natural>>(problem_);
-        if constexpr (Searchable<P, GrayCoded<Genome>>)
-            return std::make_shared<SearchProblemOf<P, Coding::gray>>(problem_);
-        else
-            throw UserError(
-                "this problem does not read its binary string by fields, so that a Gray code has no meaning for "
-                "it");
-    }
+    Coding coding() const override { return gray ? Coding::gray : Coding::natural; }
 
 private:
-    using StringRead = std::conditional_t<C == Coding::gray, GrayCoded<Genome>, const Genome&>;
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
+        if (coding == Coding::natural)
+            return std::make_shared<SearchProblemOf<P, false>>(problem_);
+        if constexpr (Searchable<P, GrayCoded<Genome>>)
+            if (coding == Coding::gray)
+                return std::make_shared<SearchProblemOf<P, true>>(problem_);
+        refuse_coding(coding);
+    }
+
+    using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
     static StringRead as_coded(const Genome& genome) { return StringRead(genome); }
 
     P problem_;

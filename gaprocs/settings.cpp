@@ -4,6 +4,7 @@
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string_view>
 
@@ -14,6 +15,13 @@ namespace {
 void require_probability(std::string_view name, double value) {
     if (!(value >= 0 && value <= 1))
         throw UserError(fmt::format("{} is {}, expected 0 to 1", name, value));
+}
+
+template <class Step>
+void require_fitting(std::string_view what, const Step& step, StringKind kind) {
+    if (!step.fits(kind))
+        throw UserError(fmt::format("{} \"{}\" does not fit {}: expected {}", what, step.text(), name_of(kind),
+                                    fmt::join(Step::fitting(kind), ", ")));
 }
 
 } // namespace
@@ -48,9 +56,17 @@ void SearchSettings::validate() const {
         throw UserError(fmt::format("an elite of {} in a population of {}, expected at most {}: crossover "
                                     "needs two parents",
                                     elite, population, population - 2));
+    if (initial.size() > population)
+        throw UserError(
+            fmt::format("{} initial individuals are given for a population of {}", initial.size(), population));
     require_probability("the crossover probability", crossover_probability);
     require_probability("the mutation probability", mutation_probability);
     window.validate();
+}
+
+void require_fitting_operators(const Representation& representation, const SearchSettings& settings) {
+    require_fitting("the crossover", settings.crossover, representation.kind());
+    require_fitting("the mutation", settings.mutation, representation.kind());
 }
 
 } // namespace placedpar

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
+#include "gaprocs/representation/genome.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace placedpar {
 
@@ -33,11 +36,17 @@ struct SearchSettings {
     std::size_t elite = 0;     ///< best individuals copied unchanged into the next generation; the thesis mentions none
     Reproduction reproduction; ///< by roulette
     Crossover crossover;       ///< one-point
+    Mutation mutation;         ///< of bits
+    /// The first of the first population; the others are drawn at random.
+    std::vector<Genome> initial = {};
     WindowSettings window;
 
-    /// Throws UserError: population < 2 or > largest_population, an elite that leaves no pair to be bred, a
-    /// probability outside 0 ... 1, or as the window's.
+    /// Throws UserError: population < 2 or > largest_population, an elite that leaves no pair to be bred, more initial
+    /// individuals than the population has, a probability outside 0 ... 1, or as the window's.
     void validate() const;
 };
+
+/// Throws UserError, naming those that fit, for a crossover or a mutation of other strings than these.
+void require_fitting_operators(const Representation&, const SearchSettings&);
 
 } // namespace placedpar

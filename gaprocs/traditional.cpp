@@ -20,7 +20,7 @@ SearchResult run_traditional(const SearchProblem& problem, std::span<const Sampl
                              RandomStream random) {
     SearchSettings settings = settings_for(problem, wanted);
     settings.window.validate_for(record.size());
-    Search search(problem.bits(), settings, std::move(random));
+    Search search(problem.representation(), settings, std::move(random));
     SlidingWindow window(settings.window);
     SearchResult result;
     for (std::size_t i = 0; i < record.size(); ++i) {

@@ -10,11 +10,20 @@ SearchSettings usual_settings(const SearchProblem& problem) {
     SearchSettings settings;
     if (problem.objective())
         settings.reproduction = RankingReproduction{};
+    switch (problem.representation().kind()) {
+    case StringKind::binary: break;
+    case StringKind::real:
+        settings.crossover = BlendCrossover{};
+        settings.mutation = GaussianMutation{};
+        break;
+    case StringKind::permutation: settings.crossover = OrderCrossover{}; settings.mutation = InversionMutation{};
+    }
     return settings;
 }
 
 SearchSettings settings_for(const SearchProblem& problem, SearchSettings settings) {
     require_fitting_reproduction(problem, settings.reproduction);
+    require_fitting_operators(problem.representation(), settings);
     if (problem.objective())
         settings.window = {.length = 1, .first = 1, .trials = 1};
     return settings;

@@ -9,12 +9,13 @@
 namespace placedpar {
 
 /// The settings for a problem where nobody says otherwise: the thesis's, but for reproduction by ranking where the
-/// problem has an objective, which may be negative.
+/// problem has an objective, which may be negative, and for the operators of other than binary strings: blend crossover
+/// and gaussian mutation of real vectors, order crossover and inversion of permutations.
 SearchSettings usual_settings(const SearchProblem&);
 
 /// `settings` as they hold for the problem. Window and generations per sample are of identification: with an objective
 /// they stand for one empty sample and one generation, whatever they are. Throws UserError for settings that do not fit
-/// the problem: see require_fitting_reproduction().
+/// the problem: see require_fitting_reproduction() and require_fitting_operators().
 SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
 
 /// Throws UserError, saying what would be right, for a reproduction by which no individual could become a parent: one

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/representation/coding.hpp"
+#include "gaprocs/policies/coding.hpp"
 #include "gaprocs/settings.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "identification/circuit_problem.hpp"

@@ -1,5 +1,8 @@
 #include "runtime/random.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace placedpar {
 
 namespace {
@@ -52,6 +55,11 @@ std::uint32_t RandomStream::below(std::uint32_t n) {
             product = std::uint64_t{(*this)()} * n;
     }
     return static_cast<std::uint32_t>(product >> 32);
+}
+
+double RandomStream::normal() {
+    double radius = std::sqrt(-2 * std::log(1 - uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
 }
 
 } // namespace placedpar

@@ -32,6 +32,8 @@ public:
     double uniform() { return (*this)() * 0x1p-32; }
     /// Uniform in 0 ... n - 1 without bias. REQUIRES: n > 0.
     std::uint32_t below(std::uint32_t n);
+    /// From the standard normal distribution, by Box and Muller's cosine: two uniform numbers.
+    double normal();
     /// True with the given probability.
     bool chance(double probability) { return uniform() < probability; }
 

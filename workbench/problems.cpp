@@ -7,6 +7,7 @@
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/circuit_problem.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
+#include "problems/benchmark/benchmark.hpp"
 #include "problems/plant/plant_problem.hpp"
 #include "runtime/random.hpp"
 #include "text/user_error.hpp"
@@ -101,6 +102,7 @@ ProblemRegistry known_problems(std::uint64_t seed) {
     ProblemRegistry problems;
     add_boom(problems, seed);
     add_plant(problems, seed);
+    add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
         add_own_problem(problems, family);
     return problems;

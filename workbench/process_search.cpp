@@ -37,7 +37,7 @@ Settings settings_of(const IdentificationWay& way) {
             {"mutation", search.mutation_probability},
             {"elite", integer(search.elite)},
             {"reproduction", search.reproduction.text()},
-            {"coding", std::string(way.coding == Coding::natural ? "natural" : "gray")},
+            {"coding", way.coding.text()},
             {"stream", std::string("master")}};
 }
 

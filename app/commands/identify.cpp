@@ -35,8 +35,8 @@ namespace {
 IdentificationWay way_of(const IdentifyOptions& options) {
     IdentificationWay way = options.way == "thesis" ? thesis_way() : service_way();
     way.bits = options.bits;
-    if (auto coding = coding_named(options.coding))
-        way.coding = *coding;
+    if (!options.coding.empty())
+        way.coding = Coding::named(options.coding);
     way.search.elite = options.elite.value_or(way.search.elite);
     way.search.population = options.population;
     way.search.window.trials = options.trials;

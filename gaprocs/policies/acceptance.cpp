@@ -55,9 +55,12 @@ Places RandomAcceptance::operator()(const IslandPopulation& island, std::span<co
 
 Places AlikeAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                                    RandomStream&) const {
+    auto distance = [&](const Genome& a, const Genome& b) {
+        return island.representation ? island.representation->distance(a, b) : static_cast<double>(difference(a, b));
+    };
     auto most_alike = [&](const Individual& immigrant, const std::vector<std::size_t>& candidates) {
         auto more_alike = [&](std::size_t a, std::size_t b) {
-            return difference(island.strings[a], immigrant.genome) < difference(island.strings[b], immigrant.genome);
+            return distance(island.strings[a], immigrant.genome) < distance(island.strings[b], immigrant.genome);
         };
         return std::min_element(candidates.begin(), candidates.end(), more_alike) - candidates.begin();
     };

@@ -2,6 +2,7 @@
 
 #include "gaprocs/policies/individual.hpp"
 #include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/representation.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -19,6 +20,7 @@ struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
     std::size_t elite = 0; ///< the best, who are never replaced; of equals, those of higher index
+    const Representation* representation = nullptr; ///< binary strings where it is null
 };
 
 /// Where each immigrant comes to live: the index of the individual that it replaces, or nothing where it is turned
@@ -50,10 +52,11 @@ struct RandomAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// The one that differs from the immigrant in the fewest bits and is not of the elite; among equals the least fit, then
+/// The one that is least distant from the immigrant (Representation::distance(); of binary strings, it differs in the
+/// fewest bits) and is not of the elite; among equals the least fit, then
 /// the lowest index. Draws nothing.
 struct AlikeAcceptance {
-    static constexpr std::string_view name = "alike", about = "the most alike by bits, not of the elite, is replaced";
+    static constexpr std::string_view name = "alike", about = "the most alike, not of the elite, is replaced";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1});

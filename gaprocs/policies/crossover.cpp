@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace placedpar {
 
@@ -22,22 +24,68 @@ bool mate_by_difference(std::span<Genome> unmated) {
     return true;
 }
 
+/// Two different numbers below `count`, in any order.
+std::pair<std::size_t, std::size_t> two_of(std::size_t count, RandomStream& random) {
+    auto places = static_cast<std::uint32_t>(count);
+    std::size_t first = random.below(places), second = random.below(places - 1);
+    return {first, second + (second >= first)};
+}
+
+/// A mask of words that are all ones or all zeros, with an even chance.
+Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
+    Genome mask(bits);
+    for (std::size_t word = 0; word < bits / 64; ++word)
+        if (random.chance(0.5))
+            mask.set_word(word, ~std::uint64_t{0});
+    return mask;
+}
+
+/// What `kept` has from `first` on, up to before `end` and across the end of the order where that comes first; then, in
+/// the order that `other` has from `end` on, all others.
+std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other,
+                                           std::size_t first, std::size_t end) {
+    std::size_t places = kept.size();
+    std::vector<std::size_t> offspring(places);
+    std::vector<bool> there(places);
+    for (std::size_t i = first; i != end; i = (i + 1) % places) {
+        offspring[i] = kept[i];
+        there[kept[i]] = true;
+    }
+    std::size_t next = end;
+    for (std::size_t i = 0; i < places; ++i)
+        if (std::size_t each = other[(end + i) % places]; !there[each]) {
+            offspring[next] = each;
+            next = (next + 1) % places;
+        }
+    return offspring;
+}
+
+template <class Way>
+void cross_pair(const Way& cross, Genome& a, Genome& b, const Representation& representation, RandomStream& random) {
+    if constexpr (std::is_same_v<Way, BlendCrossover>)
+        cross(a, b, representation.reals(), random);
+    else if constexpr (std::is_same_v<Way, OrderCrossover>)
+        cross(a, b, representation.permutation(), random);
+    else if constexpr (std::is_same_v<Way, DifferenceCrossover>)
+        cross(a, b, random);
+    else
+        cross(a, b, random, representation.unit());
+}
+
 } // namespace
 
-void OnePointCrossover::operator()(Genome& a, Genome& b, RandomStream& random) const {
-    swap_leading(a, b, 1 + random.below(static_cast<std::uint32_t>(a.size() - 1)));
+void OnePointCrossover::operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit) const {
+    swap_leading(a, b, unit * (1 + random.below(static_cast<std::uint32_t>(a.size() / unit - 1))));
 }
 
-void TwoPointCrossover::operator()(Genome& a, Genome& b, RandomStream& random) const {
-    auto places = static_cast<std::uint32_t>(a.size());
-    std::size_t first = random.below(places), second = random.below(places - 1);
-    second += second >= first; // another one
-    swap_leading(a, b, first);
-    swap_leading(a, b, second);
+void TwoPointCrossover::operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit) const {
+    auto [first, second] = two_of(a.size() / unit, random);
+    swap_leading(a, b, unit * first);
+    swap_leading(a, b, unit * second);
 }
 
-void UniformCrossover::operator()(Genome& a, Genome& b, RandomStream& random) const {
-    swap_where(a, b, Genome::random(a.size(), random));
+void UniformCrossover::operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit) const {
+    swap_where(a, b, unit == 1 ? Genome::random(a.size(), random) : whole_words_at_random(a.size(), random));
 }
 
 void DifferenceCrossover::operator()(Genome& a, Genome& b, RandomStream& random) const {
@@ -45,8 +93,25 @@ void DifferenceCrossover::operator()(Genome& a, Genome& b, RandomStream& random)
     swap_leading(a, b, first + 1 + random.below(static_cast<std::uint32_t>(last - first)));
 }
 
-void Crossover::operator()(std::span<Genome> population, double probability, RandomStream& random) const {
-    if (population.empty() || population.front().size() < 2)
+void BlendCrossover::operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const {
+    for (std::size_t i = 0; i < reals.parameters(); ++i) {
+        auto [low, high] = std::minmax({reals.value(a, i), reals.value(b, i)});
+        double beyond = alpha * (high - low);
+        for (Genome* offspring : {&a, &b})
+            reals.set(*offspring, i, low - beyond + (high - low + 2 * beyond) * random.uniform());
+    }
+}
+
+void OrderCrossover::operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const {
+    auto [first, end] = two_of(permutation.places(), random);
+    auto order_a = permutation.decode(a), order_b = permutation.decode(b);
+    a = permutation.encode(ordered_offspring(order_a, order_b, first, end));
+    b = permutation.encode(ordered_offspring(order_b, order_a, first, end));
+}
+
+void Crossover::operator()(std::span<Genome> population, double probability, const Representation& representation,
+                           RandomStream& random) const {
+    if (population.empty() || representation.bits() < 2 * representation.unit())
         return;
     auto cross_all = [&]<class Way>(const Way& cross) {
         for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
@@ -55,7 +120,7 @@ void Crossover::operator()(std::span<Genome> population, double probability, Ran
             if constexpr (std::is_same_v<Way, DifferenceCrossover>)
                 if (!mate_by_difference(population.subspan(i)))
                     continue;
-            cross(population[i], population[i + 1], random);
+            cross_pair(cross, population[i], population[i + 1], representation, random);
         }
     };
     std::visit(cross_all, policy());

@@ -1,15 +1,97 @@
 #pragma once
 
+#include "gaprocs/policies/policy.hpp"
 #include "gaprocs/representation/genome.hpp"
+#include "gaprocs/representation/representation.hpp"
 
+#include <cstddef>
 #include <span>
+#include <string_view>
+#include <tuple>
 
 namespace placedpar {
 
-/// Mutation: every bit is flipped with the given probability. One number of the stream a bit.
+class RandomStream;
+
+// Each way changes a place of a string (a bit, a number, a place of a permutation) and says how many numbers of the
+// stream it draws for it.
+
+/// Every bit is flipped with the given probability. One number of the stream a bit, and no other.
 struct BitMutation {
+    static constexpr std::string_view name = "bit", about = "a bit is flipped (thesis 1.1)";
+    static constexpr std::tuple<> numbers() { return {}; }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
+
     double probability = 0.01;
     void operator()(std::span<Genome> population, RandomStream& random) const;
+};
+
+/// A normal deviate is added; beyond an end of the range lies that end. Two numbers.
+struct GaussianMutation {
+    static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range";
+    double deviation = 0.1;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"deviation", &GaussianMutation::deviation, 0, 10});
+    }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
+    void operator()(Genome& genome, std::size_t place, const Representation& representation,
+                    RandomStream& random) const;
+};
+
+/// A step up or down of `range` 2^(-u), u uniform in 0 ... `precision`: all sizes of steps are equally likely (after
+/// H. Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Two numbers.
+struct BreederMutation {
+    static constexpr std::string_view name = "breeder",
+                                      about = "a step of any size from `range` down to `range` 2^-precision";
+    double range = 0.1, precision = 24;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"range", &BreederMutation::range, 0, 1},
+                          PolicyNumber{"precision", &BreederMutation::precision, 0, 60});
+    }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
+    void operator()(Genome& genome, std::size_t place, const Representation& representation,
+                    RandomStream& random) const;
+};
+
+/// Anew, uniform in the range. One number.
+struct UniformMutation {
+    static constexpr std::string_view name = "uniform", about = "a number is drawn anew from its range";
+    static constexpr std::tuple<> numbers() { return {}; }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
+    void operator()(Genome& genome, std::size_t place, const Representation& representation,
+                    RandomStream& random) const;
+};
+
+/// Changes places with another. One number.
+struct SwapMutation {
+    static constexpr std::string_view name = "swap", about = "two places are exchanged";
+    static constexpr std::tuple<> numbers() { return {}; }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
+    void operator()(Genome& genome, std::size_t place, const Representation& representation,
+                    RandomStream& random) const;
+};
+
+/// The places from here to another, across the end where that comes before, are turned round: of a closed tour, two
+/// edges change. One number.
+struct InversionMutation {
+    static constexpr std::string_view name = "inversion", about = "the places from one to another are turned round";
+    static constexpr std::tuple<> numbers() { return {}; }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
+    void operator()(Genome& genome, std::size_t place, const Representation& representation,
+                    RandomStream& random) const;
+};
+
+/// How a string is changed by chance alone.
+class Mutation
+    : public OneOf<BitMutation, GaussianMutation, BreederMutation, UniformMutation, SwapMutation, InversionMutation> {
+public:
+    using OneOf::OneOf;
+    static Mutation named(std::string_view text) { return read<Mutation>(text); }
+
+    /// Each place of each string with the given probability: one number for the chance, and the way's own. A
+    /// permutation of one place stays, and draws nothing. REQUIRES: fits(representation.kind()).
+    void operator()(std::span<Genome> population, double probability, const Representation& representation,
+                    RandomStream& random) const;
 };
 
 } // namespace placedpar

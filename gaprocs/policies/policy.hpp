@@ -102,7 +102,7 @@ class OneOf {
 public:
     OneOf() = default;
     template <class Policy>
-    requires(std::is_same_v<Policy, Policies> || ...) OneOf(Policy policy) : policy_(std::move(policy)) {}
+    requires(std::is_same_v<Policy, Policies> || ...) constexpr OneOf(Policy policy) : policy_(std::move(policy)) {}
 
     /// As read() takes it.
     std::string text() const {
@@ -113,6 +113,18 @@ public:
     }
     static std::vector<PolicyDescription> descriptions() { return {describe_policy<Policies>()...}; }
 
+    /// Of steps whose policies say what they can work on: whether this one can, and the names of those that can.
+    template <class Kind>
+    bool fits(Kind kind) const {
+        return std::visit([&](const auto& policy) { return policy.fits(kind); }, policy_);
+    }
+    template <class Kind>
+    static std::vector<std::string> fitting(Kind kind) {
+        std::vector<std::string> names;
+        (void)((Policies::fits(kind) && (names.emplace_back(Policies::name), true)), ...);
+        return names;
+    }
+
 protected:
     /// The Step, a class derived from this one, that a text names. Throws as read_policy().
     template <class Step>
@@ -121,7 +133,7 @@ protected:
         constexpr std::array make{+[](const std::vector<double>& n) { return Step(make_policy<Policies>(n)); }...};
         return make[named.index](named.numbers);
     }
-    const std::variant<Policies...>& policy() const { return policy_; }
+    constexpr const std::variant<Policies...>& policy() const { return policy_; }
 
 private:
     std::variant<Policies...> policy_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -52,6 +53,7 @@ public:
                                integer("population")),
                    fmt::format("it is {} at the most", integer("population") - 2));
         check_coding();
+        check_operators();
         auto host = other_end(network_, process_, "from_host");
         if (host && !host->at_edge() && network_.processes[host->process].kind == "ga.host")
             check_problem(host->process, process_);
@@ -111,6 +113,28 @@ private:
                    "for each");
     }
 
+    /// A crossover or a mutation that does not fit the strings of the problem.
+    void check_operator(const char* parameter, void (*set)(SearchSettings&, const std::string&)) {
+        if (!coded_problem_ || !(given(parameter) || !has_objective()))
+            return;
+        SearchSettings settings = usual_settings(*coded_problem_);
+        set(settings, text(parameter));
+        try {
+            require_fitting_operators(coded_problem_->representation(), settings);
+        } catch (const UserError& unfit) {
+            refuse(parameter, unfit.what());
+        }
+    }
+
+    void check_operators() {
+        check_operator("crossover_operator", [](SearchSettings& settings, const std::string& name) {
+            settings.crossover = Crossover::named(name);
+        });
+        check_operator("mutation_operator", [](SearchSettings& settings, const std::string& name) {
+            settings.mutation = Mutation::named(name);
+        });
+    }
+
     void check_objective() {
         refuse_given({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                       "measurements"},
@@ -137,7 +161,7 @@ private:
         if (!recorded_)
             return;
         try {
-            recorded_->problem()->coded(coding_named(text("coding")).value());
+            coded_problem_ = recorded_->problem()->coded(Coding::named(text("coding")));
         } catch (const UserError& refused) {
             refuse("coding", refused.what());
         }
@@ -193,6 +217,7 @@ private:
     std::size_t process_;
     const ProblemRegistry& problems_;
     const RecordedProblem* recorded_ = nullptr;
+    std::shared_ptr<const SearchProblem> coded_problem_; ///< as this process codes it; null where it cannot
     std::vector<Complaint> complaints_;
 };
 

@@ -1,5 +1,6 @@
 #include "gaprocs/processes/parameters.hpp"
 
+#include "gaprocs/initial_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
 
@@ -43,9 +44,7 @@ Workload read_workload(const ProcessEnvironment& environment, const SearchProble
     return workload;
 }
 
-Coding read_coding(const ProcessEnvironment& environment) {
-    return coding_named(environment.text("coding")).value(); // the catalogue allows no other
-}
+Coding read_coding(const ProcessEnvironment& environment) { return Coding::named(environment.text("coding")); }
 
 SearchSettings read_search_settings(const ProcessEnvironment& environment, const SearchProblem& problem) {
     SearchSettings settings = usual_settings(problem);
@@ -55,7 +54,12 @@ SearchSettings read_search_settings(const ProcessEnvironment& environment, const
     settings.elite = size(environment, "elite");
     if (environment.given("reproduction") || !problem.objective())
         settings.reproduction = Reproduction::named(environment.text("reproduction"));
-    settings.crossover = Crossover::named(environment.text("crossover_operator"));
+    if (environment.given("crossover_operator") || !problem.objective())
+        settings.crossover = Crossover::named(environment.text("crossover_operator"));
+    if (environment.given("mutation_operator") || !problem.objective())
+        settings.mutation = Mutation::named(environment.text("mutation_operator"));
+    if (const std::string& file = environment.text("initial"); !file.empty())
+        settings.initial = load_population(file, problem.representation());
     settings.window.length = size(environment, "window");
     settings.window.first = size(environment, "first_window");
     settings.window.trials = size(environment, "trials");

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "gaprocs/policies/coding.hpp"
 #include "gaprocs/processes/farm.hpp"
 #include "gaprocs/processes/workload.hpp"
-#include "gaprocs/representation/coding.hpp"
 #include "gaprocs/settings.hpp"
 
 #include <string>

@@ -1,7 +1,9 @@
 #include "gaprocs/processes/search_description.hpp"
 
 #include "gaprocs/fitness.hpp"
+#include "gaprocs/policies/coding.hpp"
 #include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/settings.hpp"
@@ -47,14 +49,18 @@ Parameters operator_parameters() {
         real("bias", {.unit = "(unit of the error)^2", .by_default = 400, .least = 1e-300, .most = fitness_term_limit},
              "B of the fitness (eq. 3.9)"),
         real("crossover", {.by_default = 0.8, .least = 0, .most = 1}, "probability that a pair is crossed over"),
-        real("mutation", {.by_default = 0.01, .least = 0, .most = 1}, "probability that a bit is flipped"),
+        real("mutation", {.by_default = 0.01, .least = 0, .most = 1},
+             "probability that a bit is flipped (or a number, or a place of a permutation changed)"),
         integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
                 "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
-        policy<Reproduction>("reproduction", "how parents are chosen (thesis: by roulette)"),
+        policy<Reproduction>("reproduction",
+                             "how parents are chosen (thesis: by roulette; of a problem without a record: ranking)"),
         policy<Crossover>("crossover_operator", "what a pair exchanges that is crossed over (thesis: one-point)"),
-        text("coding", {.by_default = "natural", .choices = {"natural", "gray"}},
-             "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are "
-             "told"),
+        policy<Mutation>("mutation_operator", "how what is mutated changes (thesis: a bit is flipped)"),
+        policy<Coding>("coding",
+                       "how a field of the string stands for a number (thesis: natural); the slaves are told"),
+        text("initial", {.by_default = ""},
+             "a file with the first of the first population, a string in each line; the others are drawn at random"),
         text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
     };
 }

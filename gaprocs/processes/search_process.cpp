@@ -40,7 +40,7 @@ public:
           workload_(read_workload(environment, problem)), from_host_(environment.input<HostMessage>("from_host")),
           farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
-          search_(problem.bits(), settings_, environment.random_stream(stream_name(environment))) {
+          search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
         if (environment.connected("ring_out")) {
             to_ring_ = environment.output<Emigrant>("ring_out");
             from_ring_ = environment.input<Emigrant>("ring_in");
@@ -157,6 +157,8 @@ private:
         else
             environment_.measure("best_fitness", best.fitness);
         auto values = problem_.decode(best.genome);
+        if (values.empty())
+            environment_.measure("best_string", problem_.representation().text(best.genome));
         for (std::size_t i = 0; i < values.size(); ++i)
             environment_.measure(problem_.parameter_names()[i], values[i], problem_.parameter_units()[i]);
     }

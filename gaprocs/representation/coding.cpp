@@ -2,11 +2,11 @@
 
 namespace placedpar {
 
-std::optional<Coding> coding_named(std::string_view name) {
-    for (Coding coding : {Coding::natural, Coding::gray})
-        if (name == name_of(coding))
-            return coding;
-    return std::nullopt;
+Genome unstuffed(const Genome& genome, std::size_t dont_care) {
+    Genome bits((genome.size() + dont_care) / (1 + dont_care));
+    for (std::size_t i = 0; i < bits.size(); ++i)
+        bits.set(i, genome.bit(i * (1 + dont_care)));
+    return bits;
 }
 
 } // namespace placedpar

@@ -1,20 +1,11 @@
 #pragma once
 
+#include "gaprocs/representation/genome.hpp"
+
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string_view>
 
 namespace placedpar {
-
-/// How a field of bits stands for a whole number. The thesis codes in natural binary, where neighbours may differ in
-/// every bit: a search that stands at 0111 cannot step to 1000. In the (binary reflected) Gray code neighbours differ
-/// in one bit.
-enum class Coding : unsigned char { natural, gray };
-
-/// "natural", "gray".
-constexpr std::string_view name_of(Coding coding) { return coding == Coding::gray ? "gray" : "natural"; }
-std::optional<Coding> coding_named(std::string_view);
 
 /// The Gray code of a number, and the number of a Gray code.
 constexpr std::uint64_t gray_code(std::uint64_t number) { return number ^ (number >> 1); }
@@ -40,5 +31,11 @@ public:
 private:
     const G& genome_;
 };
+
+/// The length of a string of `bits` with `dont_care` bits stuffed between every two neighbours (thesis eq. 6.15).
+/// REQUIRES: bits > 0.
+constexpr std::size_t stuffed_bits(std::size_t bits, std::size_t dont_care) { return bits + dont_care * (bits - 1); }
+/// The string that was stuffed. REQUIRES: a length that stuffed_bits() gives for it.
+Genome unstuffed(const Genome& genome, std::size_t dont_care);
 
 } // namespace placedpar

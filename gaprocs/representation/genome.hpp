@@ -47,6 +47,9 @@ public:
     /// REQUIRES: as field(); value < 2^count.
     void set_field(std::size_t first, std::size_t count, std::uint64_t value);
 
+    /// Bits 64 `index` to 64 `index` + 63. REQUIRES: 64 (index + 1) <= size().
+    void set_word(std::size_t index, std::uint64_t value) { words_[index] = value; }
+
     /// Exchanges characters 0 ... count - 1 of two strings of the same size.
     /// REQUIRES: a.size() == b.size(), count <= a.size().
     friend void swap_leading(Genome& a, Genome& b, std::size_t count);

@@ -32,4 +32,11 @@ ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(s
     }
 }
 
+RealVector ParameterCoding::reals() const {
+    std::vector<RealRange> ranges;
+    for (const ParameterField& field : fields_)
+        ranges.push_back({field.low, field.high});
+    return RealVector(std::move(ranges));
+}
+
 } // namespace placedpar

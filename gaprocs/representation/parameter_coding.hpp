@@ -1,5 +1,9 @@
 #pragma once
 
+#include "gaprocs/representation/representation.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,15 +18,22 @@ concept BinaryString = requires(const G& genome) {
 };
 
 /// A parameter as a field of bits: the whole number n stands for low + (high - low) n / 2^bits (thesis eq. 1.5).
-/// The range is [low, high): `high` itself has no code.
+/// The range is [low, high): `high` itself has no code. A whole parameter, such as the delay of Table 5.1, is rounded
+/// down: with low = 1 and high = 5 it is 1, 2, 3 or 4.
 struct ParameterField {
     double low = 0, high = 1; ///< in the parameter's unit
     std::size_t bits = 10;
+    bool whole = false;
 
     /// 2^bits.
     double codes() const { return static_cast<double>(std::uint64_t{1} << bits); }
     /// REQUIRES: code < 2^bits.
-    double value(std::uint64_t code) const { return low + (high - low) * static_cast<double>(code) / codes(); }
+    double value(std::uint64_t code) const {
+        double value = low + (high - low) * static_cast<double>(code) / codes();
+        return whole ? std::floor(value) : value;
+    }
+    /// A number of the range as the parameter: whole where that is. REQUIRES: low <= number <= high.
+    double rounded(double number) const { return whole ? std::min(std::floor(number), std::ceil(high) - 1) : number; }
     /// What one step of the code changes.
     double resolution() const { return (high - low) / codes(); }
 };
@@ -44,6 +55,8 @@ public:
     const ParameterField& field(std::size_t parameter) const { return fields_[parameter]; }
     /// Length of the whole string.
     std::size_t bits() const { return bits_; }
+    /// The parameters without bits: numbers of their ranges, of which a whole one is to be rounded().
+    RealVector reals() const;
 
     /// REQUIRES: parameter < parameters(), a string of bits().
     template <BinaryString G>

@@ -86,7 +86,7 @@ TEST_CASE("... and with an elite, Gray code and universal sampling, each by itse
                 different.insert(traditional);
                 std::string parameters =
                     fmt::format("rehearsals = 1, elite = {}, coding = \"{}\", reproduction = \"{}\"", elite,
-                                name_of(coding), universal ? "universal" : "roulette");
+                                coding.text(), universal ? "universal" : "roulette");
                 CAPTURE(parameters);
                 for (const char* split : {"individuals", "demand", "evaluations"})
                     for (int slaves : {0, 1, 4}) {

@@ -91,6 +91,9 @@ inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1)
     problems.add("line", make_search_problem(LineProblem{}), line_record(line_samples));
     problems.add("sphere", minimise(PlainSphere{}));
     problems.add("nowhere", minimise(Nowhere{}));
+    problems.add("seats", minimise(Seats{}));
+    problems.add("comb", maximise(Comb{}));
+    problems.add("plane", minimise(Plane{}));
     problems.add(minimised<Valley>());
     Catalogue catalogue;
     add_genetic_algorithm_kinds(catalogue, problems);

@@ -196,6 +196,26 @@ TEST_CASE("reproduction that an objective does not allow is refused where it is 
     CHECK(refusal_of_sphere("", ", reproduction = \"tournament\"").empty());
 }
 
+TEST_CASE("operators and codings that do not fit the strings are refused where they are given, with those that fit") {
+    says(refusal_of_sphere("", ", crossover_operator = \"order\""),
+         "farm.cfs:5:41: error: the crossover \"order\" does not fit binary strings: expected one-point, two-point, "
+         "uniform, by-difference");
+    says(refusal_of_sphere("", ", mutation_operator = \"gaussian\""),
+         "the mutation \"gaussian(deviation = 0.1)\" does not fit binary strings: expected bit");
+    says(refusal_of_sphere("", ", coding = \"real\", crossover_operator = \"by-difference\""),
+         "does not fit real vectors: expected one-point, two-point, uniform, blend");
+    CHECK(refusal_of_sphere("", ", coding = \"real\"").empty());
+    CHECK(refusal_of_sphere("", ", coding = \"real\", mutation_operator = \"breeder\"").empty());
+    auto line = [](const char* given) {
+        return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", given));
+    };
+    says(line("coding = \"real\""), "farm.cfs:5:39: error: this problem does not read its string by fields");
+    says(line("coding = \"grey\""), "did you mean \"gray\"?");
+    says(line("coding = \"gray(65)\""), "dont_care = 65 is out of range");
+    says(line("mutation_operator = \"swap\""), "does not fit binary strings: expected bit");
+    CHECK(line("coding = \"gray(dont_care = 2)\"").empty());
+}
+
 TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
     // 98304 individuals in three shares of 32768: times 65536 bytes that is 2^31.
     auto strings = [](int population, int bytes) {

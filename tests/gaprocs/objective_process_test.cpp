@@ -79,6 +79,69 @@ TEST_CASE("a farm gives an objective problem the library's generations, for ever
         }
 }
 
+namespace {
+
+/// A master with slaves and the library make the same generations.
+void check_farm(const std::string& name, std::shared_ptr<const SearchProblem> problem, SearchSettings settings,
+                const std::string& parameters) {
+    CAPTURE(name);
+    CAPTURE(parameters);
+    settings.population = 30;
+    Search search(problem->representation(), settings, RandomStream(1, "one stream"));
+    Fingerprint populations;
+    for (std::size_t generation = 0; generation < generations; ++generation) {
+        mix(populations, search.population());
+        search.next_generation(evaluate(*problem, search.population(), {}, 400));
+    }
+    for (const char* split : {"individuals", "demand", "evaluations"}) {
+        Cluster cluster = sphere_cluster(3, split);
+        cluster.problem = name;
+        cluster.master_parameters = "rehearsals = 1" + parameters;
+        RunReport report = run_on_line(cluster.netlist());
+        CHECK(report.measured_text("master0", "populations") == fmt::format("{:016x}", populations.value()));
+    }
+}
+
+/// The usual settings with another crossover and mutation.
+SearchSettings settings_with(const SearchProblem& problem, const char* crossover, const char* mutation) {
+    SearchSettings settings = usual_settings(problem);
+    settings.crossover = Crossover::named(crossover);
+    settings.mutation = Mutation::named(mutation);
+    return settings;
+}
+
+} // namespace
+
+TEST_CASE("... for every representation and coding, with the usual operators") {
+    for (const char* coding : {"gray", "real", "natural(dont_care = 1)", "gray(3)"}) {
+        auto sphere = the_sphere()->coded(Coding::named(coding));
+        check_farm("sphere", sphere, usual_settings(*sphere), fmt::format(", coding = \"{}\"", coding));
+    }
+    for (const auto& [name, problem] : {std::pair{"seats", minimise(Seats{})}, std::pair{"comb", maximise(Comb{})},
+                                        std::pair{"plane", minimise(Plane{})}})
+        check_farm(name, problem, usual_settings(*problem), "");
+}
+
+TEST_CASE("... and with every operator that fits") {
+    for (const char* crossover : {"one-point", "two-point", "uniform", "blend(alpha = 0.2)"})
+        for (const char* mutation : {"gaussian(0.3)", "breeder", "uniform"})
+            check_farm("plane", minimise(Plane{}), settings_with(*minimise(Plane{}), crossover, mutation),
+                       fmt::format(", crossover_operator = \"{}\", mutation_operator = \"{}\"", crossover, mutation));
+    for (const char* mutation : {"swap", "inversion"})
+        check_farm("seats", minimise(Seats{}), settings_with(*minimise(Seats{}), "order", mutation),
+                   fmt::format(", mutation_operator = \"{}\"", mutation));
+}
+
+TEST_CASE("a string that stands for no numbers is reported as it is") {
+    Cluster cluster = sphere_cluster(0, "individuals");
+    cluster.problem = "seats";
+    cluster.host_parameters = "generations = 200";
+    cluster.master_parameters = "rehearsals = 0, elite = 1";
+    RunReport report = run_on_line(cluster.netlist());
+    CHECK(report.measured("master0", "best_objective") == 0);
+    CHECK(report.measured_text("master0", "best_string") == "0 1 2 3 4 5 6 7 8");
+}
+
 TEST_CASE("islands of an objective problem exchange as in the library") {
     Cluster cluster = sphere_cluster(2, "individuals");
     cluster.islands = 3;

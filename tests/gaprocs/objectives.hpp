@@ -51,3 +51,32 @@ struct Nowhere {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double>) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
+
+/// How far everybody sits from the place of the same number.
+struct Seats {
+    placedpar::Permutation representation() const { return placedpar::Permutation(9); }
+    double objective(std::span<const std::size_t> order) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < order.size(); ++i)
+            sum += std::abs(static_cast<double>(order[i]) - static_cast<double>(i));
+        return sum;
+    }
+    double optimum() const { return 0; }
+};
+
+/// Ones at every other place of a long string.
+struct Comb {
+    placedpar::BitString representation() const { return placedpar::BitString(4096); }
+    double objective(const placedpar::Genome& genome) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < genome.size(); ++i)
+            sum += genome.bit(i) == (i % 2 == 0);
+        return sum;
+    }
+};
+
+/// Two numbers that were never bits, one of them far larger.
+struct Plane {
+    placedpar::RealVector representation() const { return placedpar::RealVector({{-1, 1}, {0, 1e6}}); }
+    double objective(std::span<const double> x) const { return std::abs(x[0] - 0.25) + std::abs(x[1] / 1e6 - 0.5); }
+};

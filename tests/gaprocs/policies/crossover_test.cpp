@@ -20,7 +20,7 @@ std::map<std::string, int> offspring(const Crossover& cross, const char* a, cons
     std::map<std::string, int> seen;
     for (int i = 0; i < pairs; ++i) {
         auto population = strings({a, b});
-        cross(population, 1, random);
+        cross(population, 1, BitString(population.front().size()), random);
         ++seen[population.front().to_string()];
     }
     return seen;
@@ -49,7 +49,7 @@ TEST_CASE("every crossover keeps the bits at every position, whatever the popula
                 CAPTURE(way);
                 auto population = random_population(count, bits, random);
                 auto before = ones_by_position(population);
-                Crossover::named(way)(population, 1, random);
+                Crossover::named(way)(population, 1, BitString(population.front().size()), random);
                 CHECK(ones_by_position(population) == before);
             }
         }
@@ -61,7 +61,7 @@ TEST_CASE("cuts are uniform over 1 ... L - 1 and happen at the stated rate") {
     std::map<std::string, int> seen;
     for (int i = 0; i < pairs; ++i) {
         auto population = strings({"00000", "11111"});
-        Crossover()(population, 0.8, random);
+        Crossover()(population, 0.8, BitString(5), random);
         ++seen[population.front().to_string()];
     }
     std::map<std::string, double> expected{
@@ -76,7 +76,7 @@ TEST_CASE("cuts are uniform over 1 ... L - 1 and happen at the stated rate") {
 TEST_CASE("strings of one character are never cut") {
     RandomStream random(5, "short");
     auto population = strings({"0", "1", "1"});
-    Crossover()(population, 1, random);
+    Crossover()(population, 1, BitString(population.front().size()), random);
     CHECK(population == strings({"0", "1", "1"}));
 }
 
@@ -85,11 +85,11 @@ TEST_CASE("the last of an odd number has no mate, but by difference") {
     for (const char* way : {"one-point", "two-point", "uniform"}) {
         auto population = random_population(7, 30, random);
         Genome last = population.back();
-        Crossover::named(way)(population, 1, random);
+        Crossover::named(way)(population, 1, BitString(population.front().size()), random);
         CHECK(population.back() == last);
     }
     auto population = strings({"0000", "0001", "1111"}); // the second is too near
-    Crossover(DifferenceCrossover{})(population, 1, random);
+    Crossover(DifferenceCrossover{})(population, 1, BitString(population.front().size()), random);
     CHECK(population[2] == Genome::from_string("0001"));
     CHECK(population[0] != Genome::from_string("0000"));
 }

@@ -50,14 +50,6 @@ TEST_CASE("each field of a string is a Gray code by itself") {
     CHECK(coded.field(8, 1) == 1);
 }
 
-TEST_CASE("codings have names") {
-    CHECK(name_of(Coding::natural) == "natural");
-    CHECK(name_of(Coding::gray) == "gray");
-    CHECK(coding_named("gray") == Coding::gray);
-    CHECK(coding_named("natural") == Coding::natural);
-    CHECK_FALSE(coding_named("grey"));
-}
-
 TEST_CASE("a problem that knows nothing of codings is read in Gray code") {
     auto natural = make_search_problem(LineProblem{}), gray = make_search_problem(LineProblem{}, Coding::gray);
     CHECK(natural->coding() == Coding::natural);

@@ -1,0 +1,40 @@
+#include "gaprocs/initial_population.hpp"
+
+#include "text/load_source.hpp"
+#include "text/user_error.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace placedpar {
+
+namespace {
+
+/// Reads a line. What is wrong with it is shown at its beginning.
+Genome read_line(const Representation& representation, const std::shared_ptr<const SourceFile>& file, std::size_t line,
+                 std::string_view text) {
+    try {
+        return representation.read(text);
+    } catch (const UserError& wrong) {
+        throw RefusedInput(render(Diagnostic{.message = wrong.what(), .location = {file, line, 1}}));
+    }
+}
+
+} // namespace
+
+std::vector<Genome> load_population(const std::filesystem::path& path, const Representation& representation) {
+    LoadedSource source = load_source(path);
+    if (!source.problems.empty())
+        throw RefusedInput(render(source.problems));
+    std::vector<Genome> population;
+    auto lines = static_cast<std::size_t>(std::ranges::count(source.file->text(), '\n')) + 1;
+    for (std::size_t line = 1; line <= lines; ++line) {
+        std::string_view text = source.file->line(line);
+        bool counts = text.find_first_not_of(" \t\r") != text.npos && text.front() != '#';
+        if (counts)
+            population.push_back(read_line(representation, source.file, line, text));
+    }
+    return population;
+}
+
+} // namespace placedpar

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+namespace placedpar {
+
+// How a string stands for the parameters of a problem, a field for each. With `dont_care`, so many bits that nobody
+// reads are stuffed between every two neighbours of the binary string (thesis eq. 6.14 and 6.15 have 1): an individual
+// of the search then has many strings, the more the more of its bits do not matter.
+
+/// In natural binary, as in the thesis, neighbours may differ in every bit: a search that stands at 0111 cannot step to
+/// 1000.
+struct NaturalCoding {
+    static constexpr std::string_view name = "natural", about = "fields in natural binary (thesis eq. 1.5)";
+    std::size_t dont_care = 0;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64}); }
+};
+
+/// In the (binary reflected) Gray code neighbours differ in one bit.
+struct GrayCoding {
+    static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit";
+    std::size_t dont_care = 0;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64}); }
+};
+
+/// No bits: the parameters themselves, each in the range of its field.
+struct RealCoding {
+    static constexpr std::string_view name = "real", about = "no bits: the parameters themselves, as real numbers";
+    static constexpr std::tuple<> numbers() { return {}; }
+};
+
+class Coding : public OneOf<NaturalCoding, GrayCoding, RealCoding> {
+public:
+    using OneOf::OneOf;
+    static Coding named(std::string_view text) { return read<Coding>(text); }
+    static const Coding natural, gray, real; ///< without don't-care bits
+
+    /// As OneOf::text(), but without don't-care bits where there are none.
+    std::string text() const { return dont_care() == 0 ? std::string(way()) : OneOf::text(); }
+    /// "natural", "gray" or "real".
+    constexpr std::string_view way() const {
+        return std::visit([](const auto& coding) { return coding.name; }, policy());
+    }
+    constexpr std::size_t dont_care() const {
+        if (const auto* natural_coding = std::get_if<NaturalCoding>(&policy()))
+            return natural_coding->dont_care;
+        const auto* gray_coding = std::get_if<GrayCoding>(&policy());
+        return gray_coding ? gray_coding->dont_care : 0;
+    }
+    /// The same way without don't-care bits.
+    Coding plain() const { return named(way()); }
+
+    friend constexpr bool operator==(const Coding& a, const Coding& b) {
+        return a.way() == b.way() && a.dont_care() == b.dont_care();
+    }
+};
+
+inline constexpr Coding Coding::natural{NaturalCoding{}}, Coding::gray{GrayCoding{}}, Coding::real{RealCoding{}};
+
+} // namespace placedpar

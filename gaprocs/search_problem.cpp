@@ -1,0 +1,68 @@
+#include "gaprocs/search_problem.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace placedpar {
+
+namespace {
+
+/// A problem whose string has don't-care bits between every two of its own.
+class StuffedProblem final : public SearchProblem {
+public:
+    /// REQUIRES: its strings are binary.
+    StuffedProblem(std::shared_ptr<const SearchProblem> plain, Coding coding)
+        : plain_(std::move(plain)), coding_(coding) {}
+
+    std::size_t bits() const override { return stuffed_bits(plain_->bits(), coding_.dont_care()); }
+    std::size_t channels() const override { return plain_->channels(); }
+    std::optional<Objective> objective() const override { return plain_->objective(); }
+    double error(const Genome& genome, std::span<const double> sample) const override {
+        return plain_->error(read(genome), sample);
+    }
+    double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
+        return plain_->fitness(read(genome), samples, bias);
+    }
+    void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
+                    std::span<double> out) const override {
+        std::vector<Genome> strings;
+        std::ranges::transform(population, std::back_inserter(strings), [&](const Genome& each) { return read(each); });
+        plain_->fitness_of(strings, samples, bias, out);
+    }
+    std::vector<double> decode(const Genome& genome) const override { return plain_->decode(read(genome)); }
+    std::vector<std::string> parameter_names() const override { return plain_->parameter_names(); }
+    std::vector<std::string> parameter_units() const override { return plain_->parameter_units(); }
+    std::vector<double> true_parameters() const override { return plain_->true_parameters(); }
+    Coding coding() const override { return coding_; }
+
+private:
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override { return plain_->coded(coding); }
+    Genome read(const Genome& genome) const { return unstuffed(genome, coding_.dont_care()); }
+
+    std::shared_ptr<const SearchProblem> plain_;
+    Coding coding_;
+};
+
+} // namespace
+
+std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
+    auto plain = coded_plainly(coding.plain());
+    if (coding.dont_care() == 0)
+        return plain;
+    if (plain->representation().kind() != StringKind::binary)
+        throw UserError(fmt::format("don't-care bits are of binary strings, and this problem's are {}",
+                                    name_of(plain->representation().kind())));
+    return std::make_shared<StuffedProblem>(std::move(plain), coding);
+}
+
+void refuse_coding(Coding coding) {
+    throw UserError(fmt::format("this problem does not read its {0} by fields, so that the coding \"{1}\" has no "
+                                "meaning for it",
+                                coding == Coding::real ? "string" : "binary string", coding.text()));
+}
+
+} // namespace placedpar

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/parameter_coding.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+namespace placedpar {
+
+// Functions of several numbers that are to be minimised. The optimum is that of all real numbers: where it lies between
+// two codes, no string reaches it. F1 to F5 are those of K. De Jong, "An analysis of the behavior of a class of genetic
+// adaptive systems", 1975, by default with his dimensions and bits.
+
+/// The numbers of a function all of whose parameters have one range, low ... high.
+template <class Function>
+struct OverBox {
+    std::size_t dimensions = Function::usual_dimensions;
+    std::size_t bits = Function::usual_bits; ///< of each parameter
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000},
+                          PolicyNumber{"bits", &Function::bits, 1, 52});
+    }
+    static constexpr std::size_t least_dimensions = 1;
+    ParameterCoding representation() const { return {dimensions, {Function::low, Function::high, bits}}; }
+    std::optional<double> optimum() const { return 0; }
+};
+
+/// The sum of squares.
+struct Sphere : OverBox<Sphere> {
+    static constexpr std::string_view name = "sphere", about = "the sum of squares (De Jong's F1): one smooth valley";
+    static constexpr std::size_t usual_dimensions = 3, usual_bits = 10;
+    static constexpr double low = -5.12, high = 5.12;
+    double objective(std::span<const double> x) const;
+};
+
+/// The sum of 100 (x_i^2 - x_(i+1))^2 + (1 - x_i)^2, least where all are 1.
+struct Rosenbrock : OverBox<Rosenbrock> {
+    static constexpr std::string_view name = "rosenbrock",
+                                      about = "Rosenbrock's saddle (De Jong's F2): a narrow valley that bends";
+    static constexpr std::size_t usual_dimensions = 2, usual_bits = 12, least_dimensions = 2;
+    static constexpr double low = -2.048, high = 2.048;
+    double objective(std::span<const double> x) const;
+};
+
+/// The sum of the whole numbers below: -6 for each parameter at its lower end.
+struct Step : OverBox<Step> {
+    static constexpr std::string_view name = "step", about = "the sum of floors (De Jong's F3): a plateau at each step";
+    static constexpr std::size_t usual_dimensions = 5, usual_bits = 10;
+    static constexpr double low = -5.12, high = 5.12;
+    double objective(std::span<const double> x) const;
+    std::optional<double> optimum() const { return -6.0 * static_cast<double>(dimensions); }
+};
+
+/// The sum of i x_i^4 and a normal deviate. De Jong draws it at each evaluation; here it is drawn from the seed and the
+/// numbers themselves, so that an individual has the same noise whoever evaluates it. Nothing is known of the optimum.
+struct Quartic : OverBox<Quartic> {
+    static constexpr std::string_view name = "quartic",
+                                      about = "the sum of i x_i^4 with noise (De Jong's F4), the same for equals";
+    static constexpr std::size_t usual_dimensions = 30, usual_bits = 8;
+    static constexpr double low = -1.28, high = 1.28;
+    double noise = 1; ///< standard deviation
+    std::size_t seed = 1;
+    static constexpr auto numbers() {
+        return std::tuple_cat(OverBox::numbers(), std::tuple(PolicyNumber{"noise", &Quartic::noise, 0, 1e6},
+                                                             PolicyNumber{"seed", &Quartic::seed, 0, 1e15}));
+    }
+    double objective(std::span<const double> x) const;
+    std::optional<double> optimum() const;
+};
+
+/// Shekel's foxholes: 25 narrow holes in a plain, the deepest at (-32, -32).
+struct Foxholes {
+    static constexpr std::string_view name = "foxholes", about = "Shekel's 25 foxholes in a plain (De Jong's F5)";
+    std::size_t bits = 17;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"bits", &Foxholes::bits, 1, 52}); }
+    ParameterCoding representation() const { return {2, {-65.536, 65.536, bits}}; }
+    double objective(std::span<const double> x) const;
+    /// To six digits, as it is found in the literature.
+    double optimum() const { return 0.998004; }
+};
+
+/// 10 n + the sum of x_i^2 - 10 cos(2 pi x_i).
+struct Rastrigin : OverBox<Rastrigin> {
+    static constexpr std::string_view name = "rastrigin",
+                                      about = "Rastrigin's function: a valley at every whole number";
+    static constexpr std::size_t usual_dimensions = 20, usual_bits = 16;
+    static constexpr double low = -5.12, high = 5.12;
+    double objective(std::span<const double> x) const;
+};
+
+/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)): the least valley lies at 420.9687, far from the next best.
+struct Schwefel : OverBox<Schwefel> {
+    static constexpr std::string_view name = "schwefel",
+                                      about = "Schwefel's function: the best valley is far from the next best";
+    static constexpr std::size_t usual_dimensions = 10, usual_bits = 16;
+    static constexpr double low = -500, high = 500;
+    /// x sin(sqrt(x)) at its greatest in the range, and where that is.
+    static constexpr double best_term = 418.98288727243374, best_place = 420.96874635998199;
+    double objective(std::span<const double> x) const;
+};
+
+/// 1 + the sum of x_i^2 / 4000 - the product of cos(x_i / sqrt(i)).
+struct Griewank : OverBox<Griewank> {
+    static constexpr std::string_view name = "griewank",
+                                      about = "Griewank's function: a bowl with ripples that depend on all numbers";
+    static constexpr std::size_t usual_dimensions = 10, usual_bits = 16;
+    static constexpr double low = -600, high = 600;
+    double objective(std::span<const double> x) const;
+};
+
+} // namespace placedpar

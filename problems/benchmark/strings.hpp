@@ -1,0 +1,77 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/representation.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace placedpar {
+
+// Problems of binary strings that are to be maximised.
+
+/// The number of ones.
+struct OneMax {
+    static constexpr std::string_view name = "one-max", about = "the number of ones: each bit counts by itself";
+    std::size_t bits = 100;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"bits", &OneMax::bits, 1, 1e6}); }
+    BitString representation() const { return BitString(bits); }
+    double objective(const Genome& genome) const;
+    double optimum() const { return static_cast<double>(bits); }
+};
+
+/// Deceptive traps (D. Goldberg, "Simple genetic algorithms and the minimal, deceptive problem", 1987; K. Deb and D.
+/// Goldberg, "Analyzing deception in trap functions", 1993): a block of all ones counts its size, any other one less
+/// than the number of its zeros. Each bit by itself leads away from the optimum.
+struct Trap {
+    static constexpr std::string_view name = "trap",
+                                      about = "deceptive traps: blocks where each bit by itself leads away";
+    std::size_t blocks = 10, size = 5;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"blocks", &Trap::blocks, 1, 1e5}, PolicyNumber{"size", &Trap::size, 2, 64});
+    }
+    BitString representation() const { return BitString(blocks * size); }
+    double objective(const Genome& genome) const;
+    double optimum() const { return static_cast<double>(blocks * size); }
+};
+
+/// A sum of numbers, each chosen by k + 1 neighbouring bits of the string closed to a ring.
+class Landscape {
+public:
+    /// `contributions`: for each bit 2^(k + 1) numbers, by the bits i ... i + k read as a natural binary number.
+    /// REQUIRES: bits > k, bits * 2^(k + 1) contributions.
+    Landscape(std::size_t bits, std::size_t k, std::vector<double> contributions);
+
+    BitString representation() const { return BitString(bits_); }
+    double objective(const Genome& genome) const;
+    /// Exact, by dynamic programming around the ring; nothing where that would take long.
+    std::optional<double> optimum() const;
+
+private:
+    double contribution(std::size_t place, std::size_t neighbourhood) const {
+        return contributions_[(place << (k_ + 1)) + neighbourhood];
+    }
+    double best_from(std::size_t first) const;
+
+    std::size_t bits_, k_;
+    std::vector<double> contributions_;
+};
+
+/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) with neighbouring bits, their contributions uniform in
+/// 0 ... 1 / bits.
+struct NkLandscape {
+    static constexpr std::string_view name = "nk",
+                                      about = "a landscape where each bit counts by its `k` neighbours, from a seed";
+    std::size_t bits = 32, k = 4, seed = 1;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"bits", &NkLandscape::bits, 1, 10000}, PolicyNumber{"k", &NkLandscape::k, 0, 8},
+                          PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15});
+    }
+    /// Throws UserError unless k < bits.
+    Landscape problem() const;
+};
+
+} // namespace placedpar

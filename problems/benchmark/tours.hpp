@@ -1,0 +1,69 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/representation.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace placedpar {
+
+struct City {
+    double x = 0, y = 0;
+};
+
+/// The travelling salesman: the shortest closed tour through all cities.
+class Tour {
+public:
+    /// `shortest` where it is known.
+    explicit Tour(std::vector<City> cities, std::optional<double> shortest = std::nullopt);
+
+    Permutation representation() const { return Permutation(cities_.size()); }
+    /// The length of the tour that visits the cities in this order and returns.
+    double objective(std::span<const std::size_t> order) const;
+    std::optional<double> optimum() const { return shortest_; }
+
+private:
+    std::vector<City> cities_;
+    std::optional<double> shortest_;
+};
+
+/// On a circle of radius 1; the shortest tour goes around it.
+struct CircleTour {
+    static constexpr std::string_view name = "tour-circle",
+                                      about = "the travelling salesman, cities on a circle of radius 1";
+    std::size_t cities = 20;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"cities", &CircleTour::cities, 1, 10000}); }
+    Tour problem() const;
+};
+
+/// On the crossings of a lattice of width 1. The shortest tour has only steps of 1, but for one diagonal where the
+/// number of cities is odd.
+struct LatticeTour {
+    static constexpr std::string_view name = "tour-lattice",
+                                      about = "the travelling salesman, cities on a lattice of width 1";
+    std::size_t rows = 5, columns = 4;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100},
+                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100});
+    }
+    Tour problem() const;
+};
+
+/// Uniform in a square of width 1. The shortest tour is not known.
+struct RandomTour {
+    static constexpr std::string_view name = "tour-random",
+                                      about = "the travelling salesman, cities at random in a square, from a seed";
+    std::size_t cities = 20, seed = 1;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"cities", &RandomTour::cities, 1, 10000},
+                          PolicyNumber{"seed", &RandomTour::seed, 0, 1e15});
+    }
+    Tour problem() const;
+};
+
+} // namespace placedpar

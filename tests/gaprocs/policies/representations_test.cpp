@@ -1,0 +1,187 @@
+// The operators of other than binary strings, each alone.
+
+#include "gaprocs/policies/acceptance.hpp"
+#include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/mutation.hpp"
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+const Representation unit_reals = RealVector(3, {0, 1}), tours = Permutation(7);
+
+double mean_of(const std::vector<double>& numbers) {
+    return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+}
+
+double deviation_of(const std::vector<double>& numbers) {
+    double mean = mean_of(numbers), sum = 0;
+    for (double each : numbers)
+        sum += (each - mean) * (each - mean);
+    return std::sqrt(sum / static_cast<double>(numbers.size()));
+}
+
+/// What becomes of the middle of a range.
+std::vector<double> mutants(const char* way, double probability, int count) {
+    const Representation one = RealVector(1, {-8, 8});
+    std::vector<Genome> population(static_cast<std::size_t>(count), one.read("0"));
+    RandomStream random(2, "mutants");
+    Mutation::named(way)(population, probability, one, random);
+    std::vector<double> numbers;
+    for (const Genome& each : population)
+        numbers.push_back(one.reals().value(each, 0));
+    return numbers;
+}
+
+bool is_permutation(const Genome& genome) {
+    auto order = tours.permutation().decode(genome);
+    std::ranges::sort(order);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (order[i] != i)
+            return false;
+    return order.size() == 7;
+}
+
+} // namespace
+
+TEST_CASE("each operator says what strings it fits") {
+    CHECK(Crossover::fitting(StringKind::binary) ==
+          std::vector<std::string>{"one-point", "two-point", "uniform", "by-difference"});
+    CHECK(Crossover::fitting(StringKind::real) ==
+          std::vector<std::string>{"one-point", "two-point", "uniform", "blend"});
+    CHECK(Crossover::fitting(StringKind::permutation) == std::vector<std::string>{"order"});
+    CHECK(Mutation::fitting(StringKind::binary) == std::vector<std::string>{"bit"});
+    CHECK(Mutation::fitting(StringKind::real) == std::vector<std::string>{"gaussian", "breeder", "uniform"});
+    CHECK(Mutation::fitting(StringKind::permutation) == std::vector<std::string>{"swap", "inversion"});
+    CHECK_FALSE(Mutation().fits(StringKind::real));
+    CHECK(Mutation::named("gaussian(0.2)").text() == "gaussian(deviation = 0.2)");
+}
+
+TEST_CASE("gaussian mutation has the stated deviation and rate, and stays in the range") {
+    auto all = mutants("gaussian(0.1)", 1, 20000);
+    CHECK(std::abs(mean_of(all)) < 0.06);
+    CHECK(deviation_of(all) == doctest::Approx(1.6).epsilon(0.03));
+    auto some = mutants("gaussian", 0.25, 20000);
+    CHECK(std::abs(std::ranges::count(some, 0.0) - 15000) < 310); // five standard deviations
+    auto wide = mutants("gaussian(10)", 1, 1000);
+    CHECK(*std::ranges::min_element(wide) == -8);
+    CHECK(*std::ranges::max_element(wide) == 8);
+}
+
+TEST_CASE("breeder mutation makes steps of every size, either way") {
+    auto steps = mutants("breeder(range = 0.5, precision = 10)", 1, 20000);
+    int up = 0, small = 0;
+    for (double step : steps) {
+        up += step > 0;
+        small += std::abs(step) < 0.25; // half of all sizes, by their logarithm
+        CHECK(std::abs(step) <= 8);
+        CHECK(std::abs(step) >= 8 * 0x1p-10);
+    }
+    CHECK(std::abs(up - 10000) < 360);
+    CHECK(std::abs(small - 10000) < 360);
+}
+
+TEST_CASE("uniform mutation draws anew") {
+    auto all = mutants("uniform", 1, 20000);
+    CHECK(std::abs(mean_of(all)) < 0.17);
+    CHECK(deviation_of(all) == doctest::Approx(16 / std::sqrt(12)).epsilon(0.03));
+}
+
+TEST_CASE("cuts leave whole numbers, and each from its place") {
+    RandomStream random(3, "numbers");
+    for (const char* way : {"one-point", "two-point", "uniform"}) {
+        std::map<std::string, int> seen;
+        for (int i = 0; i < 4000; ++i) {
+            std::vector<Genome> pair{unit_reals.read("0.1 0.2 0.3"), unit_reals.read("0.6 0.7 0.8")};
+            Crossover::named(way)(pair, 1, unit_reals, random);
+            ++seen[unit_reals.text(pair[0])];
+        }
+        CAPTURE(way);
+        CHECK(seen.size() == (std::string(way) == "uniform" ? 8 : std::string(way) == "one-point" ? 2 : 6));
+        CHECK(seen.contains("0.6 0.2 0.3"));
+        CHECK(std::ranges::all_of(seen, [&](const auto& each) { return each.second > 4000 / 16; }));
+    }
+}
+
+TEST_CASE("blend crossover is uniform between and a little beyond, and stays in the range") {
+    RandomStream random(4, "blend");
+    std::vector<double> first, last;
+    for (int i = 0; i < 10000; ++i) {
+        std::vector<Genome> pair{unit_reals.read("0.4 0.5 0.1"), unit_reals.read("0.6 0.5 0.9")};
+        Crossover(BlendCrossover{0.5})(pair, 1, unit_reals, random);
+        for (const Genome& each : pair) {
+            first.push_back(unit_reals.reals().value(each, 0));
+            CHECK(unit_reals.reals().value(each, 1) == 0.5);
+            last.push_back(unit_reals.reals().value(each, 2));
+        }
+    }
+    CHECK(mean_of(first) == doctest::Approx(0.5).epsilon(0.01));
+    CHECK(deviation_of(first) == doctest::Approx(0.4 / std::sqrt(12)).epsilon(0.02));
+    CHECK(*std::ranges::min_element(last) == 0);
+    CHECK(*std::ranges::max_element(last) == 1);
+}
+
+TEST_CASE("order crossover makes permutations that keep a stretch and an order") {
+    RandomStream random(5, "order");
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<Genome> pair = tours.random_population(2, random), parents = pair;
+        Crossover(OrderCrossover{})(pair, 1, tours, random);
+        for (std::size_t k : {0u, 1u}) {
+            REQUIRE(is_permutation(pair[k]));
+            CHECK(tours.distance(pair[k], parents[k]) <= 6); // two cities at least stay neighbours, or all are new
+        }
+    }
+    // Davis's example, with the cuts where they are: what is kept is kept in its place.
+    std::vector<Genome> equals{tours.read("3 1 4 0 6 2 5"), tours.read("3 1 4 0 6 2 5")};
+    Crossover(OrderCrossover{})(equals, 1, tours, random);
+    CHECK(tours.text(equals[0]) == "3 1 4 0 6 2 5");
+}
+
+TEST_CASE("swap and inversion leave permutations, and change as many edges as they must") {
+    RandomStream random(6, "mutate");
+    for (int i = 0; i < 500; ++i) {
+        Genome tour = tours.random(random), swapped = tour, turned = tour;
+        std::size_t place = random.below(7);
+        SwapMutation{}(swapped, place, tours, random);
+        InversionMutation{}(turned, place, tours, random);
+        REQUIRE(is_permutation(swapped));
+        REQUIRE(is_permutation(turned));
+        CHECK(swapped != tour);
+        CHECK(tours.distance(tour, swapped) <= 4);
+        CHECK(tours.distance(tour, turned) <= 2);
+    }
+    std::vector<Genome> many = tours.random_population(50, random), same = many;
+    Mutation(SwapMutation{})(many, 0, tours, random);
+    CHECK(many == same);
+}
+
+TEST_CASE("one number or one place is no reason to fail") {
+    RandomStream random(7, "one");
+    const Representation one_real = RealVector(1, {0, 1}), one_place = Permutation(1);
+    std::vector<Genome> reals = one_real.random_population(4, random), places = one_place.random_population(4, random);
+    for (const char* way : {"one-point", "two-point", "uniform", "blend"})
+        CHECK_NOTHROW(Crossover::named(way)(reals, 1, one_real, random));
+    Crossover(OrderCrossover{})(places, 1, one_place, random);
+    for (const char* way : {"swap", "inversion"})
+        Mutation::named(way)(places, 1, one_place, random);
+    CHECK(one_place.text(places[0]) == "0");
+}
+
+TEST_CASE("most alike is who is least distant, by what distance is") {
+    RandomStream random(8, "alike");
+    std::vector<Genome> strings{tours.read("0 2 4 6 1 3 5"), tours.read("3 2 1 0 6 5 4"), tours.read("0 1 2 3 6 5 4")};
+    std::vector<double> fitness{1, 2, 3};
+    std::vector<Individual> immigrant{{tours.read("0 1 2 3 4 5 6"), 5}};
+    // In bits, the last one is nearer; as tours, the second is the same turned round.
+    CHECK(AlikeAcceptance{}({strings, fitness, 0, &tours}, immigrant, random) == Places{1});
+    CHECK(AlikeAcceptance{}({strings, fitness, 0}, immigrant, random) == Places{2});
+}
