@@ -117,3 +117,24 @@ TEST_CASE("a kind of one's own cannot take a name that is taken") {
           Outcome{1, "farmer: this program adds a process kind \"csp.identity\", but that name is taken: give the kind "
                      "another, such as \"own.identity\"\n"});
 }
+
+namespace {
+
+struct OtherRastrigin {
+    static constexpr std::string_view name = "rastrigin", about = "another one";
+    static constexpr std::tuple<> numbers() { return {}; }
+    ParameterCoding representation() const { return ParameterCoding(1, {0, 1, 4}); }
+    double objective(std::span<const double> x) const { return x[0]; }
+};
+
+} // namespace
+
+TEST_CASE("nor a search problem") {
+    char program[] = "farmer", command[] = "kinds";
+    char* arguments[] = {program, command};
+    Listener listener;
+    CHECK(run_program(2, arguments, {}, {minimised<OtherRastrigin>()}) == 1);
+    CHECK(listener.said() ==
+          "farmer: this program adds a search problem \"rastrigin\", but that name is taken: give the "
+          "search problem another, such as \"own.rastrigin\"\n");
+}

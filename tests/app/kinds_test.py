@@ -113,6 +113,18 @@ class Kinds(unittest.TestCase):
         self.assertEqual(module[0]["models"][0]["defaults"], {"memory": 2 * 1024 * 1024})
         self.assertEqual(json.loads(said("devices", "--json")), {"processes": [], "devices": self.all["devices"]})
 
+    def test_problems_are_named_with_their_numbers(self):
+        listed = said("problems").splitlines()
+        self.assertEqual(listed[0], "problems")
+        names = [line.split()[0].split("(")[0] for line in listed[1:]]
+        self.assertEqual(names, [each["name"] for each in json.loads(said("problems", "--json"))["problems"]])
+        for name in ("boom", "rastrigin", "trap", "nk", "tour-circle"):
+            self.assertIn(name, names)
+            self.assertTrue(said(name).startswith(name + "\n"))
+        self.assertIn("string: 60 bits", said("rastrigin(dimensions = 6, bits = 10)"))
+        self.assertEqual(json.loads(said("one-max(4096)", "--json"))["problems"][0]["optimum"], 4096)
+        self.assertIn("dimensions = 0 is out of range", refusal("kinds", "rastrigin(0)"))
+
     def test_a_misspelt_name_gets_the_nearest(self):
         for wrong, right in (("mastr", "ga.master"), ("master", "ga.master"), ("ga.mastr", "ga.master"), ("cps", "csp"),
                              ("t80", "T800"), ("workstaton", "workstation"), ("device", "devices")):

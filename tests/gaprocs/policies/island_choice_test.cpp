@@ -33,12 +33,12 @@ ErrorsOfBest any_errors(std::uint64_t seed) {
 }
 
 /// Two islands with windows of 4 and 2 samples.
-const ErrorsOfBest small{{4, 2}, {{1, -1, 2, 2}, {3, 1, 1, -1}}};
+const ErrorsOfBest small_matrix{{4, 2}, {{1, -1, 2, 2}, {3, 1, 1, -1}}};
 
 } // namespace
 
 TEST_CASE("the error matrix of two islands by hand") {
-    ErrorMatrix squares(small, Sum::squares), plain(small, Sum::plain), means(small, Sum::means);
+    ErrorMatrix squares(small_matrix, Sum::squares), plain(small_matrix, Sum::plain), means(small_matrix, Sum::means);
     CHECK(squares.error(0, 0) == 10);
     CHECK(squares.error(0, 1) == 12);
     CHECK(squares.error(1, 0) == 8);
@@ -123,8 +123,8 @@ TEST_CASE("two perfect islands are equals, and the first is chosen") {
 
 TEST_CASE("a fixed island is always that one, and must exist") {
     RandomStream random(1, "not drawn from");
-    CHECK(IslandChoice::named("fixed(1)")(small, random) == 1);
-    CHECK_THROWS_WITH_AS(IslandChoice::named("fixed(island = 2)")(small, random),
+    CHECK(IslandChoice::named("fixed(1)")(small_matrix, random) == 1);
+    CHECK_THROWS_WITH_AS(IslandChoice::named("fixed(island = 2)")(small_matrix, random),
                          "the answer shall be that of island 2, but there are 2: 0 to 1", UserError);
     CHECK(IslandChoice::named("fixed(1)").text() == "fixed(island = 1)");
     CHECK(IslandChoice().text() == "printed");

@@ -1,0 +1,90 @@
+#include "gaprocs/initial_population.hpp"
+#include "gaprocs/objective_problem.hpp"
+#include "gaprocs/search.hpp"
+#include "gaprocs/usual_settings.hpp"
+#include "tests/gaprocs/cluster.hpp"
+#include "tests/gaprocs/objectives.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace placedpar;
+
+namespace {
+
+/// A file that is there as long as this.
+class PopulationFile {
+public:
+    explicit PopulationFile(const std::string& text)
+        : path_(std::filesystem::temp_directory_path() / "placedpar_initial_population.txt") {
+        std::ofstream(path_) << text;
+    }
+    ~PopulationFile() { std::filesystem::remove(path_); }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string refusal_of_file(const std::string& text) {
+    PopulationFile file(text);
+    try {
+        load_population(file.path(), BitString(4));
+    } catch (const RefusedInput& refused) {
+        return refused.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("a file has a string in each line, but for comments and empty lines") {
+    PopulationFile file("# to begin with\n0101\n\n  1111\r\n0000");
+    auto population = load_population(file.path(), BitString(4));
+    REQUIRE(population.size() == 3);
+    CHECK(population[0].to_string() == "0101");
+    CHECK(population[1].to_string() == "1111");
+    CHECK(population[2].to_string() == "0000");
+}
+
+TEST_CASE("a line that is no string is refused at its place") {
+    std::string refused = refusal_of_file("0101\n01012\n");
+    CHECK(refused.find("placed") != refused.npos);
+    CHECK(refused.find(":2:1: error: \"01012\" is no string of 4 characters 0 and 1\n    01012\n    ^") !=
+          refused.npos);
+    CHECK_THROWS_AS(load_population("there/is/none", BitString(4)), RefusedInput);
+}
+
+TEST_CASE("a search begins with what it is given, the rest drawn at random") {
+    auto seats = minimise(Seats{});
+    Representation orders = seats->representation();
+    SearchSettings settings = usual_settings(*seats);
+    settings.population = 5;
+    settings.initial = {orders.read("8 7 6 5 4 3 2 1 0"), orders.read("0 1 2 3 4 5 6 7 8")};
+    Search search(orders, settings, RandomStream(1, "initial"));
+    CHECK(search.population().size() == 5);
+    CHECK(search.population()[0] == settings.initial[0]);
+    CHECK(search.population()[1] == settings.initial[1]);
+    RandomStream random(1, "initial");
+    CHECK(search.population()[2] == orders.random(random));
+    settings.population = 2;
+    CHECK_NOTHROW(Search(orders, settings, RandomStream(1, "initial")));
+    settings.initial.push_back(settings.initial[0]);
+    CHECK_THROWS_WITH_AS(Search(orders, settings, RandomStream(1, "initial")),
+                         "3 initial individuals are given for a population of 2", UserError);
+    settings.initial = {Genome(3)};
+    CHECK_THROWS_WITH_AS(Search(orders, settings, RandomStream(1, "initial")),
+                         "an initial individual has 3 bits, expected 576", UserError);
+}
+
+TEST_CASE("a netlist names the file") {
+    PopulationFile file("0 1 2 3 4 5 6 7 8\n");
+    Cluster cluster{.slaves = 0,
+                    .master_parameters = fmt::format("initial = \"{}\"", file.path().string()),
+                    .problem = "seats",
+                    .host_parameters = "generations = 1"};
+    CHECK(run_on_line(cluster.netlist()).measured("master0", "best_objective") == 0);
+}
