@@ -129,8 +129,8 @@ void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
 }
 
 void Machine::make_processes(const Catalogue& catalogue) {
-    for (const ProcessInstance& process : network_.processes)
-        processes_.push_back(&make_process(process, kind_of(process, catalogue)));
+    for (std::size_t i = 0; i < network_.processes.size(); ++i)
+        processes_.push_back(&make_process(i, kind_of(network_.processes[i], catalogue)));
 }
 
 void Machine::expect_partners() {
@@ -139,12 +139,13 @@ void Machine::expect_partners() {
                              processes_[network_.channels[i].to.process]);
 }
 
-Process& Machine::make_process(const ProcessInstance& process, const ProcessKind& kind) {
+Process& Machine::make_process(std::size_t index, const ProcessKind& kind) {
+    const ProcessInstance& process = network_.processes[index];
     std::vector<ProcessEnvironment::Port> ports;
     for (const PortBinding& binding : process.ports)
         ports.push_back({binding.port, channels_[binding.channel].get()});
     ProcessEnvironment& environment =
-        environments_.emplace_back(process.name, process.parameters, std::move(ports), seed_, measurements_);
+        environments_.emplace_back(network_, index, std::move(ports), seed_, measurements_);
     return simulation_.process(
         process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
         executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);

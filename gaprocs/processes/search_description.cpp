@@ -13,19 +13,6 @@ namespace placedpar::search_description {
 
 namespace {
 
-/// Which of its policies a step takes.
-template <class Step>
-ParameterDescription policy(std::string name, std::string about) {
-    std::vector<std::string> examples;
-    for (const PolicyDescription& each : Step::descriptions())
-        examples.push_back(each.text());
-    return description::text(std::move(name),
-                             {.by_default = Step().text(),
-                              .choices = std::move(examples),
-                              .check = [](const std::string& text) { Step::named(text); }},
-                             std::move(about));
-}
-
 Parameters population_parameters() {
     using namespace description;
     return {
@@ -50,8 +37,9 @@ Parameters operator_parameters() {
         real("mutation", {.by_default = 0.01, .least = 0, .most = 1}, "probability that a bit is flipped"),
         integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
                 "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
-        policy<Reproduction>("reproduction", "how parents are chosen (thesis: by roulette)"),
-        policy<Crossover>("crossover_operator", "what a pair exchanges that is crossed over (thesis: one-point)"),
+        policy<Reproduction>("reproduction", Reproduction().text(), "how parents are chosen (thesis: by roulette)"),
+        policy<Crossover>("crossover_operator", Crossover().text(),
+                          "what a pair exchanges that is crossed over (thesis: one-point)"),
         text("coding", {.by_default = "natural", .choices = {"natural", "gray"}},
              "how a field of the string stands for a number: natural binary (thesis) or Gray code; the slaves are "
              "told"),

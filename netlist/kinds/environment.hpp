@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
@@ -16,6 +17,8 @@
 
 namespace placedpar {
 
+struct Network; // netlist/network/network.hpp
+
 /// A result of a process, reported at the end of the run.
 struct Measurement {
     std::string process;
@@ -25,7 +28,7 @@ struct Measurement {
 };
 
 /// What a running process sees of the netlist that placed it: the channels at its ports, its parameters, its
-/// random streams. It does not see where it is placed, nor whether its channels run over links.
+/// random streams. It need not know where it is placed, nor whether its channels run over links.
 ///
 /// To ask for a port or a parameter that its kind does not have, or has with another protocol or type, is a defect of
 /// the kind: std::logic_error.
@@ -36,13 +39,16 @@ public:
         AnyChannel* channel;
     };
 
-    ProcessEnvironment(std::string process, std::map<std::string, Value> parameters, std::vector<Port> ports,
-                       std::uint64_t seed, std::vector<Measurement>& measurements)
-        : process_(std::move(process)), parameters_(std::move(parameters)), ports_(std::move(ports)), seed_(seed),
-          measurements_(measurements) {}
+    /// REQUIRES: network and measurements outlive it; index < network.processes.size().
+    ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports, std::uint64_t seed,
+                       std::vector<Measurement>& measurements);
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
+    /// The whole netlist and the process's place in Network::processes: what a configurer could tell a program, such as
+    /// who its neighbours' neighbours are. Nothing that a process computes may depend on where any is placed.
+    const Network& network() const { return network_; }
+    std::size_t index() const { return index_; }
 
     std::int64_t integer(std::string_view parameter) const { return get<std::int64_t>(parameter); }
     double real(std::string_view parameter) const { return get<double>(parameter); }
@@ -104,6 +110,8 @@ private:
     AnyChannel& require(std::string_view port) const;
     std::vector<AnyChannel*> all(std::string_view port) const;
 
+    const Network& network_;
+    std::size_t index_;
     std::string process_;
     std::map<std::string, Value> parameters_;
     std::vector<Port> ports_;
