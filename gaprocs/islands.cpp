@@ -4,6 +4,7 @@
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -21,14 +22,37 @@ void require_generations_in_step(std::span<const SearchSettings> islands) {
                                         islands[0].window.trials, i, islands[i].window.trials));
 }
 
+void require_places(const IslandsSettings& settings, const Neighbours& neighbours) {
+    auto senders = most_senders_at_once(settings.schedule, neighbours);
+    for (std::size_t i = 0; i < senders.size(); ++i) {
+        const SearchSettings& island = settings.islands[i];
+        try {
+            Acceptance::validate_for(senders[i] * settings.emigration.count(), island.population, island.elite);
+        } catch (const UserError& refused) {
+            throw UserError(fmt::format("island {}: {}", i, refused.what()));
+        }
+    }
+}
+
 /// All that can be wrong whatever the record.
 void validate_islands(const IslandsSettings& settings) {
-    settings.topology.neighbours(settings.islands.size());
+    Neighbours neighbours = settings.topology.neighbours(settings.islands.size());
     for (const SearchSettings& island : settings.islands) {
         island.validate();
         settings.emigration.validate_for(island.population);
     }
     require_generations_in_step(settings.islands);
+    require_places(settings, neighbours);
+}
+
+/// With each island those that begin when it does.
+std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, const Neighbours& neighbours) {
+    std::vector<std::vector<std::size_t>> together(neighbours.size());
+    auto parts = separate_parts(schedule.in_step() ? neighbours : Neighbours(neighbours.size()));
+    for (const auto& part : parts)
+        for (std::size_t island : part)
+            together[island] = part;
+    return together;
 }
 
 /// The settings of each island as they hold for the problem.
@@ -40,6 +64,8 @@ IslandsSettings settings_for(const SearchProblem& problem, IslandsSettings setti
 
 void add_estimates(const SearchProblem& problem, const Islands& islands, std::size_t sample, IslandsResult& result) {
     for (std::size_t i = 0; i < result.islands.size(); ++i) {
+        if (!islands.ready(i))
+            continue;
         const Individual& best = islands.searches()[i].best();
         result.islands[i].estimates.push_back({sample, best, problem.decode(best.genome)});
     }
@@ -62,6 +88,19 @@ void IslandsSettings::validate_for(std::size_t record_length) const {
         island.window.validate_for(record_length);
 }
 
+std::string IslandsSettings::warning() const {
+    if (!topology.exchanges())
+        return "";
+    auto parts = separate_parts(topology.neighbours(islands.size()));
+    if (parts.size() == 1)
+        return "";
+    std::vector<std::string> listed;
+    for (const auto& part : parts)
+        listed.push_back(fmt::format("{}", fmt::join(part, ", ")));
+    return fmt::format("the islands are in {} parts that exchange nothing with each other: {}", parts.size(),
+                       fmt::join(listed, "; "));
+}
+
 Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams)
     : problem_(problem), settings_(settings_for(problem, std::move(settings))) {
     validate_islands(settings_);
@@ -69,7 +108,9 @@ Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::ve
         throw std::invalid_argument(
             fmt::format("{} streams of random numbers for {} islands", streams.size(), settings_.islands.size()));
     neighbours_ = settings_.topology.neighbours(streams.size());
+    in_step_ = islands_in_step(settings_.schedule, neighbours_);
     fitness_.resize(streams.size());
+    mail_.resize(streams.size());
     for (std::size_t i = 0; i < streams.size(); ++i) {
         windows_.emplace_back(settings_.islands[i].window);
         searches_.emplace_back(problem.representation(), settings_.islands[i], std::move(streams[i]));
@@ -81,53 +122,104 @@ void Islands::push(const Sample& sample) {
         window.push(sample);
 }
 
+bool Islands::ready(std::size_t island) const {
+    return std::ranges::all_of(in_step_[island], [&](std::size_t i) { return windows_[i].ready(); });
+}
+
 bool Islands::ready() const {
-    return std::ranges::all_of(windows_, [](const SlidingWindow& window) { return window.ready(); });
+    for (std::size_t i = 0; i < searches_.size(); ++i)
+        if (ready(i))
+            return true;
+    return false;
 }
 
 void Islands::next_generation() {
-    evaluate_all();
     migrations_.clear();
+    if (settings_.schedule.in_step())
+        return exchange_in_step();
     for (std::size_t i = 0; i < searches_.size(); ++i)
-        emigrate(i);
+        if (ready(i)) {
+            evaluate_one(i);
+            send_by_mail(i);
+            auto arrivals = mail_for(i);
+            breed(i, arrivals);
+            migrations_.insert(migrations_.end(), arrivals.begin(), arrivals.end());
+        }
+}
+
+void Islands::exchange_in_step() {
+    for (std::size_t i = 0; i < searches_.size(); ++i)
+        if (ready(i)) {
+            evaluate_one(i);
+            auto leaving = emigrants(i);
+            migrations_.insert(migrations_.end(), leaving.begin(), leaving.end());
+        }
     std::ranges::stable_sort(migrations_, {}, &Migration::to);
     auto first = migrations_.begin();
     for (std::size_t i = 0; i < searches_.size(); ++i) {
         auto end = std::find_if(first, migrations_.end(), [&](const Migration& each) { return each.to != i; });
-        accept(i, {first, end});
+        if (ready(i))
+            breed(i, {first, end});
         first = end;
     }
-    for (std::size_t i = 0; i < searches_.size(); ++i)
-        searches_[i].next_generation(fitness_[i]);
 }
 
-void Islands::evaluate_all() {
-    for (std::size_t i = 0; i < searches_.size(); ++i)
-        fitness_[i] =
-            evaluate(problem_, searches_[i].population(), windows_[i].samples(), settings_.islands[i].window.bias);
+void Islands::evaluate_one(std::size_t island) {
+    fitness_[island] = evaluate(problem_, searches_[island].population(), windows_[island].samples(),
+                                settings_.islands[island].window.bias);
 }
 
-void Islands::emigrate(std::size_t from) {
+std::vector<Migration> Islands::emigrants(std::size_t from) {
     std::uint64_t generation = searches_[from].generation() + 1;
     auto destinations = settings_.schedule.destinations(generation, neighbours_[from]);
     if (destinations.empty())
-        return;
+        return {};
     auto leaving = searches_[from].emigrants(fitness_[from], settings_.emigration);
+    std::vector<Migration> all;
     for (std::size_t to : destinations)
         for (const Individual& each : leaving)
-            migrations_.push_back({generation, from, to, each, std::nullopt});
+            all.push_back({generation, from, to, each, std::nullopt});
+    return all;
 }
 
-void Islands::accept(std::size_t island, std::span<Migration> arrivals) {
-    if (arrivals.empty())
-        return;
+/// What a neighbour has not taken in yet is replaced.
+void Islands::send_by_mail(std::size_t from) {
+    auto leaving = emigrants(from);
+    for (const Migration& each : leaving)
+        mail_[each.to][from].clear();
+    for (const Migration& each : leaving)
+        mail_[each.to][from].push_back(each);
+}
+
+std::vector<Migration> Islands::mail_for(std::size_t island) {
+    std::vector<Migration> arrivals;
+    if (!settings_.schedule.is_due(searches_[island].generation() + 1))
+        return arrivals;
+    for (auto& [from, letters] : mail_[island])
+        arrivals.insert(arrivals.end(), letters.begin(), letters.end());
+    mail_[island].clear();
+    return arrivals;
+}
+
+void Islands::breed(std::size_t island, std::span<Migration> arrivals) {
+    if (!settings_.acceptance.among_offspring())
+        for (Migration& arrival : arrivals)
+            arrival.individual.fitness = problem_.fitness(arrival.individual.genome, windows_[island].samples(),
+                                                          settings_.islands[island].window.bias);
+    accept_and_breed(searches_[island], fitness_[island], arrivals, settings_.acceptance);
+}
+
+void accept_and_breed(Search& search, std::span<double> fitness, std::span<Migration> arrivals,
+                      const Acceptance& acceptance) {
     std::vector<Individual> immigrants;
-    for (Migration& arrival : arrivals) {
-        arrival.individual.fitness = problem_.fitness(arrival.individual.genome, windows_[island].samples(),
-                                                      settings_.islands[island].window.bias);
+    for (const Migration& arrival : arrivals)
         immigrants.push_back(arrival.individual);
-    }
-    Places places = searches_[island].accept(immigrants, fitness_[island], settings_.acceptance);
+    Places places;
+    if (!arrivals.empty() && !acceptance.among_offspring())
+        places = search.accept(immigrants, fitness, acceptance);
+    search.next_generation(fitness);
+    if (!arrivals.empty() && acceptance.among_offspring())
+        places = search.accept_among_offspring(immigrants);
     for (std::size_t i = 0; i < places.size(); ++i)
         arrivals[i].place = places[i];
 }
@@ -162,7 +254,7 @@ IslandsResult run_islands(const SearchProblem& problem, std::size_t generations,
 std::vector<RandomStream> island_streams(std::uint64_t seed, std::size_t islands) {
     std::vector<RandomStream> streams;
     for (std::size_t i = 0; i < islands; ++i)
-        streams.emplace_back(seed, fmt::format("island {}", i));
+        streams.emplace_back(seed, fmt::format("island[{}]", i));
     return streams;
 }
 

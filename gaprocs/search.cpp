@@ -104,6 +104,15 @@ Places Search::accept(std::span<const Individual> immigrants, std::span<double> 
     return places;
 }
 
+Places Search::accept_among_offspring(std::span<const Individual> immigrants) {
+    for (const Individual& immigrant : immigrants)
+        require_length(immigrant);
+    Places places = Acceptance(OffspringAcceptance{})({population_, {}, elite_}, immigrants, random_);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        population_[places[i].value()] = immigrants[i].genome;
+    return places;
+}
+
 void Search::require_length(const Individual& immigrant) const {
     if (immigrant.genome.size() != representation_.bits())
         throw std::invalid_argument(fmt::format("an immigrant of {} bits comes to an island of {} bits",

@@ -25,7 +25,7 @@ namespace placedpar {
 /// exactly the generations of the traditional algorithm.
 ///
 /// The order of calls on an island: evaluate; emigrants() to the neighbours; accept() the immigrants;
-/// next_generation().
+/// next_generation(). Where immigrants come among the offspring, accept_among_offspring() follows instead.
 ///
 /// An elite (SearchSettings::elite) is copied unchanged to the head of the next population, the best first. Only the
 /// strings are copied: the elite is evaluated again with all others, since its fitness changes when the window moves.
@@ -64,8 +64,11 @@ public:
     /// Each immigrant that is not turned away replaces an individual, by default the worst, better or not: its string
     /// in population(), its fitness in `fitness`. Says where each came to live. Draws as emigrants(). Throws as
     /// next_generation(), when a string has another length, and UserError for more immigrants than there are
-    /// individuals that are not of the elite.
+    /// individuals that are not of the elite. REQUIRES: !acceptance.among_offspring().
     Places accept(std::span<const Individual> immigrants, std::span<double> fitness, const Acceptance& acceptance = {});
+    /// After next_generation(): each immigrant overwrites an individual of the new population, the elite at its head
+    /// excepted, and is evaluated with it. Throws as accept().
+    Places accept_among_offspring(std::span<const Individual> immigrants);
 
 private:
     void require_fitness(std::span<const double> fitness) const;

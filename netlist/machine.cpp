@@ -24,14 +24,6 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
         fmt::format("{}{}process {} ({}): {}", place, place.empty() ? "" : ": ", process.name, process.kind, why));
 }
 
-/// The parameters that the netlist gives.
-std::set<std::string> names_given(const ProcessInstance& process) {
-    std::set<std::string> names;
-    for (const auto& [name, place] : process.given)
-        names.insert(name);
-    return names;
-}
-
 /// Runs a process's program. What it refuses to work with is reported with the process, its kind and its place.
 void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
               ProcessEnvironment& environment) {
@@ -138,8 +130,8 @@ void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
 }
 
 void Machine::make_processes(const Catalogue& catalogue) {
-    for (const ProcessInstance& process : network_.processes)
-        processes_.push_back(&make_process(process, kind_of(process, catalogue)));
+    for (std::size_t i = 0; i < network_.processes.size(); ++i)
+        processes_.push_back(&make_process(i, kind_of(network_.processes[i], catalogue)));
 }
 
 void Machine::expect_partners() {
@@ -148,12 +140,13 @@ void Machine::expect_partners() {
                              processes_[network_.channels[i].to.process]);
 }
 
-Process& Machine::make_process(const ProcessInstance& process, const ProcessKind& kind) {
+Process& Machine::make_process(std::size_t index, const ProcessKind& kind) {
+    const ProcessInstance& process = network_.processes[index];
     std::vector<ProcessEnvironment::Port> ports;
     for (const PortBinding& binding : process.ports)
         ports.push_back({binding.port, channels_[binding.channel].get()});
-    ProcessEnvironment& environment = environments_.emplace_back(process.name, process.parameters, names_given(process),
-                                                                 std::move(ports), seed_, measurements_);
+    ProcessEnvironment& environment =
+        environments_.emplace_back(network_, index, std::move(ports), seed_, measurements_);
     return simulation_.process(
         process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
         executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);

@@ -39,7 +39,7 @@ private:
     void carry(AnyChannel&, const NetworkChannel&);
     void make_processes(const Catalogue&);
     void expect_partners();
-    Process& make_process(const ProcessInstance&, const ProcessKind&);
+    Process& make_process(std::size_t process, const ProcessKind&);
 
     std::vector<ProcessorUse> processor_uses() const;
     std::vector<LinkUse> link_uses() const;

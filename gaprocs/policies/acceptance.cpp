@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -32,6 +33,10 @@ Places give_places(const IslandPopulation& island, std::span<const Individual> i
     return places;
 }
 
+std::uint32_t random_candidate(const std::vector<std::size_t>& candidates, RandomStream& random) {
+    return random.below(static_cast<std::uint32_t>(candidates.size()));
+}
+
 std::vector<std::size_t> all_but_elite(const IslandPopulation& island) {
     return worst_indices(island.fitness, island.fitness.size() - island.elite);
 }
@@ -48,9 +53,7 @@ Places WorstAcceptance::operator()(const IslandPopulation& island, std::span<con
 Places RandomAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                                     RandomStream& random) const {
     return give_places(island, immigrants, all_but_elite(island), only_if_better,
-                       [&](const Individual&, const auto& candidates) {
-                           return random.below(static_cast<std::uint32_t>(candidates.size()));
-                       });
+                       [&](const Individual&, const auto& left) { return random_candidate(left, random); });
 }
 
 Places AlikeAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
@@ -67,13 +70,24 @@ Places AlikeAcceptance::operator()(const IslandPopulation& island, std::span<con
     return give_places(island, immigrants, all_but_elite(island), only_if_better, most_alike);
 }
 
-Places Acceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
-                              RandomStream& random) const {
-    std::size_t places = island.fitness.size() - island.elite;
-    if (immigrants.size() > places)
+Places OffspringAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                                       RandomStream& random) const {
+    std::vector<std::size_t> candidates(island.strings.size() - island.elite);
+    std::iota(candidates.begin(), candidates.end(), island.elite);
+    return give_places(island, immigrants, std::move(candidates), false,
+                       [&](const Individual&, const auto& left) { return random_candidate(left, random); });
+}
+
+void Acceptance::validate_for(std::size_t immigrants, std::size_t population, std::size_t elite) {
+    if (immigrants > population - elite)
         throw UserError(fmt::format("{} immigrants come at once to an island of {} individuals, {} of them elite, "
                                     "expected at most {}",
-                                    immigrants.size(), island.fitness.size(), island.elite, places));
+                                    immigrants, population, elite, population - elite));
+}
+
+Places Acceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                              RandomStream& random) const {
+    validate_for(immigrants.size(), island.strings.size(), island.elite);
     return std::visit([&](const auto& way) { return way(island, immigrants, random); }, policy());
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 namespace placedpar {
@@ -19,7 +20,8 @@ class RandomStream;
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
-    std::size_t elite = 0; ///< the best, who are never replaced; of equals, those of higher index
+    std::size_t elite = 0; ///< the best, who are never replaced; of equals, those of higher index; of a new
+                           ///< population the first
     const Representation* representation = nullptr; ///< binary strings where it is null
 };
 
@@ -30,7 +32,7 @@ using Places = std::vector<std::optional<std::size_t>>;
 // Each way gives the immigrants their places, to one after the other. No two get the same place, so that those who come
 // together do not replace each other. With `only_if_better`, an immigrant that is not fitter than the one it would
 // replace is turned away.
-// REQUIRES, everywhere: immigrants.size() + island.elite <= island.fitness.size(), all strings of one length.
+// REQUIRES, everywhere: immigrants.size() + island.elite <= island.strings.size(), all strings of one length.
 
 /// The least fit; the lower index first among equals. Draws nothing.
 struct WorstAcceptance {
@@ -64,14 +66,32 @@ struct AlikeAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
+/// Anyone of the population that has just been bred, with the same chance, but not of the elite at its head. So an
+/// immigrant is evaluated with the next generation and becomes nobody's parent before (thesis 5.3.2: "one generation
+/// later"). The population has no fitness yet: none is looked at, and nobody is turned away. At least one number an
+/// immigrant.
+struct OffspringAcceptance {
+    static constexpr std::string_view name = "offspring",
+                                      about = "one of the new population drawn at random, not of its elite, is "
+                                              "replaced; the immigrant is evaluated one generation later";
+    static constexpr std::tuple<> numbers() { return {}; }
+    Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                      RandomStream& random) const;
+};
+
 /// Who is replaced by an immigrant.
-class Acceptance : public OneOf<WorstAcceptance, RandomAcceptance, AlikeAcceptance> {
+class Acceptance : public OneOf<WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance> {
 public:
     using OneOf::OneOf;
     static Acceptance named(std::string_view text) { return read<Acceptance>(text); }
 
-    /// Throws UserError for more immigrants than may be replaced. REQUIRES: every fitness is a finite number,
-    /// island.elite <= island.fitness.size(), all strings of one length.
+    /// Whether immigrants come into the population that has just been bred, instead of the one that breeds.
+    bool among_offspring() const { return std::holds_alternative<OffspringAcceptance>(policy()); }
+
+    /// Throws UserError where more come at once than may be replaced. REQUIRES: elite <= population.
+    static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
+    /// Throws as validate_for(). REQUIRES: all strings of one length; island.elite <= their number; for each a fitness
+    /// that is a finite number, unless among_offspring().
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

@@ -51,11 +51,14 @@ std::vector<std::size_t> TournamentEmigration::operator()(std::span<const double
     });
 }
 
+std::size_t Emigration::count() const {
+    return std::visit([](const auto& way) { return way.count; }, policy());
+}
+
 void Emigration::validate_for(std::size_t population) const {
-    std::size_t count = std::visit([](const auto& way) { return way.count; }, policy());
-    if (count > population)
+    if (count() > population)
         throw UserError(
-            fmt::format("{} emigrants from a population of {}, expected at most {}", count, population, population));
+            fmt::format("{} emigrants from a population of {}, expected at most {}", count(), population, population));
 }
 
 std::vector<std::size_t> Emigration::operator()(std::span<const double> fitness, RandomStream& random) const {

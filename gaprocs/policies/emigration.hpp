@@ -49,6 +49,8 @@ public:
     using OneOf::OneOf;
     static Emigration named(std::string_view text) { return read<Emigration>(text); }
 
+    /// How many leave.
+    std::size_t count() const;
     /// Throws UserError where more shall leave than there are.
     void validate_for(std::size_t population) const;
     /// The indices of those who leave. Throws as validate_for(). REQUIRES: every fitness is a finite number.

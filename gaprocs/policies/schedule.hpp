@@ -1,17 +1,20 @@
 #pragma once
 
 #include "gaprocs/policies/policy.hpp"
+#include "gaprocs/policies/topology.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <variant>
+#include <vector>
 
 namespace placedpar {
 
-// Each way says to which of an island's neighbours its emigrants go at exchange 1, 2, 3, ... All islands exchange in
-// the same generations: every `every`-th, from generation `every` on, the first of all being generation 1.
+// Each way says to which of an island's neighbours its emigrants go at exchange 1, 2, 3, ... Islands exchange in their
+// generations `every`, 2 `every`, 3 `every`, ..., the first of all being generation 1.
 
 struct BroadcastSchedule {
     static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once";
@@ -30,15 +33,41 @@ struct SequentialSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
+/// Nobody waits for anybody: emigrants go to all neighbours, and an island takes in those who have come meanwhile, from
+/// each neighbour the last that it sent. On a machine that depends on its times, and is the same in every run of it.
+struct AsynchronousSchedule {
+    static constexpr std::string_view name = "asynchronous",
+                                      about = "every `every` generations to all neighbours, waiting for none";
+    std::size_t every = 3;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &AsynchronousSchedule::every, 1, 1e6}); }
+    std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
+};
+
 /// When emigrants leave, and to whom they go.
-class Schedule : public OneOf<BroadcastSchedule, SequentialSchedule> {
+class Schedule : public OneOf<BroadcastSchedule, SequentialSchedule, AsynchronousSchedule> {
 public:
     using OneOf::OneOf;
     static Schedule named(std::string_view text) { return read<Schedule>(text); }
+
+    /// Whether islands that exchange wait for each other, so that all are in the same generation.
+    bool in_step() const { return !std::holds_alternative<AsynchronousSchedule>(policy()); }
+    /// Whether emigrants go to one neighbour after the other, not always to all.
+    bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
+    /// Whether an exchange follows the evaluation of the given generation, counted from 1.
+    bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }
+    /// Generations from one exchange to the next.
+    std::size_t every() const {
+        return std::visit([](const auto& way) { return way.every; }, policy());
+    }
 
     /// Of an island's neighbours, those to whom its emigrants go when the given generation, counted from 1, has been
     /// evaluated.
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
+
+/// For each island from how many others immigrants come at once at the most. Looks at 10 000 exchanges, in which every
+/// coincidence of the turns occurs unless islands have very odd numbers of neighbours.
+/// REQUIRES: neighbours as Topology::neighbours() gives them.
+std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);
 
 } // namespace placedpar

@@ -141,7 +141,7 @@ Neighbours Topology::neighbours(std::size_t islands) const {
     if (islands == 0)
         throw UserError("0 islands, expected at least 1");
     Neighbours all = std::visit([&](const auto& way) { return way(islands); }, policy());
-    if (!std::holds_alternative<NoTopology>(policy()))
+    if (exchanges())
         require_neighbours(all);
     return all;
 }

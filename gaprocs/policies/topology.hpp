@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 namespace placedpar {
@@ -82,6 +83,9 @@ public:
     using OneOf::OneOf;
     static Topology named(std::string_view text) { return read<Topology>(text); }
 
+    bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }
+    /// False for "none".
+    bool exchanges() const { return !std::holds_alternative<NoTopology>(policy()); }
     /// Throws UserError, saying what would be right: no island, a number of islands that does not fit, an island
     /// without neighbours in any topology but "none".
     Neighbours neighbours(std::size_t islands) const;

@@ -1,40 +1,69 @@
 #include "gaprocs/processes/kinds.hpp"
 
+#include "gaprocs/policies/acceptance.hpp"
+#include "gaprocs/policies/emigration.hpp"
+#include "gaprocs/policies/schedule.hpp"
+#include "gaprocs/policies/topology.hpp"
+#include "gaprocs/processes/island_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/processes/search_process.hpp"
 #include "netlist/kinds/description.hpp"
 
+#include <utility>
+
 namespace placedpar {
 
 namespace {
 
-search_description::Parameters ring_parameters() {
+using namespace search_description;
+
+Parameters exchange_parameters() {
     return {description::integer("exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
-                                 "how often the islands exchange their best individuals (thesis 4.3)")};
+                                 "how often the islands exchange individuals (thesis 4.3), where the schedule does not "
+                                 "say"),
+            policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours"),
+            policy<Emigration>("emigration", Emigration().text(), "of whom copies leave, and how many"),
+            policy<Acceptance>("acceptance", Acceptance().text(), "who is replaced by an immigrant"),
+            policy<Topology>("topology", "given",
+                             "\"given\": as the ports are connected; else that topology of all islands in the order of "
+                             "their declaration, which they must be connected as")};
 }
 
-PortDescription ring_out() {
-    return description::optional(description::output<Emigrant>("ring_out", "emigrant", "to the next island"));
+PortDescription to_neighbours() {
+    return description::optional(description::output<Emigrants>(
+        "to_neighbours", "emigrants",
+        "an array: one end for each island to which emigrants go, in the order of a sequential schedule"));
 }
 
-PortDescription ring_in() {
-    return description::optional(description::input<Emigrant>("ring_in", "emigrant", "from the island before"));
+PortDescription from_neighbours() {
+    return description::optional(description::input<Emigrants>(
+        "from_neighbours", "emigrants", "an array: one end for each island from which immigrants come, in any order"));
+}
+
+ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {
+    searching.check = [&problems, check_search = std::move(searching.check)](const Network& network,
+                                                                             std::size_t process) {
+        auto complaints = check_search(network, process), of_island = check_island(network, process, problems);
+        complaints.insert(complaints.end(), of_island.begin(), of_island.end());
+        return complaints;
+    };
+    return searching;
 }
 
 } // namespace
 
 ProcessKind island_kind(const ProblemRegistry& problems) {
-    using namespace search_description;
-    return searching({.name = "ga.island",
-                      .about =
-                          "An island of algorithm B: a genetic algorithm of its own that exchanges its best individual "
-                          "around a ring. With slaves it is a master as well (A + B); without a ring it is that only.",
-                      .ports = {ring_out(), ring_in(), from_host(), to_slaves(), from_slaves()},
-                      .parameters = search_parameters() + farm_parameters() + ring_parameters(),
-                      .measurements = search_measurements(),
-                      .together = {{"to_slaves", "from_slaves"}, {"ring_out", "ring_in"}}},
-                     problems);
+    return with_exchange(
+        searching({.name = "ga.island",
+                   .about = "An island of algorithm B: a genetic algorithm of its own that exchanges individuals with "
+                            "its neighbours. With slaves it is a master as well (A + B).",
+                   .ports = {to_neighbours(), from_neighbours(), from_host(), to_slaves(), from_slaves()},
+                   .parameters = search_parameters() + farm_parameters() + exchange_parameters(),
+                   .measurements = search_measurements(),
+                   .together = {{"to_slaves", "from_slaves"}}},
+                  problems),
+        problems);
 }
 
 } // namespace placedpar

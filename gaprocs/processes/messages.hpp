@@ -62,9 +62,11 @@ struct InPlace {
     WireForm wire_form() const { return WireForm(4u); }
 };
 
-/// From an island to the next one in the ring.
-struct Emigrant : Parcel {
-    Individual individual;
+/// From an island to a neighbour.
+struct Emigrants : Parcel {
+    bool end = false; ///< the island has ended; only where it does not exchange in step
+    std::uint64_t generation = 0;
+    std::vector<Individual> individuals;
 };
 
 } // namespace placedpar

@@ -15,19 +15,6 @@ namespace placedpar::search_description {
 
 namespace {
 
-/// Which of its policies a step takes.
-template <class Step>
-ParameterDescription policy(std::string name, std::string about) {
-    std::vector<std::string> examples;
-    for (const PolicyDescription& each : Step::descriptions())
-        examples.push_back(each.text());
-    return description::text(std::move(name),
-                             {.by_default = Step().text(),
-                              .choices = std::move(examples),
-                              .check = [](const std::string& text) { Step::named(text); }},
-                             std::move(about));
-}
-
 Parameters population_parameters() {
     using namespace description;
     return {
@@ -53,11 +40,13 @@ Parameters operator_parameters() {
              "probability that a bit is flipped (or a number, or a place of a permutation changed)"),
         integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
                 "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
-        policy<Reproduction>("reproduction",
+        policy<Reproduction>("reproduction", Reproduction().text(),
                              "how parents are chosen (thesis: by roulette; of a problem without a record: ranking)"),
-        policy<Crossover>("crossover_operator", "what a pair exchanges that is crossed over (thesis: one-point)"),
-        policy<Mutation>("mutation_operator", "how what is mutated changes (thesis: a bit is flipped)"),
-        policy<Coding>("coding",
+        policy<Crossover>("crossover_operator", Crossover().text(),
+                          "what a pair exchanges that is crossed over (thesis: one-point)"),
+        policy<Mutation>("mutation_operator", Mutation().text(),
+                         "how what is mutated changes (thesis: a bit is flipped)"),
+        policy<Coding>("coding", Coding().text(),
                        "how a field of the string stands for a number (thesis: natural); the slaves are told"),
         text("initial", {.by_default = ""},
              "a file with the first of the first population, a string in each line; the others are drawn at random"),

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "gaprocs/policies/policy.hpp"
+#include "netlist/kinds/description.hpp"
 #include "netlist/kinds/process_kind.hpp"
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// What the descriptions of several kinds of this room have in common.
@@ -13,6 +16,19 @@ using Parameters = std::vector<ParameterDescription>;
 
 /// Every one of `first`, then every one of `second`.
 Parameters operator+(Parameters first, const Parameters& second);
+
+/// Which of its policies a step takes.
+template <class Step>
+ParameterDescription policy(std::string name, std::string by_default, std::string about) {
+    std::vector<std::string> examples;
+    for (const PolicyDescription& each : Step::descriptions())
+        examples.push_back(each.text());
+    return description::text(std::move(name),
+                             {.by_default = std::move(by_default),
+                              .choices = std::move(examples),
+                              .check = [](const std::string& text) { Step::named(text); }},
+                             std::move(about));
+}
 
 ParameterDescription problem();
 ParameterDescription cycles_per_error();

@@ -1,13 +1,14 @@
 #include "gaprocs/processes/search_process.hpp"
 
 #include "gaprocs/processes/farm.hpp"
+#include "gaprocs/processes/island_exchange.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/window.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "netlist/network/network.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/fingerprint.hpp"
-#include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 
 #include <fmt/format.h>
@@ -41,17 +42,27 @@ public:
           farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
-        if (environment.connected("ring_out")) {
-            to_ring_ = environment.output<Emigrant>("ring_out");
-            from_ring_ = environment.input<Emigrant>("ring_in");
-            exchange_every_ = static_cast<std::uint64_t>(environment.integer("exchange_every"));
-        }
+        if (environment.network().processes[environment.index()].kind == "ga.island")
+            exchange_.emplace(environment, problem, settings_, workload_);
     }
 
     void run() {
+        if (exchange_)
+            exchange_->beside_mail([this] { search_record(); });
+        else
+            search_record();
+        if (timing_ && rehearsals_ > 0)
+            rehearse();
+        farm_.end();
+        report();
+    }
+
+private:
+    void search_record() {
         for (HostMessage message = from_host_.input(); !message.end; message = from_host_.input()) {
             window_.push(message.sample);
-            if (!window_.ready())
+            ++samples_;
+            if (!window_.ready() || (exchange_ && samples_ < exchange_->samples_to_begin()))
                 continue;
             auto samples = window_.samples();
             farm_.measure(std::make_shared<const std::vector<Sample>>(samples.begin(), samples.end()));
@@ -62,13 +73,8 @@ public:
                 run_generation();
         }
         rate_.stop();
-        if (timing_ && rehearsals_ > 0)
-            rehearse();
-        farm_.end();
-        report();
     }
 
-private:
     static std::string stream_name(const ProcessEnvironment& environment) {
         const std::string& stream = environment.text("stream");
         return stream.empty() ? environment.process() : stream;
@@ -88,11 +94,12 @@ private:
             for (std::uint64_t word : genome.words())
                 populations_.mix(word);
         std::vector<double> fitness = farm_.evaluate(search_.population());
-        if (exchange_every_ > 0 && (search_.generation() + 1) % exchange_every_ == 0)
-            exchange(fitness);
+        migrations_.clear();
+        if (exchange_ && exchange_->is_due(search_.generation() + 1))
+            migrations_ = exchange_->exchange(search_, fitness, window_.samples());
         operators_.start();
         compute(static_cast<std::int64_t>(fitness.size()) * workload_.genetic_operators);
-        search_.next_generation(fitness);
+        accept_and_breed(search_, fitness, migrations_, exchange_ ? exchange_->acceptance() : Acceptance());
         if (!best_ || search_.best().fitness > best_->fitness)
             best_ = search_.best();
         operators_.stop();
@@ -106,16 +113,6 @@ private:
         for (std::int64_t i = 0; i < rehearsals_; ++i)
             farm_.rehearse(search_.population());
         rehearsal_.stop();
-    }
-
-    /// The best goes to the next island; the best of the island before replaces the worst.
-    void exchange(std::vector<double>& fitness) {
-        Emigrant emigrant;
-        emigrant.individual = search_.emigrants(fitness).front();
-        emigrant.bytes = workload_.string_bytes + workload_.fitness_bytes;
-        Emigrant immigrant;
-        par([&] { to_ring_.output(emigrant); }, [&] { immigrant = from_ring_.input(); });
-        search_.accept({&immigrant.individual, 1}, fitness);
     }
 
     void report() {
@@ -180,14 +177,14 @@ private:
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;
-    Output<Emigrant> to_ring_;
-    Input<Emigrant> from_ring_;
-    std::uint64_t exchange_every_ = 0;
+    std::optional<IslandExchange> exchange_;
 
+    std::size_t samples_ = 0; ///< that have come in
     SlidingWindow window_;
     Search search_;
     std::optional<Individual> best_; ///< of all generations; of no use where the window moves
     Fingerprint populations_;
+    std::vector<Migration> migrations_; ///< of this generation: who came from where, and from the breeding on his place
 
     bool timing_ = false;
     std::uint64_t generations_before_timing_ = 0;

@@ -43,6 +43,13 @@ Location place_of(const Completion& c, const Complaint& complaint) {
     return process.declared;
 }
 
+void report(Completion& c, const Complaint& complaint) {
+    if (complaint.warning)
+        c.reporter.warning(place_of(c, complaint), complaint.message, complaint.hint);
+    else
+        c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
+}
+
 } // namespace
 
 void complete_checks(Completion& c) {
@@ -56,7 +63,7 @@ void complete_checks(Completion& c) {
     for (std::size_t i = 0; i < processes.size(); ++i)
         if (c.kinds[i] != nullptr && c.kinds[i]->check)
             for (const auto& complaint : c.kinds[i]->check(c.network, i))
-                c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
+                report(c, complaint);
 }
 
 } // namespace placedpar

@@ -1,6 +1,18 @@
 #include "netlist/kinds/environment.hpp"
 
+#include "netlist/network/network.hpp"
+
 namespace placedpar {
+
+ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports,
+                                       std::uint64_t seed, std::vector<Measurement>& measurements)
+    : network_(network), index_(index), process_(network.processes[index].name),
+      parameters_(network.processes[index].parameters), ports_(std::move(ports)), seed_(seed),
+      measurements_(measurements) {}
+
+bool ProcessEnvironment::given(const std::string& parameter) const {
+    return network_.processes[index_].given.contains(parameter);
+}
 
 AnyChannel* ProcessEnvironment::find(std::string_view port) const {
     for (const Port& candidate : ports_)

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,6 +16,8 @@
 #include <vector>
 
 namespace placedpar {
+
+struct Network; // netlist/network/network.hpp
 
 /// A result of a process, reported at the end of the run.
 struct Measurement {
@@ -26,7 +28,7 @@ struct Measurement {
 };
 
 /// What a running process sees of the netlist that placed it: the channels at its ports, its parameters, its
-/// random streams. It does not see where it is placed, nor whether its channels run over links.
+/// random streams. It need not know where it is placed, nor whether its channels run over links.
 ///
 /// To ask for a port or a parameter that its kind does not have, or has with another protocol or type, is a defect of
 /// the kind: std::logic_error.
@@ -37,19 +39,22 @@ public:
         AnyChannel* channel;
     };
 
-    ProcessEnvironment(std::string process, std::map<std::string, Value> parameters, std::set<std::string> given,
-                       std::vector<Port> ports, std::uint64_t seed, std::vector<Measurement>& measurements)
-        : process_(std::move(process)), parameters_(std::move(parameters)), given_(std::move(given)),
-          ports_(std::move(ports)), seed_(seed), measurements_(measurements) {}
+    /// REQUIRES: network and measurements outlive it; index < network.processes.size().
+    ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports, std::uint64_t seed,
+                       std::vector<Measurement>& measurements);
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
+    /// The whole netlist and the process's place in Network::processes: what a configurer could tell a program, such as
+    /// who its neighbours' neighbours are. Nothing that a process computes may depend on where any is placed.
+    const Network& network() const { return network_; }
+    std::size_t index() const { return index_; }
 
     std::int64_t integer(std::string_view parameter) const { return get<std::int64_t>(parameter); }
     double real(std::string_view parameter) const { return get<double>(parameter); }
     const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
     /// Whether the netlist gives the parameter; else it has its default.
-    bool given(const std::string& parameter) const { return given_.contains(parameter); }
+    bool given(const std::string& parameter) const;
 
     bool connected(std::string_view port) const { return find(port) != nullptr; }
     template <class T>
@@ -107,9 +112,10 @@ private:
     AnyChannel& require(std::string_view port) const;
     std::vector<AnyChannel*> all(std::string_view port) const;
 
+    const Network& network_;
+    std::size_t index_;
     std::string process_;
     std::map<std::string, Value> parameters_;
-    std::set<std::string> given_;
     std::vector<Port> ports_;
     std::uint64_t seed_;
     std::vector<Measurement>& measurements_;

@@ -35,11 +35,12 @@ struct MeasurementDescription {
     std::string about;
 };
 
-/// What is wrong with a process beyond what ranges and single ports can say.
+/// What is wrong, or hardly meant, with a process beyond what ranges and single ports can say.
 struct Complaint {
     std::size_t process = 0; ///< the process at fault; not always the one whose kind was asked
     std::string about;       ///< the parameter or the port at fault, whose place is shown; "": the process
     std::string message, hint;
+    bool warning = false; ///< said, but the netlist is good
 };
 
 /// A kind of process that a netlist can name in `use "kind" for process;`.

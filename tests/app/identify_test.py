@@ -189,15 +189,14 @@ class Identification(unittest.TestCase):
         self.assertIn("processes search, expected one", self.refused(STEP, "--on", FIGURE_E2))
 
     def test_processes_that_do_not_find_the_same_end_with_3(self):
-        # An island that is its own neighbour: its best takes the place of its worst every third generation.
-        ring = self.file("ring.cfs", """
+        # Another crossover than identify's.
+        other = self.file("other.cfs", """
             T800 t; workstation sun; connect sun.link[0] to t.link[0];
-            process (interface (output to_masters[1])) host;
-            process (interface (input from_host, output ring_out, input ring_in)) island;
-            use "ga.host" for host; use "ga.island" for island;
-            connect host.to_masters[0] to island.from_host; connect island.ring_out to island.ring_in;
-            place host on sun; place island on t;""")
-        run = placedpar("identify", STEP, "--population", 20, "--on", ring)
+            process host, master;
+            use "ga.host" for host; use "ga.master" for master; master (crossover_operator = "uniform");
+            connect host.to_masters[0] to master.from_host;
+            place host on sun; place master on t;""")
+        run = placedpar("identify", STEP, "--population", 20, "--on", other)
         self.assertEqual(run.returncode, 3, run.stderr)
         self.assertTrue(run.stdout.endswith("by the processes: not the same\n"))
 

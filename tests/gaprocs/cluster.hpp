@@ -41,9 +41,9 @@ struct Cluster {
             for (int i = 0; i < slaves; ++i)
                 text += slave(island, i);
         for (int island = 0; islands > 1 && island < islands; ++island)
-            text += fmt::format(
-                "connect t{0}_0.link[1] to t{1}_0.link[2];\nconnect master{0}.ring_out to master{1}.ring_in;\n", island,
-                (island + 1) % islands);
+            text += fmt::format("connect t{0}_0.link[1] to t{1}_0.link[2];\nconnect master{0}.to_neighbours[0] to "
+                                "master{1}.from_neighbours[0];\n",
+                                island, (island + 1) % islands);
         return text;
     }
 
@@ -54,14 +54,13 @@ private:
 
     std::string master(int island) const {
         std::string text = processor(island, 0);
-        text +=
-            fmt::format("process (interface (input from_host, output to_slaves, input from_slaves, output ring_out, "
-                        "input ring_in)) master{0};\n"
-                        "use \"ga.island\" for master{0};\nplace master{0} on t{0}_0;\n"
-                        "connect sun.link[{0}] to t{0}_0.link[0];\n"
-                        "connect host.to_masters[{0}] to master{0}.from_host;\n"
-                        "master{0} (problem = \"{3}\", population = {1}, {2});\n",
-                        island, population, master_parameters, problem);
+        text += fmt::format("process (interface (input from_host, output to_slaves, input from_slaves, "
+                            "output to_neighbours[1], input from_neighbours[1])) master{0};\n"
+                            "use \"ga.island\" for master{0};\nplace master{0} on t{0}_0;\n"
+                            "connect sun.link[{0}] to t{0}_0.link[0];\n"
+                            "connect host.to_masters[{0}] to master{0}.from_host;\n"
+                            "master{0} (problem = \"{3}\", population = {1}, {2});\n",
+                            island, population, master_parameters, problem);
         if (islands == 1)
             text += fmt::format("master{} (stream = \"{}\");\n", island, stream);
         if (slaves > 0)

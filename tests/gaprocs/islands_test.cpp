@@ -1,53 +1,93 @@
 // Algorithm B on the simulated machine against the islands of the library.
 
-#include "gaprocs/islands.hpp"
-#include "runtime/fingerprint.hpp"
-#include "tests/gaprocs/cluster.hpp"
+#include "tests/gaprocs/island_netlist.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
 #include <vector>
 
 using namespace placedpar;
+using test::IslandNetlist;
+using test::LibraryRun;
 
 namespace {
 
-/// A hash of every population of each island, as processes measure it, with the policies by default: every third
-/// generation the best of each replaces the worst of the next.
-std::vector<std::string> populations_of_ring(std::size_t islands, std::size_t population) {
-    auto problem = make_search_problem(LineProblem{});
-    SearchSettings each;
-    each.population = population;
+// Rings of masters with slaves
+
+std::vector<RandomStream> streams_of_masters(std::size_t islands) {
     std::vector<RandomStream> streams;
     for (std::size_t i = 0; i < islands; ++i)
         streams.emplace_back(1, fmt::format("master{}", i));
-    IslandsSettings settings;
-    settings.islands.assign(islands, each);
-    Islands side_by_side(*problem, settings, streams);
-    std::vector<Fingerprint> populations(islands);
-    for (const Sample& sample : line_record(line_samples)) {
-        side_by_side.push(sample);
-        for (std::size_t trial = 0; side_by_side.ready() && trial < each.window.trials; ++trial) {
-            for (std::size_t i = 0; i < islands; ++i)
-                for (const Genome& genome : side_by_side.searches()[i].population())
-                    for (std::uint64_t word : genome.words())
-                        populations[i].mix(word);
-            side_by_side.next_generation();
-        }
-    }
-    std::vector<std::string> hashes;
-    for (const Fingerprint& hash : populations)
-        hashes.push_back(fmt::format("{:016x}", hash.value()));
-    return hashes;
+    return streams;
 }
 
 void check_ring(const Cluster& cluster) {
     RunReport report = run_on_line(cluster.netlist());
     CHECK(report.result.ending == Ending::completed);
-    auto expected =
-        populations_of_ring(static_cast<std::size_t>(cluster.islands), static_cast<std::size_t>(cluster.population));
+    SearchSettings each;
+    each.population = static_cast<std::size_t>(cluster.population);
+    IslandsSettings settings;
+    settings.islands.assign(static_cast<std::size_t>(cluster.islands), each);
+    LibraryRun expected(settings, streams_of_masters(settings.islands.size()));
     for (int i = 0; i < cluster.islands; ++i)
-        CHECK(report.measured_text(fmt::format("master{}", i), "populations") == expected[static_cast<std::size_t>(i)]);
+        CHECK(report.measured_text(fmt::format("master{}", i), "populations") ==
+              expected.populations[static_cast<std::size_t>(i)]);
+}
+
+// Any topology
+
+constexpr std::size_t eight = 8;
+
+IslandsSettings alike_islands() {
+    SearchSettings each;
+    each.population = 16;
+    each.elite = 1;
+    each.window.trials = 2;
+    IslandsSettings settings;
+    settings.islands.assign(eight, each);
+    return settings;
+}
+
+/// A distributed fitness function: populations, odd ones too, windows and biases of their own.
+IslandsSettings different_islands() {
+    IslandsSettings settings = alike_islands();
+    const std::vector<std::size_t> populations{17, 16, 19, 20, 16, 18, 21, 16}, windows{10, 7, 10, 3, 10, 5, 7, 9};
+    for (std::size_t i = 0; i < eight; ++i) {
+        settings.islands[i].population = populations[i];
+        settings.islands[i].window.length = windows[i];
+    }
+    settings.islands[4].window.bias = 200;
+    return settings;
+}
+
+/// Drawn at random; the third island only gets.
+const Neighbours drawn{{1, 2, 3}, {0}, {4}, {}, {5}, {6, 7}, {2}, {0, 5}};
+
+std::vector<Topology> topologies() {
+    return {RingTopology{}, RingTopology{2},    HypercubeTopology{}, TorusTopology{2},
+            StarTopology{}, CompleteTopology{}, NoTopology{},        GivenTopology{drawn}};
+}
+
+void check_same_as_library(const IslandNetlist& netlist) {
+    CAPTURE(netlist.settings.topology.text());
+    CAPTURE(netlist.settings.schedule.text());
+    CAPTURE(netlist.settings.emigration.text());
+    CAPTURE(netlist.settings.acceptance.text());
+    RunReport report = run_on_line(netlist.text());
+    REQUIRE(report.result.ending == Ending::completed);
+    LibraryRun expected(netlist.settings, island_streams(1, eight));
+    for (std::size_t i = 0; i < eight; ++i) {
+        std::string name = fmt::format("island[{}]", i);
+        CHECK(report.measured_text(name, "populations") == expected.populations[i]);
+    }
+}
+
+double execution_ms(const IslandsSettings& settings) {
+    IslandNetlist netlist{settings, IslandNetlist::On::four_transputers};
+    return run_on_line(netlist.text()).measured("island[1]", "T_exe");
 }
 
 } // namespace
@@ -67,4 +107,114 @@ TEST_CASE("without exchange the islands are other searches") {
     Cluster rarely{.islands = 2, .population = 10, .master_parameters = "rehearsals = 1, exchange_every = 1000"};
     CHECK(run_on_line(exchanging.netlist()).measured_text("master0", "populations") !=
           run_on_line(rarely.netlist()).measured_text("master0", "populations"));
+}
+
+TEST_CASE("every topology, schedule, emigration and acceptance: processes as the library") {
+    for (bool different : {false, true})
+        for (const Topology& topology : topologies())
+            for (const char* schedule : {"broadcast(2)", "sequential(1)"})
+                for (const char* emigration : {"best", "random(2)", "tournament(2, 3)"})
+                    for (const char* acceptance :
+                         {"worst", "worst(1)", "random", "random(1)", "alike", "alike(1)", "offspring"}) {
+                        IslandNetlist netlist{different ? different_islands() : alike_islands()};
+                        netlist.settings.topology = topology;
+                        netlist.settings.schedule = Schedule::named(schedule);
+                        netlist.settings.emigration = Emigration::named(emigration);
+                        netlist.settings.acceptance = Acceptance::named(acceptance);
+                        check_same_as_library(netlist);
+                    }
+}
+
+TEST_CASE("no placement and no speed of a link or processor changes a generation") {
+    using On = IslandNetlist::On;
+    for (const Topology& topology : topologies())
+        for (const char* schedule : {"broadcast(1)", "sequential(2)"}) {
+            IslandNetlist netlist{different_islands()};
+            netlist.settings.topology = topology;
+            netlist.settings.schedule = Schedule::named(schedule);
+            netlist.settings.acceptance = RandomAcceptance{};
+            for (On on : {On::one_transputer, On::four_transputers, On::workstations})
+                for (const char* wire : {"linkspeed = 5M", "linkspeed = 20M"}) {
+                    netlist.on = on;
+                    netlist.wire = wire;
+                    check_same_as_library(netlist);
+                }
+            netlist.on = On::four_transputers;
+            netlist.other_transputer = "clock = 30M";
+            check_same_as_library(netlist);
+            netlist.more = ", cycles_per_error = 0, cycles_per_individual = 0";
+            check_same_as_library(netlist);
+        }
+}
+
+TEST_CASE("a named topology puts the neighbours in its order, however they are connected") {
+    Neighbours cube = Topology(HypercubeTopology{}).neighbours(eight), shuffled = cube;
+    for (std::size_t i = 0; i < eight; ++i)
+        std::rotate(shuffled[i].begin(), shuffled[i].begin() + static_cast<std::ptrdiff_t>(i % 3), shuffled[i].end());
+    IslandNetlist netlist{alike_islands()};
+    netlist.settings.topology = GivenTopology{shuffled};
+    netlist.settings.schedule = SequentialSchedule{1};
+    check_same_as_library(netlist); // as connected
+    auto populations = [](const IslandNetlist& each) {
+        return run_on_line(each.text()).measured_text("island[1]", "populations");
+    };
+    std::string as_connected = populations(netlist);
+    netlist.topology = "hypercube";
+    IslandsSettings named = netlist.settings;
+    named.topology = HypercubeTopology{};
+    CHECK(populations(netlist) == LibraryRun(named, island_streams(1, eight)).populations[1]);
+    CHECK(populations(netlist) != as_connected);
+}
+
+TEST_CASE("who comes from another window is evaluated anew, which takes the time of it; among the offspring not") {
+    IslandsSettings same = alike_islands(), different = same;
+    same.islands.resize(4);
+    different.islands.resize(4);
+    different.islands[1].window.bias = 200;
+    for (IslandsSettings* each : {&same, &different})
+        each->schedule = BroadcastSchedule{1};
+    double evaluation_ms = 10 * 1440 * 50e-6; // a window of 10, 1440 cycles of 50 ns
+    double same_ms = execution_ms(same), different_ms = execution_ms(different);
+    CHECK(std::abs(different_ms - same_ms - evaluation_ms) < 0.1);
+    same.acceptance = different.acceptance = OffspringAcceptance{};
+    CHECK(std::abs(execution_ms(different) - execution_ms(same)) < 0.1);
+}
+
+// Asynchronous
+
+TEST_CASE("asynchronous exchange ends on every topology and placement, the same in each run of one machine") {
+    using On = IslandNetlist::On;
+    std::set<std::string> runs;
+    IslandNetlist without{different_islands()};
+    without.settings.topology = NoTopology{};
+    std::string alone = run_on_line(without.text()).measured_text("island[0]", "populations");
+    for (const Topology& topology : topologies())
+        for (On on : {On::one_transputer, On::four_transputers, On::workstations}) {
+            IslandNetlist netlist{different_islands(), on};
+            netlist.settings.topology = topology;
+            netlist.settings.schedule = AsynchronousSchedule{1};
+            netlist.other_transputer = "clock = 30M";
+            CAPTURE(topology.text());
+            RunReport report = run_on_line(netlist.text()), again = run_on_line(netlist.text());
+            CHECK(report.result.ending == Ending::completed);
+            CHECK(report.result.fingerprint == again.result.fingerprint);
+            CHECK(report.measured("island[0]", "generations") == 16); // two for each sample from the fifth on
+            CHECK(report.measured("island[3]", "generations") == 20); // it waits for nobody
+            CHECK(report.measured_text("island[0]", "populations") == again.measured_text("island[0]", "populations"));
+            CHECK((report.measured_text("island[0]", "populations") != alone) == topology.exchanges());
+            runs.insert(report.measured_text("island[0]", "populations"));
+        }
+    CHECK(runs.size() > 8); // it depends on the machine
+}
+
+TEST_CASE("asynchronous islands may be masters") {
+    for (const char* more : {"rehearsals = 2, schedule = \"asynchronous(2)\"",
+                             "rehearsals = 2, schedule = \"asynchronous\", exchange_every = 1, acceptance = "
+                             "\"offspring\""}) {
+        Cluster cluster{.slaves = 2, .islands = 3, .population = 9, .master_parameters = more};
+        RunReport report = run_on_line(cluster.netlist());
+        CHECK(report.result.ending == Ending::completed);
+        CHECK(report.measured("master1", "generations") == 40);
+        CHECK(report.measured("master1", "C_time2") > 0);
+    }
 }

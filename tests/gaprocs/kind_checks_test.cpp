@@ -89,19 +89,6 @@ TEST_CASE("half-connected pairs are refused where the connected half is") {
     says(text, "farm.cfs:2:1: error: the channel \"slave[1].from_next\" is connected, but \"slave[1].to_next\" is not");
 }
 
-TEST_CASE("half a ring is refused") {
-    Kinds kinds;
-    std::string text = "T800 a; workstation sun; connect sun.link[0] to a.link[0]; process host; process i[2];\n"
-                       "use \"ga.host\" for host; use \"ga.island\" for i[0]; use \"ga.island\" for i[1];\n"
-                       "host (problem = \"line\"); i[0] (problem = \"line\"); i[1] (problem = \"line\");\n"
-                       "connect host.to_masters[0] to i[0].from_host; connect host.to_masters[1] to i[1].from_host;\n"
-                       "connect i[0].ring_out to i[1].ring_in;\n"
-                       "place host on sun; place i[0] on a; place i[1] on a;\n";
-    auto result = read_netlist_text(text, kinds.catalogue, {}, "ring.cfs");
-    says(render(result.diagnostics), "ring.cfs:5:1: error: the channel \"i[0].ring_out\" is connected, but "
-                                     "\"i[0].ring_in\" is not");
-}
-
 TEST_CASE("results that do not come back the way of the tasks are refused") {
     auto lines = statements();
     lines.at("from slaves") = "connect slave[1].to_master to master.from_slaves;";

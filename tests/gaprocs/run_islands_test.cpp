@@ -71,6 +71,9 @@ public:
     }
 
     std::size_t home() const { return home_; }
+    const Genome& greatest() const { return greatest_; }
+    const std::vector<Genome>& population(std::size_t island) const { return islands_.searches()[island].population(); }
+    const std::vector<Migration>& migrations() const { return islands_.migrations(); }
     void next_generation() { islands_.next_generation(); }
     bool reached(std::size_t island) const { return islands_.searches()[island].best().genome == greatest_; }
     /// Until it is the best of each island.
@@ -222,9 +225,9 @@ TEST_CASE("who comes to another window is measured in it") {
 TEST_CASE("same seed, same run; another seed or policy, another run") {
     std::vector<IslandsResult> runs;
     for (const char* topology : {"ring(2)", "hypercube", "star"})
-        for (const char* schedule : {"broadcast(2)", "sequential(2)"})
+        for (const char* schedule : {"broadcast(2)", "sequential(2)", "asynchronous(2)"})
             for (const char* emigration : {"best", "random(2)", "tournament"})
-                for (const char* acceptance : {"worst", "random", "alike"}) {
+                for (const char* acceptance : {"worst", "random", "alike", "offspring"}) {
                     IslandsSettings settings = small_islands(4);
                     settings.topology = Topology::named(topology);
                     settings.schedule = Schedule::named(schedule);
@@ -241,7 +244,7 @@ TEST_CASE("same seed, same run; another seed or policy, another run") {
 
 TEST_CASE("an elite is not lost to immigrants: in a window that stands the best never falls") {
     auto problem = make_search_problem(GreatestNumber{});
-    for (const char* acceptance : {"worst", "random", "alike"})
+    for (const char* acceptance : {"worst", "random", "alike", "offspring"})
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
             IslandsSettings settings = small_islands(4);
             settings.topology = CompleteTopology{};
@@ -272,6 +275,63 @@ TEST_CASE("only if better: who is turned away is recorded, and changes nothing")
     CHECK(away < static_cast<std::ptrdiff_t>(migrations.size()));
 }
 
+TEST_CASE("among the offspring: who comes in is evaluated one generation later, in its new island's window") {
+    IslandsSettings settings = barren(2, "ring", "broadcast(4)");
+    settings.acceptance = OffspringAcceptance{};
+    settings.islands[1].population = 15;
+    Takeover takeover(settings);
+    std::size_t other = 1 - takeover.home();
+    for (int generation = 1; generation <= 4; ++generation) {
+        takeover.next_generation();
+        CHECK_FALSE(takeover.reached(other));
+    }
+    REQUIRE(takeover.migrations().size() == 2);
+    const Migration& came = takeover.migrations().at(other);
+    CHECK(came.generation == 4);
+    CHECK(came.individual.genome == takeover.greatest());
+    CHECK(came.place.value() >= 1); // behind the elite
+    CHECK(takeover.population(other).at(came.place.value()) == takeover.greatest());
+    takeover.next_generation();
+    CHECK(takeover.reached(other));
+}
+
+TEST_CASE("asynchronous without a machine: islands take turns, and nobody waits for a short window") {
+    Takeover takeover(barren(4, "ring", "asynchronous(1)"));
+    for (std::size_t generation = 1; generation <= 5; ++generation) {
+        takeover.next_generation();
+        for (std::size_t i = 0; i < 4; ++i) {
+            std::size_t away = (i + 4 - takeover.home()) % 4;
+            bool had_its_turn = i < takeover.home(); // when the last island sends to the first
+            CHECK(takeover.reached(i) == (away + had_its_turn <= generation));
+        }
+    }
+    IslandsSettings settings = small_islands(3);
+    settings.schedule = AsynchronousSchedule{2};
+    settings.islands[1].window.length = 3;
+    IslandsResult result = run_on_line_record(settings);
+    CHECK(result.islands[0].generations == 40);
+    CHECK(result.islands[1].generations == 50); // from the third sample on
+    // At its first exchange nobody has written to island 0. What island 1 sends before the others begin is replaced.
+    CHECK(result.migrations.size() == 19 + 20 + 20);
+    CHECK(same(result, run_on_line_record(settings)));
+}
+
+TEST_CASE("islands begin together where they exchange, and only there") {
+    IslandsSettings settings = small_islands(4);
+    settings.topology = GivenTopology{{{1}, {0}, {3}, {2}}};
+    CHECK(settings.warning() == "the islands are in 2 parts that exchange nothing with each other: 0, 1; 2, 3");
+    settings.islands[1].window.length = settings.islands[2].window.length = settings.islands[3].window.length = 3;
+    IslandsResult result = run_on_line_record(settings);
+    CHECK(result.islands[0].estimates.front().sample == 4);
+    CHECK(result.islands[1].estimates.front().sample == 4);
+    CHECK(result.islands[2].estimates.front().sample == 2);
+    CHECK(result.islands[2].generations == 50);
+    settings.topology = NoTopology{};
+    CHECK(settings.warning().empty());
+    CHECK(run_on_line_record(settings).islands[1].generations == 50);
+    CHECK(small_islands(4).warning().empty());
+}
+
 TEST_CASE("islands that cannot be are refused, with what would be right") {
     IslandsSettings settings = small_islands(3);
     settings.islands[2].window.trials = 4;
@@ -285,7 +345,21 @@ TEST_CASE("islands that cannot be are refused, with what would be right") {
     settings = small_islands(16);
     settings.topology = StarTopology{};
     CHECK(refusal(settings) ==
-          "15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
+          "island 0: 15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
+    settings.schedule = SequentialSchedule{};
+    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once")); // all others have only that one
+    settings.topology = CompleteTopology{};
+    CHECK(refusal(settings).empty()); // one comes at a time
+    settings.emigration = BestEmigration{12};
+    CHECK(refusal(settings) ==
+          "island 0: 12 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
+    for (std::size_t population : {0u, 1u}) {
+        settings = small_islands(3);
+        settings.islands[2].population = population;
+        settings.islands[2].elite = 0;
+        CHECK(refusal(settings) ==
+              fmt::format("the population is {}, expected at least 2: crossover needs two parents", population));
+    }
     settings = small_islands(12);
     settings.topology = HypercubeTopology{};
     CHECK(refusal(settings) == "a hypercube of 12 islands, expected a power of two such as 8 or 16");

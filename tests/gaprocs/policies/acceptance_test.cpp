@@ -74,6 +74,20 @@ TEST_CASE("at random: each who is not of the elite with the same chance") {
         CHECK(std::abs(chance[i] - expected[i]) < 0.017); // five standard deviations
 }
 
+TEST_CASE("among the offspring: each behind the elite with the same chance, whatever the fitness") {
+    Home home;
+    constexpr int times = 20000;
+    std::vector<double> chance(5);
+    RandomStream random(1, "chances");
+    std::vector<Individual> one{immigrant("1010", -99)};
+    for (int i = 0; i < times; ++i)
+        chance.at(Acceptance(OffspringAcceptance{})({home.population, {}, 2}, one, random).front().value()) +=
+            1.0 / times;
+    const std::vector<double> expected{0, 0, 1 / 3., 1 / 3., 1 / 3.};
+    for (std::size_t i = 0; i < 5; ++i)
+        CHECK(std::abs(chance[i] - expected[i]) < 0.017); // five standard deviations
+}
+
 TEST_CASE("the elite is never replaced, and no place is given twice") {
     Home home;
     std::vector<Individual> three(3, immigrant("1111", 1));
@@ -82,15 +96,16 @@ TEST_CASE("the elite is never replaced, and no place is given twice") {
             std::set<std::size_t> taken;
             for (auto place : home.places(way.name.c_str(), three, 2, seed))
                 taken.insert(place.value());
-            CHECK(taken == std::set<std::size_t>{0, 1, 4});
+            bool bred = Acceptance::named(way.name).among_offspring(); // then the elite stands at the head
+            CHECK(taken == (bred ? std::set<std::size_t>{2, 3, 4} : std::set<std::size_t>{0, 1, 4}));
         }
 }
 
 TEST_CASE("where all are equally fit, those of higher index are the elite") {
     Home home;
     home.fitness.assign(5, 1);
-    for (const PolicyDescription& way : Acceptance::descriptions()) {
-        auto places = home.places(way.name.c_str(), {immigrant("1111", 0), immigrant("1111", 0)}, 3);
+    for (const char* way : {"worst", "random", "alike"}) {
+        auto places = home.places(way, {immigrant("1111", 0), immigrant("1111", 0)}, 3);
         CHECK(std::set(places.begin(), places.end()) == std::set<Places::value_type>{0, 1});
     }
 }

@@ -48,6 +48,29 @@ TEST_CASE("sequential on a hypercube of two dimensions: i xor 1 and i xor 2 alte
                   IslandNumbers{i ^ (exchange % 2 == 1 ? 1u : 2u)});
 }
 
+TEST_CASE("asynchronous: to all neighbours as a broadcast, but not in step") {
+    IslandNumbers neighbours{7, 2, 5};
+    CHECK(destinations("asynchronous(4)", 8, neighbours) == neighbours);
+    CHECK(destinations("asynchronous(4)", 9, neighbours).empty());
+    CHECK_FALSE(Schedule::named("asynchronous").in_step());
+    CHECK(Schedule::named("sequential").in_step());
+    CHECK(Schedule::named("asynchronous(7)").every() == 7);
+}
+
+TEST_CASE("from how many neighbours immigrants come at once") {
+    auto most = [](const char* schedule, const Neighbours& neighbours) {
+        return most_senders_at_once(Schedule::named(schedule), neighbours);
+    };
+    Neighbours star = Topology::named("star").neighbours(5), complete = Topology::named("complete").neighbours(5);
+    CHECK(most("broadcast", star) == IslandNumbers{4, 1, 1, 1, 1});
+    CHECK(most("sequential", star) == IslandNumbers{4, 1, 1, 1, 1});
+    CHECK(most("asynchronous", complete) == IslandNumbers{4, 4, 4, 4, 4});
+    CHECK(most("sequential", complete) == IslandNumbers{1, 1, 1, 1, 1});
+    // 1 and 2 send to 0 in exchanges 2, 4, 6 ... and 3, 6, 9 ...: both in the sixth.
+    CHECK(most("sequential", {{1}, {3, 0}, {3, 1, 0}, {2}}) == IslandNumbers{2, 2, 1, 2});
+    CHECK(most("broadcast", Neighbours(2)) == IslandNumbers{0, 0});
+}
+
 TEST_CASE("schedules have names") {
     CHECK(Schedule().text() == "broadcast(every = 3)");
     CHECK(Schedule::named("sequential(10)").text() == "sequential(every = 10)");

@@ -1,0 +1,213 @@
+#include "gaprocs/processes/island_checks.hpp"
+
+#include "gaprocs/policies/acceptance.hpp"
+#include "gaprocs/policies/emigration.hpp"
+#include "gaprocs/processes/archipelago.hpp"
+#include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/slave_chain.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace placedpar {
+
+namespace {
+
+/// Collects what is to be said about one island.
+class IslandCheck {
+public:
+    IslandCheck(const Network& network, std::size_t process, const ProblemRegistry& problems)
+        : problems_(problems), network_(network), process_(network.processes[process]), index_(process),
+          archipelago_(network), number_(archipelago_.number_of(process)) {}
+
+    std::vector<Complaint> run() {
+        check_connections();
+        check_topology();
+        check_how_often();
+        check_emigrants();
+        if (complaints_.empty()) {
+            check_neighbours_agree();
+            check_room();
+            warn_of_parts();
+        }
+        return std::move(complaints_);
+    }
+
+private:
+    const PlacedIsland& self() const { return archipelago_.islands()[number_]; }
+    const ProcessInstance& instance(std::size_t island) const {
+        return network_.processes[archipelago_.islands()[island].process];
+    }
+    static std::int64_t integer(const ProcessInstance& process, const char* parameter) {
+        return std::get<std::int64_t>(process.parameters.at(parameter));
+    }
+    static const std::string& text(const ProcessInstance& process, const char* parameter) {
+        return std::get<std::string>(process.parameters.at(parameter));
+    }
+    std::string names(const std::vector<std::size_t>& islands) const {
+        std::vector<std::string> all;
+        for (std::size_t island : islands)
+            all.push_back(instance(island).name);
+        return all.empty() ? "nobody" : fmt::format("{}", fmt::join(all, ", "));
+    }
+    void refuse(std::string about, std::string message, std::string hint = "") {
+        complaints_.push_back({index_, std::move(about), std::move(message), std::move(hint)});
+    }
+
+    void check_connections() {
+        for (const auto& [port, message] : self().refused)
+            refuse(port, message);
+    }
+
+    void check_topology() {
+        auto topology = Topology::named(text(process_, "topology"));
+        if (topology.is_given())
+            return require_some_neighbour();
+        try {
+            auto expected = topology.neighbours(archipelago_.islands().size())[number_];
+            if (!std::ranges::is_permutation(expected, self().neighbours))
+                refuse("topology", fmt::format("\"{}\" is connected to {}, but has the neighbours {} in the topology "
+                                               "\"{}\" of {} islands",
+                                               process_.name, names(self().neighbours), names(expected),
+                                               topology.text(), archipelago_.islands().size()));
+        } catch (const UserError& does_not_fit) {
+            refuse("topology", does_not_fit.what());
+        }
+    }
+
+    /// Islands of which none is connected are searches of their own; one among others that are is a slip.
+    void require_some_neighbour() {
+        auto connected = [](const PlacedIsland& island) {
+            return !island.ports_to.empty() || !island.ports_from.empty();
+        };
+        if (!connected(self()) && std::ranges::any_of(archipelago_.islands(), connected))
+            refuse("", fmt::format("the island \"{}\" has no neighbours, while others have", process_.name),
+                   "connect its to_neighbours[0] or from_neighbours[0]; a search that exchanges nothing is a "
+                   "ga.master");
+    }
+
+    void check_how_often() {
+        const std::string& schedule = text(process_, "schedule");
+        if (says_how_often(schedule) && process_.given.contains("exchange_every"))
+            refuse("exchange_every",
+                   fmt::format("exchange_every = {}, but the schedule \"{}\" says how often, too",
+                               integer(process_, "exchange_every"), schedule),
+                   "leave out one of them");
+    }
+
+    void check_emigrants() {
+        if (self().neighbours.empty())
+            return;
+        auto emigration = Emigration::named(text(process_, "emigration"));
+        try {
+            emigration.validate_for(static_cast<std::size_t>(integer(process_, "population")));
+            message_bytes(emigration.count(), static_cast<std::uint32_t>(integer(process_, "string_bytes") +
+                                                                         integer(process_, "fitness_bytes")));
+        } catch (const UserError& too_many) {
+            refuse("emigration", too_many.what());
+        }
+    }
+
+    /// The first island of those that it exchanges with is the measure of all.
+    void check_neighbours_agree() {
+        const ProcessInstance& first = instance(archipelago_.part_of(number_).front());
+        for (const char* parameter : {"problem", "coding"})
+            if (text(process_, parameter) != text(first, parameter))
+                refuse(parameter, fmt::format("{} = \"{}\" for \"{}\", but \"{}\" for \"{}\", with which it exchanges "
+                                              "individuals",
+                                              parameter, text(process_, parameter), process_.name,
+                                              text(first, parameter), first.name));
+        Schedule ours = schedule_of(process_), theirs = schedule_of(first);
+        if (ours.in_step() != theirs.in_step() || (ours.in_step() && ours.text() != theirs.text()))
+            refuse(process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
+                   fmt::format("the schedule of \"{}\" is {}, but that of \"{}\" is {}", process_.name, ours.text(),
+                               first.name, theirs.text()),
+                   "islands that exchange have the same schedule");
+        else if (ours.in_step())
+            check_generations_agree(first);
+    }
+
+    void check_generations_agree(const ProcessInstance& first) {
+        if (integer(process_, "trials") != integer(first, "trials"))
+            refuse("trials",
+                   fmt::format("{} generations per sample on \"{}\", but {} on \"{}\"", integer(process_, "trials"),
+                               process_.name, integer(first, "trials"), first.name),
+                   "they exchange in the same generations");
+        auto ours = samples_sent_to(process_), theirs = samples_sent_to(first);
+        if (ours && theirs && *ours != *theirs)
+            refuse("",
+                   fmt::format("\"{}\" and \"{}\" are not sent as many samples: {} and {}", process_.name, first.name,
+                               *ours, *theirs),
+                   "they exchange in the same generations");
+    }
+
+    /// By its ga.host; nothing where it is sent them by another process.
+    std::optional<std::int64_t> samples_sent_to(const ProcessInstance& island) const {
+        auto host = other_end(network_, static_cast<std::size_t>(&island - network_.processes.data()), "from_host");
+        if (!host || host->at_edge() || network_.processes[host->process].kind != "ga.host")
+            return std::nullopt;
+        auto samples = integer(network_.processes[host->process], "samples");
+        return samples > 0 ? samples : record_length();
+    }
+
+    std::optional<std::int64_t> record_length() const {
+        const std::string& problem = text(process_, "problem");
+        if (std::ranges::count(problems_.names(), problem) == 0)
+            return std::nullopt; // which is said where the problem is named
+        return static_cast<std::int64_t>(problems_.find(problem).samples());
+    }
+
+    void check_room() {
+        std::size_t most = most_immigrants_at_once();
+        try {
+            Acceptance::validate_for(most, static_cast<std::size_t>(integer(process_, "population")),
+                                     static_cast<std::size_t>(integer(process_, "elite")));
+        } catch (const UserError& too_many) {
+            refuse("population", too_many.what());
+        }
+    }
+
+    std::size_t most_immigrants_at_once() const {
+        std::size_t senders = most_senders_at_once(schedule_of(process_), archipelago_.neighbours())[number_], most = 0;
+        for (const auto& [from, port] : self().ports_from)
+            most = std::max(most, Emigration::named(text(instance(from), "emigration")).count());
+        return senders * most;
+    }
+
+    /// At the first island of the second part; the first one says it.
+    void warn_of_parts() {
+        auto parts = separate_parts(archipelago_.neighbours());
+        if (number_ != 0 || parts.size() == 1 || parts.size() == archipelago_.islands().size())
+            return;
+        std::vector<std::string> listed;
+        for (const auto& part : parts)
+            listed.push_back(names(part));
+        complaints_.push_back({archipelago_.islands()[parts[1].front()].process, "",
+                               fmt::format("the islands are in {} parts that exchange nothing with each other: {}",
+                                           parts.size(), fmt::join(listed, "; ")),
+                               "", true});
+    }
+
+    const ProblemRegistry& problems_;
+    const Network& network_;
+    const ProcessInstance& process_;
+    std::size_t index_;
+    Archipelago archipelago_;
+    std::size_t number_;
+    std::vector<Complaint> complaints_;
+};
+
+} // namespace
+
+std::vector<Complaint> check_island(const Network& network, std::size_t process, const ProblemRegistry& problems) {
+    return IslandCheck(network, process, problems).run();
+}
+
+} // namespace placedpar

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "gaprocs/problem_registry.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar {
+
+/// What ga.island refuses in a netlist before it runs: connections that no topology has, another topology than the
+/// parameter says, neighbours of which one would wait for the other for ever or could not understand it, more emigrants
+/// or immigrants than there is room for. Warns, once a netlist, of islands in parts that exchange nothing.
+std::vector<Complaint> check_island(const Network&, std::size_t process, const ProblemRegistry&);
+
+} // namespace placedpar

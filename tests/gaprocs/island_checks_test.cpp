@@ -1,0 +1,185 @@
+// What ga.island refuses of a netlist before it runs, and where it says so.
+
+#include "gaprocs/processes/kinds.hpp"
+#include "netlist/read.hpp"
+#include "tests/gaprocs/line_problem.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// A channel from an island to another.
+struct Way {
+    int from, from_end, to, to_end;
+};
+
+/// Islands of 12 on one processor. The parameters are in line 4, the channels from line 5 on, one a line.
+std::string islands_netlist(int islands, const std::string& parameters, const std::vector<Way>& ways) {
+    std::string text =
+        fmt::format("val n {}; T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host;\n"
+                    "process island[n];\n"
+                    "use \"ga.host\" for host; place host on sun; host (problem = \"line\");\n"
+                    "{}\n",
+                    islands, parameters);
+    for (const Way& way : ways)
+        text += fmt::format("connect island[{}].to_neighbours[{}] to island[{}].from_neighbours[{}];\n", way.from,
+                            way.from_end, way.to, way.to_end);
+    return text + "rep i = 0 for n { use \"ga.island\" for island[i]; place island[i] on t; "
+                  "connect host.to_masters[i] to island[i].from_host; }\n";
+}
+
+std::string all(const std::string& more) { return "island (problem = \"line\", population = 12" + more + ");"; }
+
+std::string said_of(const std::string& netlist) {
+    ProblemRegistry problems;
+    for (const char* name : {"line", "other line"})
+        problems.add(name, make_search_problem(LineProblem{}), line_record(12));
+    Catalogue catalogue;
+    add_genetic_algorithm_kinds(catalogue, problems);
+    return render(read_netlist_text(netlist, catalogue, {}, "islands.cfs").diagnostics);
+}
+
+std::string said_of(int islands, const std::string& parameters, const std::vector<Way>& ways) {
+    return said_of(islands_netlist(islands, parameters, ways));
+}
+
+void check_says(const std::string& text, const std::string& part) {
+    INFO(text);
+    CHECK_MESSAGE(text.find(part) != std::string::npos, part);
+}
+
+std::vector<Way> ring(int islands) {
+    std::vector<Way> ways;
+    for (int i = 0; i < islands; ++i)
+        ways.push_back({i, 0, (i + 1) % islands, 0});
+    return ways;
+}
+
+/// Of island 0 with all others.
+std::vector<Way> star(int islands) {
+    std::vector<Way> ways;
+    for (int i = 1; i < islands; ++i) {
+        ways.push_back({0, i - 1, i, 0});
+        ways.push_back({i, 0, 0, i - 1});
+    }
+    return ways;
+}
+
+/// Parameters of three islands, of which the last has others.
+std::string and_of_the_last(const std::string& first, const std::string& last) {
+    return fmt::format("rep i = 0 for 2 island[i] (problem = \"line\", {0}); island[2] ({1});", first, last);
+}
+
+} // namespace
+
+TEST_CASE("rings, one-way connections and islands that are all alone are good") {
+    CHECK(said_of(3, all(""), ring(3)).empty());
+    CHECK(said_of(3, all(", topology = \"ring\""), ring(3)).empty());
+    CHECK(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}).empty());
+    CHECK(said_of(3, all(""), {}).empty());
+    CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
+    CHECK(said_of(2,
+                  all(", schedule = \"sequential(every = 5)\", emigration = \"tournament(2, 3)\", acceptance = "
+                      "\"offspring\""),
+                  ring(2))
+              .empty());
+    CHECK(said_of(3, "island (problem = \"line\", population = 13, elite = 2);", ring(3)).empty()); // odd
+}
+
+TEST_CASE("populations of 0 and 1 are out of range") {
+    for (int population : {0, 1})
+        check_says(said_of(3, fmt::format("island (problem = \"line\", population = {});", population), ring(3)),
+                   fmt::format("islands.cfs:4:27: error: the parameter \"population\" is out of range: {} individuals",
+                               population));
+}
+
+TEST_CASE("an island without neighbours among others that have some") {
+    auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}});
+    check_says(text, "islands.cfs:2:9: error: the island \"island[2]\" has no neighbours, while others have");
+    check_says(text, "a search that exchanges nothing is a ga.master");
+}
+
+TEST_CASE("a topology that is not connected is a warning, once") {
+    auto text = said_of(4, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}, {2, 0, 3, 0}, {3, 0, 2, 0}});
+    CHECK(text == "islands.cfs:2:9: warning: the islands are in 2 parts that exchange nothing with each other: "
+                  "island[0], island[1]; island[2], island[3]\n"
+                  "    process island[n];\n"
+                  "            ^\n");
+}
+
+TEST_CASE("connections that no topology has are refused where they are made") {
+    check_says(said_of(2, all(""), {{0, 0, 1, 0}, {1, 0, 1, 1}}),
+               "islands.cfs:6:1: error: \"island[1]\" is its own neighbour, expected another island");
+    check_says(said_of(2, all(""), {{0, 0, 1, 0}, {0, 1, 1, 1}}),
+               "error: \"island[0]\" is connected to \"island[1]\" twice, expected once");
+}
+
+TEST_CASE("another topology than the parameter says") {
+    check_says(said_of(12, all(", topology = \"hypercube\""), ring(12)),
+               "islands.cfs:4:43: error: a hypercube of 12 islands, expected a power of two such as 8 or 16");
+    check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
+               "islands.cfs:4:43: error: \"island[0]\" is connected to island[1], but has the neighbours island[1], "
+               "island[2] in the topology \"hypercube\" of 4 islands");
+    check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but has the neighbours nobody");
+    check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "there is no \"cube\", but ring(ways = 1)");
+    check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
+}
+
+TEST_CASE("more migrants than individuals, more than a message holds, and more than there is room for") {
+    check_says(said_of(2, all(", emigration = \"best(13)\""), ring(2)),
+               "islands.cfs:4:43: error: 13 emigrants from a population of 12, expected at most 12");
+    check_says(said_of(2,
+                       "island (problem = \"line\", population = 100000, emigration = \"best(50000)\", "
+                       "string_bytes = 65536);",
+                       ring(2)),
+               "islands.cfs:4:48: error: a message for 50000 individuals would have");
+    auto text = said_of(14, all(", elite = 1"), star(14));
+    check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals, 1 of them "
+                     "elite, expected at most 11");
+    CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
+    check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),
+               "22 immigrants come at once");
+}
+
+TEST_CASE("an exchange's times are said once") {
+    check_says(said_of(2, all(", schedule = \"sequential(5)\", exchange_every = 5"), ring(2)),
+               "error: exchange_every = 5, but the schedule \"sequential(5)\" says how often, too");
+    check_says(said_of(2, all(", schedule = \"sequential(0)\""), ring(2)), "every is a whole number from 1");
+}
+
+TEST_CASE("islands that could wait for each other for ever, or not understand each other") {
+    auto last = [](const std::string& first, const std::string& other) {
+        return said_of(3, and_of_the_last(first, other), ring(3));
+    };
+    check_says(last("exchange_every = 3", "problem = \"line\", exchange_every = 4"),
+               "error: the schedule of \"island[2]\" is broadcast(every = 4), but that of \"island[0]\" is "
+               "broadcast(every = 3)");
+    check_says(last("trials = 5", "problem = \"line\", schedule = \"asynchronous\""),
+               "error: the schedule of \"island[2]\" is asynchronous(every = 3), but");
+    check_says(last("trials = 5", "problem = \"line\", trials = 4"),
+               "error: 4 generations per sample on \"island[2]\", but 5 on \"island[0]\"");
+    check_says(last("trials = 5", "problem = \"line\", coding = \"gray\""),
+               "error: coding = \"gray\" for \"island[2]\", but \"natural\" for \"island[0]\"");
+    check_says(last("trials = 5", "problem = \"other line\""), "works on the problem");
+    CHECK(last("schedule = \"asynchronous(3)\"", "problem = \"line\", schedule = \"asynchronous(4)\", trials = 4")
+              .empty());
+}
+
+TEST_CASE("islands in step are sent as many samples") {
+    std::string text = "T800 a; workstation sun; connect sun.link[0] to a.link[0]; process host, hosts, i, j;\n"
+                       "use \"ga.host\" for host; use \"ga.host\" for hosts; use \"ga.island\" for i; "
+                       "use \"ga.island\" for j; place host on sun; place hosts on sun; place i on a; place j on a;\n"
+                       "host (problem = \"line\"); hosts (problem = \"line\", samples = 11);\n"
+                       "i (problem = \"line\"); j (problem = \"line\");\n"
+                       "connect host.to_masters[0] to i.from_host; connect hosts.to_masters[0] to j.from_host;\n"
+                       "connect i.to_neighbours[0] to j.from_neighbours[0];\n";
+    check_says(said_of(text), "error: \"j\" and \"i\" are not sent as many samples: 11 and 12");
+    text.replace(text.find("samples = 11"), 12, "samples = 12");
+    CHECK(said_of(text).empty());
+}
