@@ -32,9 +32,10 @@ struct KindsOptions {
 ExitCode kinds(const KindsOptions& options) {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
-    print_out(options.json           ? print_pretty(kinds_json(catalogue, options.name))
-              : options.name.empty() ? list_kinds(catalogue)
-                                     : print_kind(catalogue, options.name));
+    std::string name = known_name(catalogue, options.name);
+    print_out(options.json   ? print_pretty(kinds_json(catalogue, name))
+              : name.empty() ? list_kinds(catalogue)
+                             : print_kind(catalogue, name));
     return ExitCode::success;
 }
 
