@@ -43,21 +43,21 @@ std::vector<ElementRange> ranges_of(const Things& things) {
 }
 
 /// Whether the toolset's own include declares it.
-bool is_of_the_toolset(const Node& node) {
+bool is_declared_by_toolset(const Node& node) {
     return node.kind->name == "processor" || node.kind->links == LinkRole::edge;
 }
 
-enum class Order { as_given, by_name };
+enum class ParameterOrder { as_given, by_name };
 
 /// Writes one network. Everything is said outright, so that nothing depends on defaults of the reader but
 /// those that the language states.
 class CfsPrinter {
 public:
-    CfsPrinter(const Network& network, Order order) : n_(network), order_(order) {}
+    CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
 
     std::string print() {
-        bool includes = n_.includes_toolset || std::ranges::any_of(n_.nodes, is_of_the_toolset);
-        if (order_ == Order::as_given && includes)
+        bool includes = n_.includes_toolset || std::ranges::any_of(n_.nodes, is_declared_by_toolset);
+        if (order_ == ParameterOrder::as_given && includes)
             text_ += "#include \"setconf.inc\"\n\n";
         text_ += "/* hardware */\n";
         print_nodes();
@@ -86,7 +86,7 @@ private:
     void print_nodes() {
         for (const auto& range : ranges_of(n_.nodes)) {
             const auto& node = n_.nodes[range.first];
-            if (order_ == Order::as_given && is_predefined_host(range.first))
+            if (order_ == ParameterOrder::as_given && is_predefined_host(range.first))
                 continue;
             auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
@@ -204,7 +204,7 @@ private:
             if (known.insert(name).second)
                 names.emplace_back(name);
         };
-        if (order_ == Order::as_given)
+        if (order_ == ParameterOrder::as_given)
             for (const std::string& name : process.given_in_order)
                 add(name);
         for (const auto& [name, value] : process.parameters)
@@ -311,14 +311,14 @@ private:
     }
 
     const Network& n_;
-    Order order_;
+    ParameterOrder order_;
     std::string text_;
 };
 
 } // namespace
 
-std::string print_cfs(const Network& network) { return CfsPrinter(network, Order::as_given).print(); }
+std::string print_cfs(const Network& network) { return CfsPrinter(network, ParameterOrder::as_given).print(); }
 
-std::string canonical_form(const Network& network) { return CfsPrinter(network, Order::by_name).print(); }
+std::string canonical_form(const Network& network) { return CfsPrinter(network, ParameterOrder::by_name).print(); }
 
 } // namespace placedpar
