@@ -30,6 +30,13 @@ struct Command {
 /// Every command: one of each file in the folder commands.
 std::vector<Command> commands();
 
+/// The names of the app's commands.
+std::vector<std::string> names_of_commands(const CLI::App&);
+/// Null where there is none.
+const CLI::App* command_called(const CLI::App&, const std::string& name);
+/// Of the app or a command, as they are typed: "--seed", "-I".
+std::vector<std::string> names_of_options(const CLI::App&);
+
 /// What the program calls itself in help and messages: "placedpar", or the name of a program that run_program() makes.
 const std::string& program_name();
 

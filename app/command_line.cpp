@@ -4,6 +4,7 @@
 #include "text/output_file.hpp"
 #include "text/paint.hpp"
 #include "text/user_error.hpp"
+#include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,7 +16,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -25,28 +28,15 @@ namespace placedpar {
 
 namespace {
 
-std::vector<std::string> commands_of(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* each : app.get_subcommands({}))
-        names.push_back(each->get_name());
-    return names;
-}
-
-/// As they are typed: "--seed", "-I".
-std::vector<std::string> options_of(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options()) {
-        for (const std::string& name : option->get_lnames())
-            names.push_back("--" + name);
-        for (const std::string& name : option->get_snames())
-            names.push_back("-" + name);
-    }
-    return names;
-}
-
 std::string& name_of_program() {
     static std::string name = "placedpar";
     return name;
+}
+
+/// A program with kinds of its own is another than placedpar, and of a version that it may say itself.
+std::string version_of_program() {
+    return program_name() == "placedpar" ? "placedpar " + version_text()
+                                         : fmt::format("{} (PlacedPar {})", program_name(), version_text());
 }
 
 /// The command line as it was typed, wherever the program's file is.
@@ -63,14 +53,33 @@ void declare(CLI::App& app, const Command& command, const std::string& command_l
     subcommand->callback([&chosen, action] { chosen = action; });
 }
 
+bool is_file(const std::string& name) {
+    std::error_code error;
+    return lower_case(name).ends_with(".cfs") || std::filesystem::is_regular_file(name, error);
+}
+
+/// What is meant by words that are a command of other programs, or a netlist: what would be typed; "" for others.
+std::string meant_by(const CLI::App& app, std::span<char*> words) {
+    std::string first = words.front();
+    if (first == "help")
+        return words.size() > 1 && command_called(app, words[1]) ? fmt::format("{} --help", words[1]) : "--help";
+    if (first == "version")
+        return "--version";
+    return is_file(first) && command_called(app, "run") ? "run " + first : "";
+}
+
 /// CLI11 would miss a command before it looked at what is there instead.
-void require_command(const CLI::App& app, const std::string& first) {
+void require_command(const CLI::App& app, std::span<char*> words) {
+    std::string first = words.front();
     bool option = first.starts_with('-');
     std::string name = option ? first.substr(0, first.find('=')) : first;
-    std::vector<std::string> known = option ? options_of(app) : commands_of(app);
-    if (std::ranges::find(known, name) == known.end())
-        throw UserError(there_is_no(option ? "option" : "command", name, known,
-                                    fmt::format("say {} --help for those there are", program_name())));
+    std::vector<std::string> known = option ? names_of_options(app) : names_of_commands(app);
+    if (std::ranges::find(known, name) != known.end())
+        return;
+    if (std::string meant = meant_by(app, words); !meant.empty())
+        throw UserError(fmt::format("there is no command \"{}\"; did you mean {} {}?", name, program_name(), meant));
+    throw UserError(there_is_no(option ? "option" : "command", name, known,
+                                fmt::format("say {} --help for those there are", program_name())));
 }
 
 /// Of arguments that no option takes. Throws UserError.
@@ -82,7 +91,7 @@ void require_command(const CLI::App& app, const std::string& first) {
     auto option =
         std::ranges::find_if(extras, [](const std::string& each) { return each.size() > 1 && each[0] == '-'; });
     if (option != extras.end())
-        throw UserError(there_is_no("option", option->substr(0, option->find('=')), options_of(command),
+        throw UserError(there_is_no("option", option->substr(0, option->find('=')), names_of_options(command),
                                     fmt::format("say {} --help for those there are", name)));
     throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
@@ -106,7 +115,7 @@ ExitCode parse(CLI::App& app, int argc, char** argv) {
 /// What the command line asks for. Throws what the command throws.
 ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
     if (argc > 1)
-        require_command(app, argv[1]);
+        require_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
     ExitCode parsed = parse(app, argc, argv);
     return chosen ? chosen() : parsed;
 }
@@ -153,6 +162,30 @@ void choose_paint() {
 
 } // namespace
 
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* each : app.get_subcommands({}))
+        names.push_back(each->get_name());
+    return names;
+}
+
+const CLI::App* command_called(const CLI::App& app, const std::string& name) {
+    auto all = app.get_subcommands({});
+    auto found = std::ranges::find(all, name, [](const CLI::App* each) { return each->get_name(); });
+    return found == all.end() ? nullptr : *found;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+        for (const std::string& name : option->get_snames())
+            names.push_back("-" + name);
+    }
+    return names;
+}
+
 const std::string& program_name() { return name_of_program(); }
 
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
@@ -165,6 +198,7 @@ int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** arg
     for (const Command& command : commands)
         declare(app, command, typed(argc, argv), chosen);
     app.name(program_name());
+    app.set_version_flag("-v,-V,--version", version_of_program());
     app.require_subcommand(1);
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
         "The name of a file can be -: standard input or output.\n"

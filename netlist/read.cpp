@@ -40,10 +40,9 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
     if (auto first = reporter.first_file(); !found && first)
         found = occam_in(first);
     if (found)
-        reporter.replace_all(
-            *found, "this is occam; a netlist is in the configuration language of the C toolset (icconf)",
-            "for PROCESSOR 0 T8 say T800 p0; for what runs there, use \"KIND\" for name; place name on "
-            "p0; and wire the links: connect p0.link[2] to p1.link[1];");
+        reporter.replace_all(found->at,
+                             "this is occam; a netlist is in the configuration language of the C toolset (icconf)",
+                             found->hint);
 }
 
 Statements parse(TokenStream& tokens, const LoadedSource& source, Reporter& reporter) try {
@@ -79,9 +78,9 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
         return std::nullopt;
     network.source_path = source.file->path();
     network.included_paths = tokens.take_included();
-    auto printed = print_cfs(network);
-    network.hash = network_hash(printed);
-    check_size(std::move(printed), {source.file, 0, 0}, reporter);
+    network.includes_toolset = tokens.includes_toolset();
+    network.hash = network_hash(canonical_form(network));
+    check_size(print_cfs(network), {source.file, 0, 0}, reporter);
     return network;
 }
 

@@ -1,5 +1,6 @@
 #include "netlist/runnable.hpp"
 
+#include "text/counted.hpp"
 #include "text/diagnostic.hpp"
 #include "text/user_error.hpp"
 
@@ -63,10 +64,6 @@ SecondPlace note_on_edge(const std::string& edge, const Missing& missing) {
             missing.first};
 }
 
-std::string counted(std::size_t count, const std::string& thing) {
-    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 /// "2 programs are unknown, and 1 edge has no process".
 std::string summary(std::size_t programs, std::size_t edges) {
     auto unknown = counted(programs, "program") + (programs == 1 ? " is" : " are") + " unknown";
@@ -84,7 +81,7 @@ std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     if (auto without = programs.find(""); without != programs.end())
         text += fmt::format("{}use \"KIND\" for {};", text.empty() ? "" : "; ", without->second.names.front());
     if (!edges.empty())
-        text += fmt::format("{}a process is placed at an edge by place NAME on {};", text.empty() ? "" : "; ",
+        text += fmt::format("{}place NAME on {}; puts a process at an edge", text.empty() ? "" : "; ",
                             edges.begin()->first);
     return text;
 }

@@ -12,6 +12,8 @@ std::string to_string(Time t) {
         return fmt::format("{:.6f} ms", count * 1e-9);
     if (t >= std::chrono::microseconds{1})
         return fmt::format("{:.6f} us", count * 1e-6);
+    if (t >= std::chrono::nanoseconds{1})
+        return fmt::format("{:.3f} ns", count * 1e-3);
     return fmt::format("{} ps", t.count());
 }
 

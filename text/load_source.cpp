@@ -22,6 +22,9 @@ bool is_text(char c) {
     return byte >= 0x20 ? byte != 0x7f : (c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v');
 }
 
+/// Bells, backspaces and escape sequences get into texts that a terminal has shown.
+bool is_of_binary_file(char c) { return !is_text(c) && c != '\a' && c != '\b' && c != '\x1b'; }
+
 Diagnostic problem_at(const File& file, std::size_t line, std::size_t column, std::string message) {
     return {.severity = Severity::error, .message = std::move(message), .location = {file, line, column}};
 }
@@ -34,9 +37,11 @@ std::optional<Diagnostic> binary_problem(const File& file) {
         return std::nullopt;
     auto line = static_cast<std::size_t>(std::count(text.begin(), odd, '\n')) + 1;
     auto start = std::find(std::make_reverse_iterator(odd), text.rend(), '\n').base();
-    return problem_at(
-        file, line, static_cast<std::size_t>(odd - start) + 1,
-        fmt::format("this is no text but a binary file: it holds the byte 0x{:02x}", static_cast<unsigned char>(*odd)));
+    auto byte = fmt::format("0x{:02x}", static_cast<unsigned char>(*odd));
+    return problem_at(file, line, static_cast<std::size_t>(odd - start) + 1,
+                      std::ranges::any_of(text, is_of_binary_file)
+                          ? "this is no text but a binary file: it holds the byte " + byte
+                          : "the control character " + byte + " is no part of a text: remove it");
 }
 
 /// The first line that is too long.
@@ -108,6 +113,13 @@ LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     return check_source(shown_path, std::move(text));
 }
 
+/// Nothing there is no empty text but a mistake: a command before a pipe that failed, or no pipe at all.
+LoadedSource read_standard_input(const std::string& shown_path) {
+    LoadedSource read = read_source(std::cin, shown_path);
+    bool nothing = read.problems.empty() && read.file->text().empty();
+    return nothing ? refused(shown_path, "there is nothing on standard input, or it is closed") : read;
+}
+
 } // namespace
 
 LoadedSource load_source(const std::filesystem::path& path) {
@@ -122,7 +134,7 @@ LoadedSource load_source(const std::filesystem::path& path) {
 LoadedSource load_input(const std::filesystem::path& path) {
     if (!is_standard_stream(path))
         return load_source(path);
-    static const LoadedSource standard_input = read_source(std::cin, shown_input(path));
+    static const LoadedSource standard_input = read_standard_input(shown_input(path));
     return standard_input;
 }
 

@@ -42,6 +42,33 @@ Utf8Character first_character(std::string_view text) {
     return good ? Utf8Character{code, bytes} : Utf8Character{};
 }
 
+std::string as_utf8(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        auto bytes = first_character(text).bytes;
+        auto latin = static_cast<unsigned char>(text[0]);
+        if (bytes > 0)
+            result += text.substr(0, bytes);
+        else
+            result.append({static_cast<char>(0xc0 | (latin >> 6)), static_cast<char>(0x80 | (latin & 0x3f))});
+        text.remove_prefix(std::max<std::size_t>(bytes, 1));
+    }
+    return result;
+}
+
+std::string as_markup(std::string_view text) {
+    std::string result;
+    for (char c : as_utf8(text))
+        switch (c) {
+        case '<': result += "&lt;"; break;
+        case '>': result += "&gt;"; break;
+        case '&': result += "&amp;"; break;
+        case '"': result += "&quot;"; break;
+        default: result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+        }
+    return result;
+}
+
 std::string escaped(std::string_view text) {
     std::string result;
     while (!text.empty()) {

@@ -15,6 +15,13 @@ struct Utf8Character {
 /// What the text begins with. Overlong forms and surrogates are no characters.
 Utf8Character first_character(std::string_view text);
 
+/// The text with every byte that is no part of a UTF-8 character taken as Latin-1, as old files have it.
+std::string as_utf8(std::string_view text);
+
+/// The text of an element, or the value of an attribute, of XML or HTML: `<`, `>`, `&` and `"` written as these want
+/// them, and bytes as in as_utf8(). Control characters, which they do not have, are shown as `?`.
+std::string as_markup(std::string_view text);
+
 /// The text as a terminal may have it: control characters, and bytes that are no UTF-8, as `\x1b`. Tabs stay.
 std::string escaped(std::string_view text);
 

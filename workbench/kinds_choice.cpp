@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace placedpar {
@@ -35,6 +36,15 @@ std::vector<std::string> known_names(const Catalogue& catalogue) {
     for (const auto& [name, type] : catalogue.node_types())
         names.insert(name);
     return {names.begin(), names.end()};
+}
+
+std::string known_name(const Catalogue& catalogue, const std::string& name) {
+    std::vector<std::string> known = known_names(catalogue);
+    auto is_like_it = [&](const std::string& each) { return lower_case(each) == lower_case(name); };
+    if (std::ranges::find(known, name) != known.end())
+        return name;
+    auto found = std::ranges::find_if(known, is_like_it);
+    return found == known.end() ? name : *found;
 }
 
 std::vector<const ProcessKind*> group_of(const Catalogue& catalogue, std::string_view group) {

@@ -18,6 +18,9 @@ std::vector<const ProcessKind*> group_of(const Catalogue&, std::string_view grou
 /// Every name that kinds can be asked for by, in order.
 std::vector<std::string> known_names(const Catalogue&);
 
+/// The known name that this is but for the case of its letters, as DOS and the toolset have it; itself if it is none.
+std::string known_name(const Catalogue&, const std::string& name);
+
 /// Throws UserError: there is no kind, device or group of that name, but perhaps a similar one.
 [[noreturn]] void refuse_kind(const Catalogue&, const std::string& name);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace placedpar {
 
@@ -54,11 +55,23 @@ std::string print_set(const Network& network) {
     return out;
 }
 
-/// A part of the run's time: in percent, or where there is no whole, as in a deadlock, in milliseconds.
+/// In the largest unit of which there is one: "12.345 us".
+std::string print_time(Time time) {
+    constexpr std::pair<Time, const char*> units[] = {{std::chrono::seconds{1}, "s"},
+                                                      {std::chrono::milliseconds{1}, "ms"},
+                                                      {std::chrono::microseconds{1}, "us"},
+                                                      {std::chrono::nanoseconds{1}, "ns"}};
+    for (const auto& [unit, name] : units)
+        if (time >= unit)
+            return fmt::format("{:.3f} {}", static_cast<double>(time.count()) / static_cast<double>(unit.count()),
+                               name);
+    return to_string(time);
+}
+
+/// A part of the run's time: in percent, or where there is no whole, as in a deadlock, as it is.
 std::string print_part(const RunReport& report, Time part) {
-    if (auto share = report.share(part))
-        return fmt::format("{:.1f}%", 100 * *share);
-    return fmt::format("{:.3f} ms", in_milliseconds(part));
+    auto share = report.share(part);
+    return share ? fmt::format("{:.1f}%", 100 * *share) : print_time(part);
 }
 
 std::string print_processors(const RunReport& report) {
@@ -75,6 +88,8 @@ std::string ends_of(const LinkUse& link) { return link.from + " -> " + link.to; 
 
 std::string print_links(const RunReport& report) {
     const auto& rows = report.links;
+    if (std::ranges::none_of(rows, [](const LinkUse& link) { return link.bytes > 0; }))
+        return "";
     std::size_t width = width_of(rows, ends_of, 13);
     std::string out =
         painted(Paint::heading, fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied"));
@@ -88,10 +103,10 @@ std::string print_links(const RunReport& report) {
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
         return fmt::format("{:>7}", print_part(report, process.waiting));
-    double since = in_milliseconds(*process.waits_since);
+    std::string since = print_time(*process.waits_since);
     if (report.result.ending == Ending::stuck)
-        return fmt::format("for ever, from {:.3f} ms on", since);
-    return fmt::format("{:>7}, the last wait since {:.3f} ms", print_part(report, process.waiting), since);
+        return fmt::format("for ever, from {} on", since);
+    return fmt::format("{:>7}, the last wait since {}", print_part(report, process.waiting), since);
 }
 
 std::string print_processes(const RunReport& report) {
@@ -184,9 +199,7 @@ std::string print_report(const RunReport& report, const Network& network) {
         out += print_measurements(report.measurements);
     if (!report.processors.empty())
         out += print_processors(report);
-    if (!report.links.empty())
-        out += print_links(report);
-    return out + print_processes(report);
+    return out + print_links(report) + print_processes(report);
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest) {

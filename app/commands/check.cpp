@@ -1,6 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/netlist_options.hpp"
 #include "netlist/kinds/device_kind.hpp"
+#include "text/counted.hpp"
 #include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,9 +15,10 @@ namespace {
 
 ExitCode check(const NetlistOptions& options) {
     Network network = load_network(options);
-    print_out(fmt::format("{}: {} processors, {} connections, {} processes, {} channels; hash {:016x}\n",
-                          network.source_path, count_processors(network), network.connections.size(),
-                          network.processes.size(), network.channels.size(), network.hash));
+    print_out(fmt::format(
+        "{}: {}, {}, {}, {}; hash {:016x}\n", network.source_path, counted(count_processors(network), "processor"),
+        counted(network.connections.size(), "connection"), counted(network.processes.size(), "process", "processes"),
+        counted(network.channels.size(), "channel"), network.hash));
     return ExitCode::success;
 }
 

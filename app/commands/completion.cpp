@@ -2,9 +2,11 @@
 #include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,25 +57,9 @@ const CLI::Option* option_called(const CLI::App& command, const std::string& wor
     return word.starts_with('-') ? command.get_option_no_throw(word) : nullptr;
 }
 
-Words long_options_of(const CLI::App& command) {
-    Words names;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : option->get_lnames())
-            names.push_back("--" + name);
-    return names;
-}
-
-/// Null where there is none.
-const CLI::App* command_called(const CLI::App& app, const std::string& name) {
-    auto all = app.get_subcommands({});
-    auto found = std::ranges::find(all, name, [](const CLI::App* each) { return each->get_name(); });
-    return found == all.end() ? nullptr : *found;
-}
-
-Words names_of_commands(const CLI::App& app) {
-    Words names = long_options_of(app);
-    for (const CLI::App* each : app.get_subcommands({}))
-        names.push_back(each->get_name());
+Words first_words(const CLI::App& app) {
+    Words names = names_of_options(app);
+    std::ranges::move(names_of_commands(app), std::back_inserter(names));
     return names;
 }
 
@@ -99,23 +85,39 @@ Words without_equals(const Words& typed) {
 /// What the last of the words could be, before it is compared with what it is so far.
 Words candidates(const CLI::App& app, const Words& words) {
     if (words.size() < 2)
-        return names_of_commands(app);
+        return first_words(app);
     const CLI::App* command = command_called(app, words.front());
     if (!command)
         return {};
     const CLI::Option* option = option_called(*command, words[words.size() - 2]);
     if (option && option->get_items_expected_max() > 0)
         return choices_in(option->get_type_name());
-    return words.back().starts_with('-') ? long_options_of(*command) : values_of(words.front());
+    return words.back().starts_with('-') ? names_of_options(*command) : values_of(words.front());
+}
+
+/// Zsh leaves --format=s in one: what it takes is then to be completed as one, too. Else "".
+std::string cut_option_off(Words& words) {
+    if (words.empty() || !words.back().starts_with("--") || words.back().find('=') == std::string::npos)
+        return "";
+    std::string last = words.back(), option = last.substr(0, last.find('='));
+    words.back() = option;
+    words.push_back(last.substr(option.size() + 1));
+    return option + "=";
 }
 
 std::string list_words(const CLI::App& app, const Words& typed) {
     Words words = without_equals(typed);
-    std::string begun = words.empty() ? "" : words.back(), out;
+    std::string option = cut_option_off(words), begun = words.empty() ? "" : words.back(), out;
+    auto is_short_option = [](const std::string& word) { return word.size() == 2 && word[0] == '-'; };
     for (const std::string& each : candidates(app, words))
-        if (each.starts_with(begun))
-            out += each + "\n";
+        if (each.starts_with(begun) && (begun == "-" || begun == each || !is_short_option(each)))
+            out += option + each + "\n";
     return out;
+}
+
+std::string refuse_shell(const std::string& name) {
+    bool known = name == "bash" || name == "zsh" || name == "words"; // the last one is for the scripts
+    return known ? "" : fmt::format("there is nothing for the shell \"{}\": it is one of bash, zsh", name);
 }
 
 struct CompletionOptions {
@@ -127,7 +129,7 @@ Action declare_completion(CLI::App& command, const std::string&) {
     auto options = std::make_shared<CompletionOptions>();
     command.add_option("SHELL", options->shell, "prints a script: source <(placedpar completion bash)")
         ->required()
-        ->check(CLI::IsMember({"bash", "zsh", "words"}).description(""))
+        ->check(refuse_shell)
         ->type_name("bash|zsh");
     command.add_option("WORDS", options->words, "asked by the scripts: what can the last of these words be?");
     return [options, &command] {

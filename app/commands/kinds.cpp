@@ -37,7 +37,8 @@ std::string print_kinds_or_problems(const Catalogue& catalogue, const ProblemReg
         return list_kinds(catalogue);
     if (name == problems_group)
         return print_problems(problems);
-    return is_problem(problems, name) ? print_problem(problems, name) : print_kind(catalogue, name);
+    return is_problem(problems, name) ? print_problem(problems, name)
+                                      : print_kind(catalogue, known_name(catalogue, name));
 }
 
 boost::json::object json_of(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
@@ -45,7 +46,7 @@ boost::json::object json_of(const Catalogue& catalogue, const ProblemRegistry& p
         return {{problems_group, problems_json(problems)}};
     if (is_problem(problems, name))
         return {{problems_group, boost::json::array{problem_json(problems, name)}}};
-    return kinds_json(catalogue, name);
+    return kinds_json(catalogue, name.empty() ? name : known_name(catalogue, name));
 }
 
 struct KindsOptions {

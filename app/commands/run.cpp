@@ -60,16 +60,18 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
     if (!options.json.empty())
         write_whole(options.json, print_pretty(report_json(report, network, manifest)));
     if (trace)
-        print_warnings(trace->finish(report.result.ending));
+        print_warnings(trace->finish(report.result));
     return exit_code_of(report.result.ending);
 }
 
 void add_trace(CLI::App& command, RunOptions& options) {
     CLI::Option* trace = add_file(command, "--trace", options.trace,
                                   "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
-    add_time(command, "--trace-from", options.traced.from, "leaves out of it what is before")->needs(trace);
-    add_time(command, "--trace-until", options.traced.until, "leaves out of it what is after")->needs(trace);
-    add_count(command, "--trace-limit", options.traced.most_entries, "it ends when it has so many entries")
+    add_time(command, "--trace-from", options.traced.from, "begins the timeline at this moment of the machine's time")
+        ->needs(trace);
+    add_time(command, "--trace-until", options.traced.until, "ends the timeline at this moment")->needs(trace);
+    add_count(command, "--trace-limit", options.traced.most_entries,
+              "ends the timeline when it has so many slices and messages")
         ->needs(trace);
 }
 

@@ -16,6 +16,8 @@ std::string not_a_whole_number(const std::string& text) {
     return fmt::format("\"{}\" is no whole number from 0 to {}", text, std::numeric_limits<std::uint64_t>::max());
 }
 
+std::string not_a_name(const std::string& text) { return text.empty() ? "it takes a name" : ""; }
+
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about) {
     command.add_option("--seed", seed, about)->type_name("N")->check(not_a_whole_number)->capture_default_str();
 }
@@ -27,9 +29,7 @@ CLI::Option* add_count(CLI::App& command, const std::string& option, std::size_t
 
 CLI::Option* add_file(CLI::App& command, const std::string& option, std::string& path, const std::string& about,
                       const std::string& type) {
-    return command.add_option(option, path, about)->type_name(type)->check([](const std::string& name) {
-        return name.empty() ? "it takes a name" : "";
-    });
+    return command.add_option(option, path, about)->type_name(type)->check(not_a_name);
 }
 
 } // namespace placedpar

@@ -11,7 +11,8 @@ namespace placedpar {
 // Options that mean the same wherever they stand, and refuse the same.
 
 /// --seed, of every random stream unless `about` says of what.
-void add_seed(CLI::App&, std::uint64_t& seed, const std::string& about = "of every random stream");
+void add_seed(CLI::App&, std::uint64_t& seed,
+              const std::string& about = "what all random numbers are drawn from: the same seed, the same run");
 
 /// An option that counts something: digits only, and a number that 64 bits hold. CLI11 itself takes -1 and what is too
 /// large for the greatest such number, and 010 for eight, which is refused, too.
@@ -21,6 +22,9 @@ CLI::Option* add_count(CLI::App&, const std::string& option, std::size_t& count,
 /// An option that names a file, or what else `type` says; it cannot be "".
 CLI::Option* add_file(CLI::App&, const std::string& option, std::string& path, const std::string& about,
                       const std::string& type = "FILE");
+
+/// For CLI::Option::check, of a name that cannot be "".
+std::string not_a_name(const std::string& text);
 
 /// For CLI::Option::check, of options that add_count() does not fit.
 std::string not_a_whole_number(const std::string& text);

@@ -1,5 +1,6 @@
 #include "app/options/netlist_options.hpp"
 
+#include "app/options/common_options.hpp"
 #include "app/standard_error.hpp"
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
@@ -73,7 +74,7 @@ ReadOptions read_options_of(const ReadOptionsTyped& typed) {
 }
 
 void add_netlist(CLI::App& command, NetlistOptions& options) {
-    command.add_option("FILE", options.file, "the netlist")->required();
+    command.add_option("FILE", options.file, "the netlist")->required()->check(not_a_name);
     add_set(command, options.set,
             "sets a val, an attribute or a parameter: slaves=3, linkspeed=10M, slave[2].elite=1; as often as wanted");
     add_read_options(command, options.read);

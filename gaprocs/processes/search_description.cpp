@@ -107,7 +107,8 @@ std::vector<MeasurementDescription> search_measurements() {
         {"S_time2", "ms", "the genetic operators"},
         {"generations", "", "generations evaluated"},
         {"generations_per_second", "1/s",
-         "with everything that a generation and a new sample cost; not there when they cost no time"},
+         "of this process's own population, with all that a generation and a new sample cost; not there when they cost "
+         "no time"},
         {"populations", "", "a hash of every population, in order: equal for equal generations"},
         {"best_fitness", "(unit of the error)^2", "of the last generation's best individual"},
         {"best_objective", "the problem's",

@@ -51,9 +51,8 @@ public:
             exchange_->beside_mail([this] { search_record(); });
         else
             search_record();
-        if (timing_ && rehearsals_ > 0)
-            rehearse();
-        farm_.end();
+        if (has_slaves_)
+            leave_slaves();
         report();
     }
 
@@ -106,9 +105,16 @@ private:
         execution_.stop();
     }
 
-    /// Measures C_time2 when all of the machine has done its work, so that it disturbs none of the work's figures.
-    void rehearse() {
+    /// What is no work, and comes when all of the machine has done its own, so that it disturbs none of the work's
+    /// figures: measuring C_time2, and ending the slaves, which the thesis's never did.
+    void leave_slaves() {
         wait_until_work_is_over();
+        if (timing_ && rehearsals_ > 0)
+            rehearse();
+        farm_.end();
+    }
+
+    void rehearse() {
         rehearsal_.start();
         for (std::int64_t i = 0; i < rehearsals_; ++i)
             farm_.rehearse(search_.population());

@@ -138,6 +138,8 @@ private:
                                channel, node_name(placement.where.node), node_name(process.node)),
                    "", {{"the process is placed here", process.placed}});
         auto found = c_.connection_at.find({placement.where.node, placement.where.link});
+        if (found == c_.connection_at.end() && c_.wire_refused[placement.where.node])
+            throw StatementRefused{}; // reported
         if (found == c_.connection_at.end())
             refuse(placement.at, fmt::format("the channel \"{}\" is placed on \"{}\", which is connected to nothing",
                                              channel, link_name(c_.draft.nodes, placement.where)));
@@ -203,7 +205,7 @@ private:
     void edge_missing(const NetworkChannel& channel) {
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& outer = channel.from.at_edge() ? channel.from : channel.to;
-        if (inner.node == nowhere)
+        if (inner.node == nowhere || c_.wire_refused[inner.node])
             return; // reported
         auto edge = outer.node == nowhere ? "an edge" : fmt::format("the edge \"{}\"", node_name(outer.node));
         refuse(channel.connected,
@@ -248,6 +250,8 @@ private:
 
     void refuse_no_neighbours(const NetworkChannel& channel) {
         auto from = channel.from.node, to = channel.to.node;
+        if (c_.wire_refused[from] || c_.wire_refused[to])
+            return; // the wire that may be missed was reported
         const auto &sender = c_.draft.processes[channel.from.process],
                    &receiver = c_.draft.processes[channel.to.process];
         refuse(channel.connected,

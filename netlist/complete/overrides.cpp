@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 namespace placedpar {
@@ -17,15 +18,30 @@ class ElementOverrides {
 public:
     explicit ElementOverrides(Completion& c) : c_(c) {}
 
+    /// What is said of one element goes before what is said of all, wherever it stands.
     void run() {
+        std::vector<const DraftOverride*> order;
         for (const DraftOverride& option : c_.draft.overrides)
-            attempt([&] { set(option); });
+            order.push_back(&option);
+        std::ranges::stable_sort(order, std::ranges::greater{}, [](const auto* each) { return precision_of(*each); });
+        std::map<const DraftOverride*, SetByOption> done;
+        for (const DraftOverride* option : order)
+            attempt([&] { done.emplace(option, set(*option)); });
         c_.network.set = c_.draft.set;
+        for (const DraftOverride& option : c_.draft.overrides)
+            if (auto found = done.find(&option); found != done.end() && !found->second.elements.empty())
+                c_.network.set.push_back(std::move(found->second));
     }
 
 private:
-    void set(const DraftOverride& option) {
-        if (option.element.empty() && option.member == "length")
+    /// How closely the option says what it sets: of every element that has it, of an array, of an element.
+    static std::size_t precision_of(const DraftOverride& option) {
+        return option.element.empty() ? 0 : 1 + subscripts_of(option.element).size();
+    }
+
+    SetByOption set(const DraftOverride& option) {
+        if ((option.element.empty() && option.member == "length") ||
+            base_name(option.element) == free_name(wires_by_default))
             name_wires();
         std::vector<Settable> named = elements_of(option), having;
         std::ranges::copy_if(named, std::back_inserter(having),
@@ -34,11 +50,10 @@ private:
             refuse(option, named);
         std::string name = option.element + (option.element.empty() ? "" : ".") + option.member;
         SetByOption done{name, option.value.typed, {}};
-        for (const Settable& each : having) {
-            set_once(option, each);
-            done.elements.push_back(each.name);
-        }
-        c_.draft.set.push_back(std::move(done));
+        for (const Settable& each : having)
+            if (set_once(option, each))
+                done.elements.push_back(each.name);
+        return done;
     }
 
     std::vector<Settable> elements_of(const DraftOverride& option) const {
@@ -50,20 +65,27 @@ private:
         return all;
     }
 
-    void set_once(const DraftOverride& option, const Settable& element) {
-        auto [first, is_new] = done_.emplace(std::pair(element.name, option.member), option.at);
+    /// False where an option that says it more precisely has set it.
+    bool set_once(const DraftOverride& option, const Settable& element) {
+        auto [first, is_new] = done_.emplace(std::pair(element.name, option.member), &option);
+        if (!is_new && precision_of(*first->second) > precision_of(option))
+            return false;
         if (!is_new) {
             c_.reporter.error(option.at, fmt::format("\"{}\" of \"{}\" is set twice", option.member, element.name), "",
-                              {{"set first here", first->second}});
+                              {{"set first here", first->second->at}});
             throw StatementRefused{};
         }
-        element.set({option.member, option.value.take(element.takes_text(option.member), c_.reporter), option.value.at},
-                    c_.reporter);
+        auto value =
+            option.value.take(element.takes_text(option.member), element.what_it_takes(option.member), c_.reporter);
+        element.set({option.member, std::move(value), option.value.at}, c_.reporter);
+        return true;
     }
 
-    /// All wires are to have a length, and what has none of the attributes of a connection has no name either.
+    static constexpr const char* wires_by_default = "wire";
+
+    /// What an option can set of a wire are the attributes of a connection, and so of one that has a name.
     void name_wires() {
-        std::string name = free_name("wire");
+        std::string name = free_name(wires_by_default);
         std::int64_t number = 0;
         for (DraftWire& wire : c_.draft.wires)
             if (wire.connection == nowhere) {
@@ -85,12 +107,13 @@ private:
     }
 
     [[noreturn]] void refuse(const DraftOverride& option, const std::vector<Settable>& named) {
+        name_wires();
         if (option.element.empty())
             refuse_name(option);
         if (named.empty())
             refuse_element(option);
         const Settable& first = named.front();
-        std::string meant = did_you_mean(option.member, first.members());
+        std::string meant = meant_by(option.member, first.members());
         report(option.member_at,
                fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element, first.noun_of_member(),
                            option.member),
@@ -115,13 +138,17 @@ private:
         std::vector<Settable> all = settable_elements(c_);
         auto element = std::ranges::find(all, name, [](const Settable& each) { return base_name(each.name); });
         if (element != all.end())
-            report(option.at, fmt::format("\"{}\" is a {}: what of it is set is missing", name, element->noun()),
+            report(option.at, fmt::format("\"{}\" is a {}: say what of it to set", name, element->noun()),
                    fmt::format("--set {}.NAME=VALUE", name), {element->text_of_members()});
         if (c_.draft.vals_in_blocks.contains(name))
             report(option.at, fmt::format("the val \"{}\" is declared in a block", name),
                    "an option reaches vals outside of blocks");
         report(option.at, fmt::format("the netlist has no val, attribute or parameter \"{}\"", name),
-               did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
+               meant_by(name, names_to_set(c_)), what_can_be_set(c_));
+    }
+
+    static std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
+        return name == "seed" ? "the seed of a run is an option of its own: --seed N" : did_you_mean(name, known);
     }
 
     [[noreturn]] void refuse_element(const DraftOverride& option) {
@@ -132,6 +159,9 @@ private:
         if (array.empty())
             report(option.at, fmt::format("the netlist has no node, connection or process \"{}\"", name),
                    did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
+        if (array.size() == 1 && array.front().name == name)
+            report(option.at, fmt::format("\"{}\" is no array", name),
+                   fmt::format("--set {}.{}=...", name, option.member));
         std::string more = array.size() == 1 ? "" : " to " + array.back().name;
         report(option.at, fmt::format("there is no \"{}\"", option.element),
                fmt::format("there is {}{}", array.front().name, more));
@@ -147,7 +177,7 @@ private:
     }
 
     Completion& c_;
-    std::map<std::pair<std::string, std::string>, Location> done_; ///< by element and member: the option
+    std::map<std::pair<std::string, std::string>, const DraftOverride*> done_; ///< by element and member
 };
 
 } // namespace

@@ -19,7 +19,8 @@ class Parameters {
 public:
     Parameters(Completion& c, std::size_t process)
         : c_(c), draft_(c.draft.processes[process]), kind_(c.kinds[process]),
-          result_(c.network.processes[process].parameters), given_(c.network.processes[process].given) {}
+          result_(c.network.processes[process].parameters), given_(c.network.processes[process].given),
+          order_(c.network.processes[process].given_in_order) {}
 
     void run() {
         if (draft_.interface)
@@ -50,6 +51,7 @@ private:
     }
 
     void take(const Setting& setting) {
+        note_order(setting.name);
         const auto* known = kind_ == nullptr ? nullptr : kind_->parameter(setting.name);
         const auto* declared = declaration(setting.name);
         if (known != nullptr)
@@ -60,6 +62,12 @@ private:
             apply_process_attribute(draft_, setting, c_.reporter);
         else if (declared == nullptr)
             refuse_unknown(setting);
+    }
+
+    void note_order(const std::string& name) {
+        bool parameter = kind_ == nullptr ? declaration(name) != nullptr : kind_->parameter(name) != nullptr;
+        if (parameter && noted_.insert(name).second)
+            order_.push_back(name);
     }
 
     const ParameterDeclaration* declaration(const std::string& name) const {
@@ -228,6 +236,8 @@ private:
     const ProcessKind* kind_;
     std::map<std::string, Value>& result_;
     std::map<std::string, Location>& given_;
+    std::vector<std::string>& order_;
+    std::set<std::string> noted_;              ///< there
     std::map<std::string_view, Location> set_; ///< by statements and options
     std::set<std::string_view> taken_;         ///< of the kind's parameters: given, or refused
 };

@@ -17,9 +17,16 @@ namespace {
 constexpr std::size_t most_names_in_a_list = 12, most_groups_in_a_list = 8;
 
 std::string list_of(std::vector<std::string> names, std::size_t most) {
-    const char* more = names.size() > most ? ", ..." : "";
-    names.resize(std::min(names.size(), most));
-    return fmt::format("{}{}", fmt::join(names, ", "), more);
+    std::size_t more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more == 0 ? "" : fmt::format(" and {} more", more));
+}
+
+std::string list_of_members(const Settable& element) {
+    std::vector<std::string> names = element.members();
+    bool cut = names.size() > most_names_in_a_list && element.kind != nullptr;
+    return list_of(std::move(names), most_names_in_a_list) +
+           (cut ? fmt::format(", see placedpar kinds {}", element.kind->name) : "");
 }
 
 std::vector<std::string> members_of(const Node& node, const ProcessKind*) {
@@ -51,11 +58,18 @@ void set_in(DraftConnection& connection, const Setting& setting, Reporter& repor
 }
 void set_in(DraftProcess& process, const Setting& setting, Reporter&) { process.overrides.push_back(setting); }
 
+std::string what_takes(const ParameterDescription& description) {
+    static constexpr const char* types[] = {"an integer", "a number", "a string"};
+    bool has_range = description.least || description.most;
+    return fmt::format("it takes {}{}", types[static_cast<int>(description.type)],
+                       has_range ? ": " + range_of(description) : "");
+}
+
 /// The elements of an array are one group, and so are others that have the same to set.
 std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, names
     for (const Settable& each : elements) {
-        std::string members = list_of(each.members(), most_names_in_a_list), name(base_name(each.name));
+        std::string members = list_of_members(each), name(base_name(each.name));
         if (each.thing.index() != category || members.empty())
             continue;
         auto group = std::ranges::find(groups, members, [](const auto& known) { return known.first; });
@@ -86,7 +100,7 @@ std::vector<std::string> Settable::members() const {
 }
 
 std::string Settable::text_of_members() const {
-    std::string names = list_of(members(), most_names_in_a_list);
+    std::string names = list_of_members(*this);
     return names.empty() ? "it has nothing that can be set" : "it has " + names;
 }
 
@@ -106,6 +120,21 @@ bool Settable::takes_text(const std::string& member) const {
         return false;
     const auto* declared = find_named((*process)->interface->parameters, member);
     return declared != nullptr && element_type(*declared) == ParameterType::text && element_dimensions(*declared) == 0;
+}
+
+std::string Settable::what_it_takes(const std::string& member) const {
+    if (std::holds_alternative<DraftConnection*>(thing))
+        return member == "length" ? "it takes a number of metres" : "it takes an integer, in bit/s";
+    const ParameterDescription* description = nullptr;
+    if (const auto* node = std::get_if<Node*>(&thing)) {
+        const auto* attribute = (*node)->kind->attribute(member);
+        description = attribute == nullptr ? nullptr : &attribute->value;
+    } else if (kind != nullptr) {
+        description = kind->parameter(member);
+    }
+    if (description == nullptr)
+        return member == "priority" ? "it takes HIGH or LOW" : "";
+    return what_takes(*description);
 }
 
 void Settable::set(const Setting& setting, Reporter& reporter) const {
@@ -139,7 +168,7 @@ std::vector<std::string> what_can_be_set(Completion& c) {
     std::vector<Settable> all = settable_elements(c);
     std::vector<std::string> lines, vals;
     for (const auto& [name, value] : c.draft.vals)
-        vals.push_back(fmt::format("{} = {}", name, value));
+        vals.push_back(fmt::format("{} = {}", name, shown(value)));
     auto add = [&](const std::string& heading, const std::string& what) {
         if (!what.empty())
             lines.push_back(heading + what);

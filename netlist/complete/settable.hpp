@@ -18,12 +18,14 @@ struct Settable {
     const char* noun_of_member() const;
     /// What a simulation looks at.
     std::vector<std::string> members() const;
-    /// "it has memory, clock ..."; cut short when they are many.
+    /// "it has memory, clock ..."; cut short when they are many, with the command that lists them all.
     std::string text_of_members() const;
     /// Whether it can be set; what is only kept for the real tool, too. Where every element is meant, a connection
     /// without a speed of its own is not: it follows its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
     bool takes_text(const std::string& member) const;
+    /// "it takes an integer: it is at least 1"; "" where that is not known.
+    std::string what_it_takes(const std::string& member) const;
     /// REQUIRES: has(setting.name). Throws StatementRefused after having reported; values of parameters are
     /// checked later, with those of the netlist.
     void set(const Setting& setting, Reporter&) const;

@@ -105,6 +105,21 @@ std::string type_name(const Constant& constant) {
     return names[constant.value.index()];
 }
 
+namespace {
+
+std::string shown_array(const std::vector<Constant>& elements) {
+    constexpr std::size_t long_enough = 32;
+    std::string text;
+    for (const Constant& element : elements) {
+        if (text.size() > long_enough)
+            return "{" + text + ", ...}";
+        text += (text.empty() ? "" : ", ") + shown(element);
+    }
+    return "{" + text + "}";
+}
+
+} // namespace
+
 std::string shown(const Constant& constant) {
     if (const auto* integer = constant.integer())
         return fmt::format("{}", integer->value);
@@ -112,7 +127,7 @@ std::string shown(const Constant& constant) {
         return fmt::format("{}", *real);
     if (const auto* text = constant.text())
         return fmt::format("\"{}\"", text->size() > 40 ? text->substr(0, 40) + "..." : *text);
-    return "an array";
+    return shown_array(**constant.array());
 }
 
 Constant apply_unary(const std::string& symbol, const Constant& operand) {

@@ -139,8 +139,8 @@ struct Draft {
     std::size_t things = 0;
     std::vector<DraftOverride> overrides;
     std::vector<SetByOption> set; ///< so far
-    // Of vals outside of blocks, what the netlist gives them, as messages show it; those in blocks. For overrides only.
-    std::vector<std::pair<std::string, std::string>> vals;
+    // Of vals outside of blocks, what the netlist gives them; those in blocks. For overrides only.
+    std::vector<std::pair<std::string, Constant>> vals;
     std::set<std::string> vals_in_blocks;
 };
 

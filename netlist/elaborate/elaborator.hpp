@@ -51,6 +51,8 @@ private:
     void evaluate(Override& option);
     Constant overridden(const std::string& name, const Constant& original);
     Constant override_val(Override& option, const Constant& original);
+    std::vector<std::string> names_of_vals() const;
+    [[noreturn]] void refuse_element(const Reference& target);
     DraftOverride settled(Override& option);
 
     // declaration.cpp

@@ -34,6 +34,13 @@ std::shared_ptr<const SourceFile> source_of(const std::string& name, const std::
     return source.file;
 }
 
+/// Where the first problem has none of its own.
+std::vector<Diagnostic> with_hint(std::vector<Diagnostic> problems, const std::string& hint) {
+    if (problems.front().hint.empty())
+        problems.front().hint = hint;
+    return problems;
+}
+
 } // namespace
 
 Override read_override(const std::string& name, const std::string& value, Reporter& reporter) {
@@ -53,7 +60,7 @@ Override read_override(const std::string& name, const std::string& value, Report
     return read;
 }
 
-Constant OverrideValue::take(bool text_wanted, Reporter& reporter) const {
+Constant OverrideValue::take(bool text_wanted, const std::string& what_it_takes, Reporter& reporter) const {
     bool is_text = constant && constant->text() != nullptr;
     if (text_wanted && !is_text && !typed.starts_with('"')) {
         if (typed.size() <= longest_string)
@@ -63,9 +70,9 @@ Constant OverrideValue::take(bool text_wanted, Reporter& reporter) const {
                 reporter);
     }
     if (typed.empty())
-        pass_on({{.message = "the value is missing", .location = at}}, reporter);
+        pass_on({{.message = "the value is missing", .location = at, .hint = what_it_takes}}, reporter);
     if (!constant)
-        pass_on(problems, reporter);
+        pass_on(with_hint(problems, what_it_takes), reporter);
     return *constant;
 }
 

@@ -26,8 +26,9 @@ struct OverrideValue {
     std::optional<Constant> constant = {};
     std::vector<Diagnostic> problems = {}; ///< why there is no constant
 
-    /// Throws StatementRefused after having reported why there is no value.
-    Constant take(bool text_wanted, Reporter&) const;
+    /// Throws StatementRefused after having reported why there is no value, and what would be right: "it takes an
+    /// integer".
+    Constant take(bool text_wanted, const std::string& what_it_takes, Reporter&) const;
 };
 
 /// One option, read. What it names and what the value is come out when the netlist is known.

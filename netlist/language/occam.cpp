@@ -1,6 +1,7 @@
 #include "netlist/language/occam.hpp"
 
 #include "netlist/language/characters.hpp"
+#include "text/nearest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,20 +11,35 @@ namespace placedpar {
 
 namespace {
 
-std::string_view without_blanks(std::string_view line) {
-    auto first = line.find_first_not_of(" \t");
-    return first == line.npos ? "" : line.substr(first, line.find_last_not_of(" \t") + 1 - first);
+/// What a line is of, if it is occam at all; of a text the last of what its lines are.
+enum class Dialect { none, comment, program, toolset, development_system };
+
+constexpr const char* hint_for(Dialect dialect) {
+    switch (dialect) {
+    case Dialect::development_system:
+        return "for PROCESSOR 0 T8 say T800 p0; for what runs there, use \"KIND\" for name; place name on p0; and wire "
+               "the links: connect p0.link[2] to p1.link[1];";
+    case Dialect::toolset:
+        return "for NODE p0 : with its type say T800 p0; for CONNECT p0[link][2] TO p1[link][1] say connect p0.link[2] "
+               "to p1.link[1]; and for what runs there, use \"KIND\" for name; place name on p0;";
+    default:
+        return "programs in occam are not run: a netlist says of which kind a process is, use \"KIND\" for name; "
+               "placedpar kinds lists the kinds, and one of your own is written in C++";
+    }
 }
 
-bool begins_as_occam(std::string_view line) {
-    static constexpr std::array<std::string_view, 13> beginnings{
-        "PLACED PAR", "#USE ", "#SC ",  "CHAN OF ", "PROTOCOL ", "PROC ",  "VAL ",
-        "NODE ",      "ARC ",  "EDGE ", "NETWORK ", "MAPPING ",  "CONFIG "};
+std::string_view without_blanks(std::string_view line) {
+    auto first = line.find_first_not_of(" \t");
+    return first == line.npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+}
+
+template <std::size_t size>
+bool begins_with_any(std::string_view line, const std::array<std::string_view, size>& beginnings) {
     return std::ranges::any_of(beginnings, [&](auto beginning) { return line.starts_with(beginning); });
 }
 
-bool is_word_of_occam(std::string_view line) {
-    static constexpr std::array<std::string_view, 5> words{"SEQ", "PAR", "CONFIG", "NETWORK", "MAPPING"};
+template <std::size_t size>
+bool is_any(std::string_view line, const std::array<std::string_view, size>& words) {
     return std::ranges::find(words, line) != words.end();
 }
 
@@ -34,7 +50,45 @@ bool is_processor(std::string_view line) {
     return !number.empty() && is_digit(number.front());
 }
 
-bool is_occam(std::string_view line) { return begins_as_occam(line) || is_word_of_occam(line) || is_processor(line); }
+/// `#INCLUDE "hostio.inc"`: a netlist may include files, too, but not these.
+bool includes_library(std::string_view line) {
+    static constexpr std::array<std::string_view, 7> libraries{
+        "hostio.inc", "streamio.inc", "linkaddr.inc", "mathvals.inc", "ticonst.inc", "msdos.inc", "occonf.inc"};
+    auto quote = line.starts_with("#INCLUDE") ? line.find('"') : line.npos;
+    if (quote == line.npos)
+        return false;
+    auto name = line.substr(quote + 1, line.find('"', quote + 1) - quote - 1);
+    return is_any(lower_case(name), libraries);
+}
+
+bool is_of_program(std::string_view line) {
+    static constexpr std::array<std::string_view, 17> beginnings{
+        "#USE ", "#SC ",  "#OPTION ", "#PRAGMA ", "#IMPORT ", "CHAN ",  "PROTOCOL ", "PROC ", "VAL ",
+        "INT ",  "BYTE ", "BOOL ",    "REAL32 ",  "REAL64 ",  "TIMER ", "WHILE ",    "PRI "};
+    static constexpr std::array<std::string_view, 4> words{"SEQ", "PAR", "ALT", "IF"};
+    return begins_with_any(line, beginnings) || is_any(line, words) || includes_library(line);
+}
+
+bool is_of_toolset(std::string_view line) {
+    static constexpr std::array<std::string_view, 6> beginnings{"NODE ",    "ARC ",     "EDGE ",
+                                                                "NETWORK ", "MAPPING ", "CONFIG "};
+    static constexpr std::array<std::string_view, 3> words{"CONFIG", "NETWORK", "MAPPING"};
+    return begins_with_any(line, beginnings) || is_any(line, words);
+}
+
+bool is_statement_of_netlist(std::string_view line) { return line.ends_with(';'); }
+
+Dialect dialect_of(std::string_view line) {
+    if (is_statement_of_netlist(line))
+        return Dialect::none;
+    if (line.starts_with("PLACED PAR") || is_processor(line))
+        return Dialect::development_system;
+    if (is_of_toolset(line))
+        return Dialect::toolset;
+    if (is_of_program(line))
+        return Dialect::program;
+    return line.starts_with("--") ? Dialect::comment : Dialect::none;
+}
 
 /// Whether a C comment is open behind the line.
 bool comment_goes_on(std::string_view line, bool open) {
@@ -44,18 +98,47 @@ bool comment_goes_on(std::string_view line, bool open) {
     return end == line.npos || end < start;
 }
 
+/// Looks for the first line that only occam has, and the first comment.
+class OccamSearch {
+public:
+    void take(std::string_view words, const Location& at) {
+        Dialect dialect = dialect_of(words);
+        has_statement_ |= is_statement_of_netlist(words);
+        if (dialect == Dialect::comment && !comment_)
+            comment_ = at;
+        else if (dialect > Dialect::comment && !line_)
+            line_ = at;
+        dialect_ = std::max(dialect_, dialect);
+    }
+
+    /// A netlist may have comments like that, by mistake.
+    std::optional<Occam> result() const {
+        if (line_)
+            return Occam{*line_, hint_for(dialect_)};
+        if (comment_ && !has_statement_)
+            return Occam{*comment_, hint_for(dialect_)};
+        return std::nullopt;
+    }
+
+private:
+    Dialect dialect_ = Dialect::none;
+    std::optional<Location> line_, comment_;
+    bool has_statement_ = false;
+};
+
 } // namespace
 
-std::optional<Location> occam_in(const std::shared_ptr<const SourceFile>& file) {
+std::optional<Occam> occam_in(const std::shared_ptr<const SourceFile>& file) {
     auto lines = static_cast<std::size_t>(std::ranges::count(file->text(), '\n')) + 1;
+    OccamSearch search;
     bool in_comment = false;
     for (std::size_t number = 1; number <= lines; ++number) {
         auto line = file->line(number), words = without_blanks(line);
-        if (!in_comment && is_occam(words))
-            return Location{file, number, static_cast<std::size_t>(words.data() - line.data()) + 1};
+        if (!in_comment && !words.empty())
+            search.take(words, {file, number, static_cast<std::size_t>(words.data() - line.data()) + 1});
         in_comment = comment_goes_on(line, in_comment);
     }
-    return std::nullopt;
+    return search.result();
 }
 
 } // namespace placedpar

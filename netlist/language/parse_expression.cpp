@@ -160,6 +160,7 @@ ExpressionPointer Parser::parse_primary() {
 ExpressionPointer Parser::parse_array_constant() {
     Nesting nesting(*this);
     auto at = tokens_.take().at;
+    ++arrays_open_;
     ArrayConstant array;
     int height = 1;
     if (tokens_.peek().is("}"))
@@ -169,6 +170,7 @@ ExpressionPointer Parser::parse_array_constant() {
         height = std::max(height, array.elements.back()->height + 1);
     } while (accept(","));
     expect("}", "behind the array");
+    --arrays_open_;
     return make(at, std::move(array), height);
 }
 

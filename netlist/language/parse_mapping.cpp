@@ -16,12 +16,12 @@ std::vector<ExpressionPointer> Parser::parse_subscripts() {
     return subscripts;
 }
 
-Reference Parser::parse_reference(std::string_view what) {
+Reference Parser::parse_reference(std::string_view what, std::string_view part) {
     auto name = expect_name(what);
     Reference reference{name.at, name.text, parse_subscripts(), "", {}, {}};
     if (accept(".")) {
         const auto& word = tokens_.peek(); // behind a dot a word of the language is no other than the rest
-        auto field = word.kind == TokenKind::name ? tokens_.take() : expect_name("a link or channel");
+        auto field = word.kind == TokenKind::name ? tokens_.take() : expect_name(part);
         reference.field = field.text;
         reference.field_at = field.at;
         reference.field_subscripts = parse_subscripts();
@@ -30,8 +30,8 @@ Reference Parser::parse_reference(std::string_view what) {
 }
 
 Reference Parser::parse_target() {
-    auto target = parse_reference("a val, an attribute or a parameter");
-    expect("=", "behind the name of what is set");
+    auto target = parse_reference("a val, an attribute or a parameter", "an attribute or a parameter");
+    expect("=", "behind the name of what to set");
     return target;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace placedpar {
 
@@ -141,12 +142,16 @@ void Parser::parse_into(Statements& statements) try {
     recover();
 }
 
-/// To behind the next `;`, over whole blocks, but not out of the block that we are in.
+/// To behind the next `;`, over whole blocks and array constants, but not out of the block that we are in.
 void Parser::recover() {
+    int arrays = std::exchange(arrays_open_, 0);
     for (int open = 0; tokens_.peek().kind != TokenKind::end;) {
-        if (tokens_.peek().is("}") && open == 0)
+        bool closes = tokens_.peek().is("}") && open == 0;
+        if (closes && arrays == 0)
             return;
         auto token = tokens_.take();
+        if (closes && arrays-- > 0)
+            continue;
         if (token.is("{"))
             ++open;
         else if (token.is("}") && --open == 0)

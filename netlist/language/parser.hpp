@@ -65,7 +65,7 @@ private:
     Statement parse_place();
     Statement parse_rep();
     Statement parse_if();
-    Reference parse_reference(std::string_view what);
+    Reference parse_reference(std::string_view what, std::string_view part = "a link or channel");
     std::vector<ExpressionPointer> parse_subscripts();
 
     // parse_expression.cpp
@@ -107,6 +107,7 @@ private:
     TokenStream& tokens_;
     Reporter& reporter_;
     int depth_ = 0;
+    int arrays_open_ = 0;                      ///< array constants that are being read
     std::optional<Token> misspelt_;            ///< the first word of a statement, perhaps
     std::set<std::string, std::less<>> types_; ///< defined by the netlist
 };

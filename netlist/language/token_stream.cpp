@@ -93,6 +93,7 @@ std::vector<std::filesystem::path> TokenStream::folders_for(const Token& name) c
 
 void TokenStream::open(const Token& name) {
     auto path = without_backslashes(name.text);
+    includes_toolset_ |= is_of_the_toolset(path);
     auto found = find_included(path, folders_for(name));
     if (!found)
         return is_of_the_toolset(path) ? void() : refuse_missing(name);

@@ -30,6 +30,8 @@ public:
     const Location& behind_last() const { return behind_last_; }
     /// The paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
+    /// Whether one of the toolset's own was included so far, be there such a file or not.
+    bool includes_toolset() const { return includes_toolset_; }
 
 private:
     struct Open {
@@ -52,6 +54,7 @@ private:
     std::vector<std::filesystem::path> include_folders_;
     std::vector<Open> open_;
     std::vector<std::string> included_;
+    bool includes_toolset_ = false;
     std::deque<Token> ahead_;
     Location behind_last_;
     std::size_t tokens_ = 0, includes_ = 0, included_bytes_ = 0;

@@ -83,6 +83,7 @@ struct ProcessInstance {
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
         given; ///< where the netlist gives a parameter; those left to their default are not listed
+    std::vector<std::string> given_in_order; ///< parameters that the netlist gives; of an array the base name
     /// In the order of the netlist, since a program may fetch parameters by position. Null where the netlist gives
     /// none.
     std::shared_ptr<const std::vector<DeclaredEntry>> interface;
@@ -133,8 +134,9 @@ struct Network {
     std::vector<NetworkChannel> channels;
     std::string source_path;
     std::vector<std::string> included_paths; ///< of the files that it includes
+    bool includes_toolset = false;           ///< or what an include of the toolset's own predefines
     std::vector<SetByOption> set;
-    std::uint64_t hash = 0; ///< FNV-1a of the canonical form that print_cfs prints
+    std::uint64_t hash = 0; ///< FNV-1a of its canonical form (netlist/print/print.hpp)
 };
 
 /// "t[0].link[2]", or the name of an edge.

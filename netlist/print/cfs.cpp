@@ -42,13 +42,23 @@ std::vector<ElementRange> ranges_of(const Things& things) {
     return element_ranges(things.size(), [&](std::size_t i) { return std::string_view(things[i].name); });
 }
 
+/// Whether the toolset's own include declares it.
+bool is_declared_by_toolset(const Node& node) {
+    return node.kind->name == "processor" || node.kind->links == LinkRole::edge;
+}
+
+enum class ParameterOrder { as_given, by_name };
+
 /// Writes one network. Everything is said outright, so that nothing depends on defaults of the reader but
 /// those that the language states.
 class CfsPrinter {
 public:
-    explicit CfsPrinter(const Network& network) : n_(network) {}
+    CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
 
     std::string print() {
+        bool includes = n_.includes_toolset || std::ranges::any_of(n_.nodes, is_declared_by_toolset);
+        if (order_ == ParameterOrder::as_given && includes)
+            text_ += "#include \"setconf.inc\"\n\n";
         text_ += "/* hardware */\n";
         print_nodes();
         print_connections();
@@ -76,9 +86,18 @@ private:
     void print_nodes() {
         for (const auto& range : ranges_of(n_.nodes)) {
             const auto& node = n_.nodes[range.first];
+            if (order_ == ParameterOrder::as_given && is_predefined_host(range.first))
+                continue;
             auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
         }
+    }
+
+    /// The include declares it. Read again, it stands behind all that is declared before the first wire to it.
+    bool is_predefined_host(std::size_t node) const {
+        auto leads_there = [&](const LinkConnection& wire) { return wire.a.node == node || wire.b.node == node; };
+        return n_.nodes[node].name == "host" && n_.nodes[node].kind->links == LinkRole::edge &&
+               node + 1 == n_.nodes.size() && std::ranges::any_of(n_.connections, leads_there);
     }
 
     void print_connections() {
@@ -172,15 +191,31 @@ private:
         for (const auto& [name, value] : process.other)
             if (!declared.contains(name))
                 entries.push_back(print_entry(name, value));
-        const auto& parameters = process.parameters;
-        for (auto entry = parameters.begin(); entry != parameters.end(); ++entry) {
-            if (entry->first.find('[') == std::string::npos)
-                entries.push_back(print_entry(entry->first, entry->second));
-            else if (entry == parameters.begin() || base_name(std::prev(entry)->first) != base_name(entry->first))
-                entries.push_back(
-                    fmt::format("{} = {}", base_name(entry->first), print_array(parameters, base_name(entry->first))));
-        }
+        for (const std::string& name : parameters_in_order(process))
+            entries.push_back(print_parameter(process.parameters, name));
         return entries;
+    }
+
+    /// Those that the netlist gives go first, in its order.
+    std::vector<std::string> parameters_in_order(const ProcessInstance& process) const {
+        std::vector<std::string> names;
+        std::set<std::string_view> known; // in the process
+        auto add = [&](std::string_view name) {
+            if (known.insert(name).second)
+                names.emplace_back(name);
+        };
+        if (order_ == ParameterOrder::as_given)
+            for (const std::string& name : process.given_in_order)
+                add(name);
+        for (const auto& [name, value] : process.parameters)
+            add(base_name(name));
+        return names;
+    }
+
+    static std::string print_parameter(const std::map<std::string, Value>& parameters, const std::string& name) {
+        if (auto single = parameters.find(name); single != parameters.end())
+            return print_entry(name, single->second);
+        return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
     /// What is said of all elements of an array is said once, of the array; nothing may be said twice.
@@ -276,11 +311,14 @@ private:
     }
 
     const Network& n_;
+    ParameterOrder order_;
     std::string text_;
 };
 
 } // namespace
 
-std::string print_cfs(const Network& network) { return CfsPrinter(network).print(); }
+std::string print_cfs(const Network& network) { return CfsPrinter(network, ParameterOrder::as_given).print(); }
+
+std::string canonical_form(const Network& network) { return CfsPrinter(network, ParameterOrder::by_name).print(); }
 
 } // namespace placedpar

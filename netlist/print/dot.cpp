@@ -1,5 +1,6 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/print.hpp"
+#include "text/utf8.hpp"
 
 #include <fmt/format.h>
 
@@ -9,23 +10,6 @@
 namespace placedpar {
 
 namespace {
-
-/// For the text of an HTML-like label.
-std::string html(std::string_view text) {
-    std::string result;
-    for (char c : text)
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f ? '?' : c;
-    return result;
-}
 
 /// ", 2 MB, 20 MHz": what stands behind the type.
 std::string facts(const Node& node) {
@@ -98,7 +82,7 @@ private:
         if (drawing.shape == Drawing::Shape::ellipse)
             text_ += fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
                                  "label=<{}>]\n",
-                                 index, html(node.name));
+                                 index, as_markup(node.name));
         if (drawing.shape == Drawing::Shape::box)
             print_box(index, node, drawing);
     }
@@ -107,18 +91,18 @@ private:
         text_ += fmt::format(
             "  n{} [label=<<table border=\"0\" cellborder=\"1\" cellspacing=\"0\" cellpadding=\"5\" "
             "color=\"{}\"><tr><td bgcolor=\"{}\"><b>{}</b><br/><font point-size=\"10\">{}{}</font></td></tr>",
-            index, drawing.frame, drawing.heading, html(node.name), html(node.type), facts(node));
+            index, drawing.frame, drawing.heading, as_markup(node.name), as_markup(node.type), facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
         text_ += "</table>>]\n";
     }
 
     void print_process(const ProcessInstance& process) {
-        auto kind = process.kind.empty() ? "no program" : html(process.kind);
+        auto kind = process.kind.empty() ? "no program" : as_markup(process.kind);
         text_ +=
             fmt::format("<tr><td bgcolor=\"#ffffff\" align=\"left\">{}{} <font point-size=\"10\" color=\"#777777\">{}"
                         "</font></td></tr>",
-                        html(process.name), process.high_priority ? " <b>!</b>" : "", kind);
+                        as_markup(process.name), process.high_priority ? " <b>!</b>" : "", kind);
     }
 
     static std::string link_label(const LinkEnd& end) { return end.at_edge() ? "" : fmt::format("{}", end.link); }

@@ -1,6 +1,6 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/print.hpp"
-#include "netlist/print/text.hpp"
+#include "text/utf8.hpp"
 
 #include <boost/json.hpp>
 

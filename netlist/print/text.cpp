@@ -45,37 +45,7 @@ std::string declarator(std::string_view base, const std::vector<std::int64_t>& d
     return result;
 }
 
-/// Bytes of the UTF-8 character that begins the text; 0 if none does. Longer forms than needed and
-/// surrogates count as none.
-std::size_t utf8_length(std::string_view text) {
-    auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-    auto lead = byte(0);
-    std::size_t length = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xc0) != 0x80)
-            return 0;
-    bool refused = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xed && byte(1) >= 0xa0) ||
-                   (lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) >= 0x90);
-    return refused ? 0 : length;
-}
-
 } // namespace
-
-std::string as_utf8(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        if (auto length = utf8_length(text)) {
-            result += text.substr(0, length);
-            text.remove_prefix(length);
-            continue;
-        }
-        auto latin = static_cast<unsigned char>(text[0]);
-        result += static_cast<char>(0xc0 | (latin >> 6));
-        result += static_cast<char>(0x80 | (latin & 0x3f));
-        text.remove_prefix(1);
-    }
-    return result;
-}
 
 std::string print_constant(const Value& value) {
     if (const auto* integer = std::get_if<std::int64_t>(&value)) {

@@ -12,9 +12,6 @@ namespace placedpar {
 /// A constant in the netlist language; reads back to the same value.
 std::string print_constant(const Value& value);
 
-/// The text with every byte that is no part of a UTF-8 character taken as Latin-1, as old files have it.
-std::string as_utf8(std::string_view text);
-
 /// Consecutive elements of one array, or a single thing.
 struct ElementRange {
     std::string declarator; ///< "t[4][4]"

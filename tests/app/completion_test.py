@@ -71,6 +71,18 @@ class Completion(unittest.TestCase):
         self.assertEqual(bash("show", "x.cfs", "--format", "="), ["cfs", "svg", "dot", "json"])
         self.assertEqual(bash("identify", "--way", "s"), ["service"])
 
+    def test_an_option_and_its_value_in_one_word(self):
+        for words, found in ((["show", "x.cfs", "--format=s"], ["--format=svg"]),
+                             (["show", "x.cfs", "--format="], [f"--format={f}" for f in ("cfs", "svg", "dot", "json")]),
+                             (["run", "x.cfs", "--json=x"], []), (["run", "x.cfs", "--nothing=x"], [])):
+            done = placedpar("completion", "words", "--", *words) # as zsh asks
+            self.assertEqual((done.returncode, done.stdout.split()), (0, found), words)
+
+    def test_options_of_one_letter_are_offered_where_they_are_begun(self):
+        self.assertIn("-I", bash("run", "-"))
+        self.assertNotIn("-I", bash("run", "--"))
+        self.assertNotIn("-h", bash(""))
+
     def test_names_that_a_command_takes(self):
         self.assertEqual(bash("replay", "table-e"), ["table-e1", "table-e2"])
         self.assertEqual(bash("kinds", "csp.co"), ["csp.column", "csp.consumer"])
@@ -89,6 +101,13 @@ class Completion(unittest.TestCase):
         shown = typed_into(["bash", "--norc", "--noprofile", "-i"], "source <(placedpar completion bash)\n",
                            "placedpar param\t | head -1\n", "exit\n")
         self.assertIn("\n" + PARAMETERS, shown.replace("\r", ""))
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
+    def test_a_tab_behind_an_equals_sign_in_zsh(self):
+        shown = typed_into(["zsh", "-f", "-i"], "autoload -Uz compinit; compinit -D\n",
+                           "source <(placedpar completion zsh)\n", "echo placedpar show x.cfs --format=s\t end\n",
+                           "placedpar show x.cfs --format=s\t; echo end\n", "exit\n")
+        self.assertIn("--format=svg", shown)
 
     @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
     def test_a_tab_typed_into_zsh(self):

@@ -110,10 +110,11 @@ class Files(unittest.TestCase):
         for arguments in (["replay", "table-e1", "--json"], ["replay", "table-e1", "--plots"],
                           ["record", "scenario-a", "--out"], ["record", "scenario-a", "--machine"],
                           ["identify", RECORD, "--json"], ["identify", RECORD, "--machine"],
-                          ["identify", RECORD, "--on"], ["monitor", "--state"]):
+                          ["identify", RECORD, "--on"], ["monitor", "--state"], ["run"], ["check"], ["show"]):
             run = placedpar(*arguments, "")
             self.assertEqual(run.returncode, 1, arguments)
-            self.assertIn(f"{arguments[-1]}: it takes a name", run.stderr)
+            what = arguments[-1] if arguments[-1].startswith("-") else "FILE"
+            self.assertIn(f"{what}: it takes a name", run.stderr)
 
     def test_a_symbolic_link_stays_one_and_leads_to_what_was_written(self):
         (self.folder / "there").mkdir()

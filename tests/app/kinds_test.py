@@ -4,7 +4,7 @@ import json
 import re
 import unittest
 
-from program import placedpar
+from program import CLUSTER, placedpar
 
 
 def said(*arguments):
@@ -134,6 +134,16 @@ class Kinds(unittest.TestCase):
         self.assertIn("say placedpar kinds for those", refusal("kinds", "zebra"))
 
 
+    def test_the_case_of_letters_does_not_matter(self):
+        for typed, name in (("b404", "B404"), ("c004", "C004"), ("CSP.Prefix", "csp.prefix"), ("CSP", "csp"),
+                            ("Devices", "devices")):
+            for form in ((), ("--json",)):
+                self.assertEqual(said(typed, *form), said(name, *form))
+
+    def test_what_a_rate_is_of(self):
+        self.assertRegex(said("ga.island"), r"generations_per_second +1/s +of this process's own population")
+
+
 class OtherNames(unittest.TestCase):
     def test_a_misspelt_name_gets_the_nearest(self):
         self.assertEqual(refusal("rnu"), 'placedpar: there is no command "rnu"; did you mean "run"?\n')
@@ -146,6 +156,17 @@ class OtherNames(unittest.TestCase):
         self.assertEqual(refusal("run", "x.cfs", "--jsn=x"),
                          'placedpar: there is no option "--jsn"; did you mean "--json"?\n')
         self.assertEqual(refusal("--versoin"), 'placedpar: there is no option "--versoin"; did you mean "--version"?\n')
+
+    def test_words_of_other_programs_and_netlists_get_what_is_meant(self):
+        for words, meant in ((["help"], "--help"), (["help", "run"], "run --help"), (["help", "me"], "--help"),
+                             (["version"], "--version"), (["mine.cfs"], "run mine.cfs"), (["MINE.CFS"], "run MINE.CFS"),
+                             ([str(CLUSTER)], f"run {CLUSTER}")):
+            self.assertEqual(refusal(*words), f'placedpar: there is no command "{words[0]}"; did you mean placedpar {meant}?\n')
+
+    def test_a_shell_that_is_not_known(self):
+        said = refusal("completion", "fish")
+        self.assertIn('there is nothing for the shell "fish": it is one of bash, zsh', said)
+        self.assertNotIn("words", said)
 
     def test_what_is_near_to_nothing_is_told_where_to_look(self):
         self.assertIn("say placedpar run --help for those there are", refusal("run", "x.cfs", "--quux"))

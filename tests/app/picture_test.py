@@ -331,6 +331,13 @@ class Pictures(unittest.TestCase):
             self.assertGreater(left[1], y)
             self.assertTrue(left[0] < x < right[0])
 
+    def test_a_tree_stays_one_where_wires_are_doubled(self):
+        boxes = self.drawing_of("T800 t[5];\nrep i = 0 for 2 rep w = 0 for 2 {\n"
+                                "    connect t[0].link[2 * i + w] to t[i + 1].link[w];\n"
+                                "    connect t[i + 1].link[2 + w] to t[i + 3].link[w]; }\n").boxes
+        heights = [boxes[f"t[{i}]"].centre[1] for i in range(5)]
+        self.assertTrue(heights[0] < heights[1] == heights[2] < heights[3] == heights[4], heights)
+
     def test_heads_of_rows_stand_beside_their_rows(self):
         boxes = self.drawing_of("T800 w[3], t[3][4];\n"
                                 "rep i = 0 for 3 { connect w[i].link[0] to t[i][0].link[3];\n"

@@ -90,7 +90,7 @@ class Set(unittest.TestCase):
         self.assertIn("--set:1:14: error: wrong type for the parameter", self.refused("master.elite=1.5"))
         self.assertIn("--set:1:11: error: illegal value of the attribute", self.refused("linkspeed=0", command=("run",)))
         self.assertIn("--set:1:7: error: the value is missing", self.refused("elite=", command=("show",)))
-        twice = self.refused("linkspeed=10M", "sun.linkspeed=10M")
+        twice = self.refused("sun.linkspeed=10M", "sun . linkspeed=20M")
         self.assertIn('"linkspeed" of "sun" is set twice\n', twice)
         self.assertIn("linkspeed=10M: linkspeed is set twice", self.refused("linkspeed=5M", "linkspeed=10M"))
 
@@ -98,6 +98,33 @@ class Set(unittest.TestCase):
         said = self.refused("split=demnd")
         self.assertIn('did you mean "demand"?', said)
         self.assertIn("--set:1:1: note: ", said)
+
+    def test_what_is_said_of_one_goes_before_what_is_said_of_all(self):
+        settings = ("slaves=2", "clock=10M", "t.clock=15M", "t[1].clock=25M")
+        words = [word for each in settings for word in ("--set", each)]
+        shown = json.loads(placedpar("show", CLUSTER, "--format", "json", *words).stdout)
+        self.assertEqual({node["name"]: node["clock_hz"] for node in shown["nodes"]},
+                         {"t[0]": 15_000_000, "t[1]": 25_000_000, "t[2]": 15_000_000, "sun": 10_000_000})
+        run = placedpar("run", CLUSTER, *words).stdout
+        for line in ("set: clock = 10M, for sun\n", "set: t.clock = 15M, for t[0], t[2]\n", "set: t[1].clock = 25M, for t[1]\n"):
+            self.assertIn(line, run)
+
+    def test_a_wire_without_a_name_goes_by_the_name_in_the_report(self):
+        run = placedpar("run", COMMSTIME, "--set", "wire[0].length=10")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("set: wire[0].length = 10, for wire[0]\n", run.stdout)
+        all_wires = placedpar("run", COMMSTIME, "--set", "wire.length=10").stdout
+        self.assertEqual(fingerprint(all_wires), fingerprint(placedpar("run", COMMSTIME, "--set", "length=10").stdout))
+        self.assertIn("hint: there is wire[0] to wire[3]\n",
+                      placedpar("run", COMMSTIME, "--set", "wire[4].length=10").stderr)
+
+    def test_a_long_list_says_where_all_of_it_is(self):
+        for said in (self.refused("master.elit_=1"), self.refused("nothing_like_it=1")):
+            self.assertRegex(said, r" and \d+ more, see placedpar kinds ga\.master")
+
+    def test_the_seed_is_an_option_of_its_own(self):
+        for name in ("seed", "master.seed"):
+            self.assertIn("hint: the seed of a run is an option of its own: --seed N\n", self.refused(f"{name}=3"))
 
     def test_what_exists_is_said_where_something_does_not(self):
         said = self.refused("linkspede=10M")

@@ -49,16 +49,25 @@ class Streams(unittest.TestCase):
         self.assertTrue(self.fed(b"T800\0", "check", "-").stderr.startswith(b"<standard input>:1:5: error: this is no text"))
         self.assertTrue(self.fed("depth\n", "identify", "-").stderr.startswith("<standard input>: error: "))
         self.assertTrue(self.fed("time,depth\n1,2\n", "identify", "-").stderr.startswith("<standard input>:1:"))
-        self.assertIn("<standard input>: 0 processors", self.fed("", "check", "-").stdout)
+
+    def test_nothing_on_standard_input_is_no_empty_netlist(self):
+        said = "<standard input>: error: there is nothing on standard input, or it is closed\n"
+        for command in ("run", "check", "show"):
+            run = self.fed("", command, "-")
+            self.assertEqual((run.returncode, run.stdout, run.stderr), (1, "", said), command)
+            closed = subprocess.run([PROGRAM, command, "-"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                    timeout=60, check=False, preexec_fn=lambda: os.close(0))
+            self.assertEqual((closed.returncode, closed.stdout, closed.stderr), (1, "", said), command)
+        self.assertEqual(self.fed("", "identify", "-").stderr, said)
 
     def test_includes_are_looked_for_in_the_working_directory(self):
         (self.folder / "machine.inc").write_text("T800 t;\n", encoding="utf-8")
         run = self.fed('#include "machine.inc"\n', "check", "-", folder=self.folder)
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("1 processors", run.stdout)
+        self.assertIn("<standard input>: 1 processor, 0 connections, ", run.stdout)
         (self.folder / "-").write_text("T800 u;\n", encoding="utf-8")  # a file that is called so
         run = self.fed('#include "machine.inc"\n', "check", "./-", folder=self.folder)
-        self.assertIn("./-: 1 processors", run.stdout)
+        self.assertIn("./-: 1 processor, ", run.stdout)
 
     def test_a_record_and_a_machine_come_from_standard_input(self):
         text = RECORD.read_text(encoding="utf-8")

@@ -159,6 +159,11 @@ class Traces(unittest.TestCase):
             self.assertEqual((last.name, last.arguments),
                              (f"inputs from {before}", {"channel": f"{before}.out -> buffer[{i}].in", "partner": before}))
 
+    def test_nothing_is_open_where_all_is_done(self):
+        for netlist in (CLUSTER, FIGURE_E2, COMMSTIME, self.netlist(SHARED_LINK)):
+            _, _, trace = self.trace(netlist)
+            self.assertFalse([s for track in trace.processes() for s in trace.slices[track] if s.open])
+
     def test_open_stretches_when_the_run_is_interrupted(self):
         for ending, read in (("json", JsonTrace), ("vcd", VcdTrace)):
             path = self.folder / f"trace.{ending}"
@@ -189,7 +194,7 @@ class Traces(unittest.TestCase):
         self.assertTrue(all(begin <= a.left <= a.arrived <= end for a in part.arrows))
 
     def test_times_are_refused_where_they_are_none(self):
-        for text in ("1", "ms", "-1ms", "1 ms", "1m", "1e3us", "1.ms", ".5ms", "0x1us", "1ms2", "inf"):
+        for text in ("1", "ms", "-1ms", "1 ms", "1m", "1e3", "1.ms", ".ms", "0x1us", "1ms2", "inf"):
             for option in ("--trace-from", "--trace-until"):
                 run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", f"{option}={text}")
                 self.assertEqual(run.returncode, 1, text)

@@ -61,7 +61,7 @@ class Until(unittest.TestCase):
             self.assertEqual(last.category == "wait", name in waiting)
             if name in waiting:
                 self.assertEqual((last.begin, last.open), (waiting[name], True))
-                self.assertRegex(run.stdout, rf"\n{name} .*%, the last wait since {waiting[name] / MILLISECOND:.3f} ms\n")
+                self.assertRegex(run.stdout, rf"\n{name} .*%, the last wait since {waiting[name] / 1e6:.3f} us\n")
 
     def test_what_is_over_before_is_not_changed_by_it(self):
         for netlist in (COMMSTIME, CLUSTER):
@@ -75,8 +75,15 @@ class Until(unittest.TestCase):
         self.assertEqual(report["time_ps"], 0)
         self.assertEqual(len(fingerprint(run.stdout)), 16)
 
+    def test_times_are_said_in_many_ways(self):
+        for time, same in (("0", "0s"), ("1e3us", "1ms"), (".5ms", "500us"), ("1.5E-3s", "1500us"), ("2000e-3ms", "2ms")):
+            run = placedpar("run", COMMSTIME, "--until", time)
+            self.assertEqual((run.returncode, run.stdout), (0, placedpar("run", COMMSTIME, "--until", same).stdout), time)
+        self.assertIn("finer than a picosecond", placedpar("run", COMMSTIME, "--until", "1e-13s").stderr)
+        self.assertIn("lasts for 106 days", placedpar("run", COMMSTIME, "--until", "1e999s").stderr)
+
     def test_a_time_has_a_unit(self):
-        for time in ("5", "", "-1ms", "1 fortnight"):
+        for time in ("5", "", "-1ms", "1 fortnight", "1e3", ".ms", "e3us", "0 ms"):
             run = placedpar("run", COMMSTIME, "--until", time)
             self.assertEqual(run.returncode, 1)
             self.assertIn("is no time: it takes a number and a unit", run.stderr)

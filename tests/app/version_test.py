@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-from program import CLUSTER, placedpar
+from program import CLUSTER, PROGRAM, placedpar
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 
@@ -36,6 +36,16 @@ class Version(unittest.TestCase):
             placedpar("run", CLUSTER, "--json", path)
             manifest = json.loads(path.read_text(encoding="utf-8"))["manifest"]
         self.assertEqual((manifest["version"], manifest["commit"]), (found[1], found[2] or ""))
+
+
+    def test_in_short(self):
+        for option in ("-v", "-V"):
+            self.assertEqual(placedpar(option).stdout, placedpar("--version").stdout)
+
+    def test_a_program_with_own_processes_says_whose_it_is(self):
+        own = pathlib.Path(PROGRAM).resolve().parent / "own_process"
+        said = subprocess.run([str(own), "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.assertEqual(said, placedpar("--version").stdout.replace("placedpar ", "own_process (PlacedPar ").rstrip() + ")\n")
 
 
 class Commit(unittest.TestCase):

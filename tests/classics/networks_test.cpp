@@ -47,6 +47,15 @@ TEST_CASE("philosophers starve in a circle; with a butler all of them eat") {
     CHECK(starved.result.deadlock->cycle.size() == 10); // each philosopher waits for a fork, which waits for the next
 }
 
+TEST_CASE("so they do at a table of any size") {
+    for (const char* n : {"2", "3", "4", "6", "7", "12"}) {
+        CAPTURE(n);
+        CHECK(run_example("30-philosophers/philosophers.cfs", {{"n", n}}).result.ending == Ending::completed);
+        CHECK(run_example("30-philosophers/philosophers.cfs", {{"n", n}, {"butler", "0"}}).result.ending ==
+              Ending::stuck);
+    }
+}
+
 TEST_CASE("the sieve finds the primes up to 100") {
     RunReport report = run_example("31-sieve/sieve.cfs");
     REQUIRE(report.result.ending == Ending::completed);

@@ -93,7 +93,7 @@ TEST_CASE("one message names all programs that are unknown and all edges that ha
         "m.cfs: error: the netlist can be shown, but not run: 3 programs are unknown, and 2 edges "
         "have no process\n"
         "hint: --use m.lku=KIND puts a kind in the place of a program; the command kinds lists them; use "
-        "\"KIND\" for t;; a process is placed at an edge by place NAME on far;\n"));
+        "\"KIND\" for t;; place NAME on far; puts a process at an edge\n"));
     for (const char* note :
          {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",
           "note: \"s.lku\" is the program of s[0], s[1], s[2], s[3], s[4], s[5] and 2 more\n",

@@ -62,6 +62,13 @@ TEST_CASE("what is text") {
     CHECK(check_source("a", "").problems.empty());
 }
 
+TEST_CASE("an escape sequence does not make a text a binary file") {
+    CHECK(problem_of(check_source("a", "one\ntwo \x1b[31mred")) ==
+          "2:5: the control character 0x1b is no part of a text: remove it");
+    CHECK(problem_of(check_source("a", std::string("\x1b[31m\0", 6))) ==
+          "1:1: this is no text but a binary file: it holds the byte 0x1b");
+}
+
 TEST_CASE("a Ctrl-Z ends a text, and what is behind it may be anything") {
     LoadedSource loaded = check_source("a", std::string("one\r\n\x1a\0\x01", 8));
     CHECK(loaded.problems.empty());

@@ -1,5 +1,7 @@
 #include "text/utf8.hpp"
 
+#include "text/counted.hpp"
+
 #include <doctest/doctest.h>
 
 using namespace placedpar;
@@ -21,4 +23,16 @@ TEST_CASE("the first character of a text, and what is none") {
 
 TEST_CASE("what a terminal would act on is escaped, every byte of it") {
     CHECK(escaped("a\tb\x1b\n\x7f\xc3\xa4\xff\xc2\x9b") == "a\tb\\x1b\\x0a\\x7f\xc3\xa4\\xff\\xc2\\x9b");
+}
+
+TEST_CASE("what XML and HTML would act on is written as they want it") {
+    CHECK(as_markup("a < b > \"c\" & d\x1b\x7f") == "a &lt; b &gt; &quot;c&quot; &amp; d??");
+    CHECK(as_markup("\xc3\xa4 \xdf") == "\xc3\xa4 \xc3\x9f"); // Latin-1
+}
+
+TEST_CASE("one is counted without a plural") {
+    CHECK(counted(1, "link") == "1 link");
+    CHECK(counted(0, "link") == "0 links");
+    CHECK(counted(2, "process", "processes") == "2 processes");
+    CHECK(counted(1, "process", "processes") == "1 process");
 }

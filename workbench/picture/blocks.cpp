@@ -53,7 +53,7 @@ public:
         std::set<std::size_t> seen{root()};
         for (std::size_t next = 0; next < reached.size(); ++next)
             for (auto other : inside(reached[next]))
-                if (other != above[reached[next]]) {
+                if (other != above[reached[next]] && above[other] != reached[next]) { // one may hang by several wires
                     if (!seen.insert(other).second)
                         return {};
                     above[other] = reached[next];

@@ -1,7 +1,8 @@
 #include "workbench/picture/svg.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
-#include "netlist/print/text.hpp"
+#include "text/counted.hpp"
+#include "text/utf8.hpp"
 #include "workbench/picture/picture.hpp"
 
 #include <fmt/format.h>
@@ -41,23 +42,6 @@ constexpr const char* style =
 .channels path { fill: #3b5b7a; }
 )";
 
-/// For the text of an element or the value of an attribute.
-std::string xml(std::string_view text) {
-    std::string result;
-    for (char c : as_utf8(text))
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    return result;
-}
-
 /// To a tenth of a pixel.
 std::string number(double length) { return fmt::format("{}", std::round(length * 10) / 10 + 0.0); }
 
@@ -70,10 +54,10 @@ std::string rectangle_of(const Box& box, const std::string& attributes) {
 
 std::string text_at(Point at, const char* style_class, std::string_view text) {
     return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>", style_class, number(at.x), number(at.y),
-                       xml(text));
+                       as_markup(text));
 }
 
-std::string tooltip(const std::string& text) { return "<title>" + xml(text) + "</title>"; }
+std::string tooltip(const std::string& text) { return "<title>" + as_markup(text) + "</title>"; }
 
 std::string crossed_box(const Box& box, const std::string& attributes, const std::string& colour) {
     return rectangle_of(box, attributes) + fmt::format("<path class=\"cross\" d=\"M{} L{} M{} L{}\" stroke=\"{}\"/>",
@@ -155,10 +139,6 @@ public:
     }
 
 private:
-    static std::string counted(std::size_t count, const std::string& one, const std::string& more) {
-        return fmt::format("{} {}", count, count == 1 ? one : more);
-    }
-
     std::string title_of() const {
         return fmt::format(
             "{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
@@ -177,8 +157,8 @@ private:
 
     void print_frame(std::size_t index) {
         const Node& node = n_.nodes[index];
-        text_ += fmt::format("<g class=\"node {}\" data-node=\"{}\">{}{}</g>\n", xml(class_of(*node.kind)),
-                             xml(node.name), tooltip(node.name + " (" + node.type + ")"),
+        text_ += fmt::format("<g class=\"node {}\" data-node=\"{}\">{}{}</g>\n", as_markup(class_of(*node.kind)),
+                             as_markup(node.name), tooltip(node.name + " (" + node.type + ")"),
                              frame(picture_.nodes[index].box, node.kind->drawing));
     }
 
@@ -189,7 +169,7 @@ private:
         std::string ends = link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
         std::string about = fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
         text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">",
-                             carried_[index].empty() ? " idle" : "", xml(ends), data_of(picture_.wires[index])) +
+                             carried_[index].empty() ? " idle" : "", as_markup(ends), data_of(picture_.wires[index])) +
                  tooltip_lines(about + carried_[index]) + "</path>\n";
     }
 
@@ -197,7 +177,7 @@ private:
         std::string lines;
         for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
             end = text.find('\n', start);
-            lines += (start == 0 ? "" : "\n") + xml(text.substr(start, end - start));
+            lines += (start == 0 ? "" : "\n") + as_markup(text.substr(start, end - start));
         }
         return "<title>" + lines + "</title>";
     }
@@ -232,7 +212,7 @@ private:
     void print_process(const ProcessLine& line) {
         const ProcessInstance& process = n_.processes[line.process];
         text_ +=
-            fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", xml(process.name),
+            fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", as_markup(process.name),
                         tooltip(process.name + ", " + (process.kind.empty() ? "no program" : process.kind)),
                         text_at(line.at, "process", line.name), text_at({line.kind_at, line.at.y}, "kind", line.kind));
     }
@@ -295,7 +275,7 @@ private:
         double width = room + width_of(about, fact_size) + 20;
         if (legend_at_.x > legend_start_.x && legend_at_.x + width > legend_start_.x + legend_width_)
             legend_at_ = {legend_start_.x, legend_at_.y + legend_line};
-        legend_ += fmt::format("<g class=\"legend {}\" transform=\"translate({} {})\">{}{}</g>\n", xml(kind),
+        legend_ += fmt::format("<g class=\"legend {}\" transform=\"translate({} {})\">{}{}</g>\n", as_markup(kind),
                                number(legend_at_.x), number(legend_at_.y), sign, text_at({room, 3.5}, "key", about));
         legend_at_.x += width;
         legend_right_ = std::max(legend_right_, legend_at_.x);

@@ -24,13 +24,25 @@ Doing waiting_by(Activity activity) {
     return Doing::ready;
 }
 
+/// Whether what a process does at the end of the work is still so at the end of the run: it was stopped, or is held by
+/// a deadlock.
+bool never_ends(const std::string& process, const RunResult& result) {
+    return result.ending != Ending::completed &&
+           (!result.deadlock || std::ranges::find(result.deadlock->processes, process, &StuckProcess::path) !=
+                                    result.deadlock->processes.end());
+}
+
 } // namespace
 
 Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& writer)
     : tracks_(tracks), window_(window), writer_(writer) {}
 
-void Timeline::finish(Ending ending) {
-    writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(ending) : why_);
+void Timeline::finish(const RunResult& result) {
+    for (auto& [ordinal, lane] : lanes_)
+        finish(lane, result);
+    lanes_.clear();
+    messages_.clear();
+    writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
 }
 
 /// Whether the trace goes on at this moment.
@@ -158,24 +170,31 @@ void Timeline::settle(Lane& lane, Time now) {
     close(lane, now);
 }
 
-/// The messages that lie in the slice do so at its beginning.
-void Timeline::close(Lane& lane, Time end, bool open) {
-    if (end <= window_.from && !open)
-        return;
-    Slice slice{lane.track, lane.doing, lane.since, end, open};
-    if (is_waiting(lane.doing))
-        describe_wait(lane, slice);
+void Timeline::close(Lane& lane, Time end) {
+    if (end > window_.from)
+        close(lane, slice_of(lane, end, false));
+}
+
+/// The messages that lie in the slice do so at its beginning. Returns whether there is anything to be seen of it.
+bool Timeline::close(Lane& lane, Slice slice) {
+    Time end = slice.end;
     if (!write(std::move(slice)))
-        return;
+        return false;
     for (const MessageEnd& message : std::exchange(lane.here, {}))
         place(message, lane.track, std::max(lane.since, window_.from));
     lane.last_end = end;
+    return true;
 }
 
-void Timeline::describe_wait(const Lane& lane, Slice& slice) const {
+/// What the process does since its last slice.
+Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
+    Slice slice{lane.track, lane.doing, lane.since, end, open};
+    if (!is_waiting(lane.doing))
+        return slice;
     for (const AnyChannel* channel : lane.process->awaited_channels())
-        slice.awaited.push_back({channel->name(), partner(lane, *channel, slice.open)});
+        slice.awaited.push_back({channel->name(), partner(lane, *channel, open)});
     slice.awaits_timer = lane.process->awaits_timer();
+    return slice;
 }
 
 /// Who came to the other end of the channel. Else who has to come, as far as can be known: its last user, or the
@@ -248,22 +267,26 @@ void Timeline::give_up(Lane& lane) {
             messages_.erase(message.message);
 }
 
-/// The trace ends.
+/// The trace ends. What the processes do will have ended or not when the run has.
 void Timeline::shut(Time now, const std::string& why) {
     end_ = now;
     why_ = why;
-    for (auto& [ordinal, lane] : lanes_)
-        shut_lane(lane, now);
+    for (auto& [ordinal, lane] : lanes_) {
+        if (lane.stopped)
+            turn_to(lane, Doing::ready, *lane.stopped);
+        lane.last = slice_of(lane, now, true);
+        lane.path = lane.process->path();
+    }
     for (const auto& [track, use] : uses_)
         close_use(track, now);
-    lanes_.clear();
-    messages_.clear();
 }
 
-void Timeline::shut_lane(Lane& lane, Time now) {
-    if (lane.stopped)
-        turn_to(lane, Doing::ready, *lane.stopped);
-    close(lane, now, true);
+/// REQUIRES: the trace has ended.
+void Timeline::finish(Lane& lane, const RunResult& result) {
+    lane.last->open = !why_.empty() || never_ends(lane.path, result);
+    if (!close(lane, std::move(*lane.last)))
+        for (std::uint64_t message : std::exchange(lane.arriving, {}))
+            lane.here.push_back({message, true});
     for (std::uint64_t message : lane.arriving)
         if (auto found = messages_.find(message); found != messages_.end())
             place({message, true}, lane.track, std::max(found->second.at, lane.since));

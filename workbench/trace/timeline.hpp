@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/kernel.hpp"
+#include "runtime/simulation.hpp"
 #include "runtime/trace.hpp"
 #include "workbench/trace/trace_writer.hpp"
 
@@ -31,8 +31,9 @@ public:
     std::optional<Time> full_at() const { return full_at_; }
     /// REQUIRES, as finish(): the run is over.
     Time end() const { return *end_; }
-    /// Of the run.
-    void finish(Ending);
+    /// Of the run. A wait is left open where it never ended, or ended behind the trace; not one that ended after the
+    /// work (see wait_until_work_is_over), which is not traced.
+    void finish(const RunResult&);
 
     void began(const Process&, Time) override;
     void waits(const Process&, Time) override;
@@ -62,6 +63,8 @@ private:
         std::size_t partner = Tracks::none;       ///< with whom it communicated during the present wait
         std::vector<MessageEnd> here = {};        ///< in the next slice that lasts
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
+        std::optional<Slice> last = {};           ///< when the trace has ended, what the process did then
+        std::string path = {};                    ///< then: the process's
     };
     /// What a processor executes, or a link carries.
     struct Use {
@@ -82,12 +85,13 @@ private:
     Lane* lane_of(const Process&);
     void turn_to(Lane&, Doing, Time now);
     void settle(Lane&, Time now);
-    void close(Lane&, Time end, bool open = false);
-    void describe_wait(const Lane&, Slice&) const;
+    void close(Lane&, Time end);
+    bool close(Lane&, Slice);
+    Slice slice_of(const Lane&, Time end, bool open) const;
     std::string partner(const Lane&, const AnyChannel&, bool open) const;
     void use(std::size_t track, const std::string& subject, Time now);
     void close_use(std::size_t track, Time now);
-    void shut_lane(Lane&, Time now);
+    void finish(Lane&, const RunResult&);
     void place(const MessageEnd&, std::size_t track, Time);
     void give_up(Lane&);
     bool write(Slice);

@@ -49,8 +49,8 @@ TraceFile::TraceFile(const std::filesystem::path& path, const Network& network, 
     : path_(path), window_(require_time_in(window)), file_((require_trace_format(path), path)), tracks_(network),
       writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window, *writer_) {}
 
-std::string TraceFile::finish(Ending ending) {
-    timeline_.finish(ending);
+std::string TraceFile::finish(const RunResult& result) {
+    timeline_.finish(result);
     file_.finish();
     return warnings();
 }

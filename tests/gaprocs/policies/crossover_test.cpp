@@ -104,7 +104,6 @@ TEST_CASE("two cuts of a ring: each of the pieces as often") {
 
 TEST_CASE("uniform: each of the strings between the parents as often") {
     check_even(offspring(UniformCrossover{}, "00010", "11110", 60000), 8); // they differ in three
-    CHECK(offspring(UniformCrossover{}, "00010", "11110", 1000).contains("01110"));
 }
 
 TEST_CASE("by difference: every offspring is new, each of the n - 1 cuts as often") {

@@ -166,10 +166,63 @@ TEST_CASE("values are checked as the netlist's own, where the option says them")
 }
 
 TEST_CASE("nothing is set twice") {
-    CHECK(says(refusal({{"s.cycles", "1"}, {"s[1].cycles", "2"}}), "\"cycles\" of \"s[1]\" is set twice\n"));
-    CHECK(says(refusal({{"cycles", "1"}, {"s[1].cycles", "2"}}), "note: set first here\n"));
+    CHECK(says(refusal({{"s[1].cycles", "1"}, {"s[times - 1].cycles", "2"}}), "\"cycles\" of \"s[1]\" is set twice\n"));
+    CHECK(says(refusal({{"s.cycles", "1"}, {"s .cycles", "2"}}), "note: set first here\n"));
     CHECK(says(refusal({{"people", "1"}, {" people", "2"}}), "the val \"people\" is set twice\n"));
     CHECK(says(refusal({{"m.mutation", "1"}, {"m . mutation", "1"}}), "\"mutation\" of \"m\" is set twice\n"));
+}
+
+TEST_CASE("what is set of one goes before what is set of an array, and that before what is set of all") {
+    Overrides overrides{{"clock", "5M"}, {"t.clock", "10M"}, {"t[1].clock", "25M"}};
+    auto network = good_text(sound, overrides);
+    std::vector<std::int64_t> clocks;
+    for (const Node& node : network.nodes)
+        clocks.push_back(node.integer("clock"));
+    CHECK(clocks == std::vector<std::int64_t>{5'000'000, 10'000'000, 25'000'000});
+    std::vector<Elements> reached;
+    for (const SetByOption& each : network.set)
+        reached.push_back(each.elements);
+    CHECK(reached == std::vector<Elements>{{"root"}, {"t[0]"}, {"t[1]"}});
+    auto none_left = good_text(sound, {{"cycles", "5"}, {"s.cycles", "6"}});
+    CHECK(process(none_left, "s").parameters.at("cycles") == Value(std::int64_t{6}));
+    CHECK(none_left.set.size() == 1);
+}
+
+TEST_CASE("a wire without a name is called as reports call it") {
+    auto network = good_text(sound, {{"wire[0].length", "10"}});
+    CHECK(network.connections[0].metres == 0); // c
+    CHECK(network.connections[1].metres == 10);
+    CHECK(good_text(sound, {{"c.length", "1"}}).connections[1].name.empty());
+    CHECK(says(refusal({{"lenght", "10"}}), "did you mean \"length\"?"));
+    CHECK(says(refusal({{"lenght", "10"}}), "note: connections and their attributes: c, wire (linkspeed, length)\n"));
+}
+
+TEST_CASE("what cannot be set so is told how it can") {
+    auto told = [](const std::string& text, const Overrides& overrides) {
+        return render(read_netlist_text(text, small_catalogue(), overrides));
+    };
+    const std::string vals = "val numbers {1, 2, 3}; val b 5; val ch 'x'; T800 a; T800 t[2];";
+    auto said = [&](const char* name, const char* value) { return told(vals, {{name, value}}); };
+    CHECK(
+        says(said("numbers[0]", "4"), "1:1: error: the val \"numbers\" is set as a whole, not one of its elements\n"));
+    CHECK(says(said("numbers[0]", "4"), "hint: the netlist gives it {1, 2, 3}: --set 'numbers=...'\n"));
+    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is no array\n"));
+    CHECK(says(said("numbers", "4"), "wrong type for the val \"numbers\": 4 is an integer\n"));
+    CHECK(says(said("numbers", "4"), "hint: the netlist gives it {1, 2, 3}, an array\n"));
+    CHECK(says(said("b", "{1,2}"), "wrong type for the val \"b\": {1, 2} is an array\n"));
+    CHECK(says(said("a.", "3"), "the name of an attribute or a parameter is missing: \"=\" stands here\n"));
+    CHECK(says(said("ch", "q"), "the name \"q\" is undefined\n"));
+    CHECK(says(said("ch", "q"), "hint: the netlist gives it 120, an integer; a character is written 'c'\n"));
+    CHECK(says(said("linkspeed", "fast"), "hint: it takes an integer: it goes from 1 to 1000000000 bit/s\n"));
+    CHECK_FALSE(says(said("linkspeed", "fast"), "FALSE"));
+    CHECK(says(said("linkspeed", "numbrs"), "did you mean \"numbers\"?"));
+    CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is no array\n"));
+    CHECK(says(said("t[1]", "3"), "1:1: error: say what of \"t\" to set\n"));
+    CHECK(says(said("t[1]", "3"), "hint: --set t[1].NAME=VALUE\n"));
+    CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: it takes HIGH or LOW\n"));
+    CHECK(says(refusal({{"seed", "3"}}), "hint: the seed of a run is an option of its own: --seed N\n"));
+    CHECK(says(told("val long {1000000000, 2000000000, 3000000000, 4, 5};", {{"long", "4"}}),
+               "{1000000000, 2000000000, 3000000000, ...}"));
 }
 
 TEST_CASE("what does not exist is answered with what does, the nearest name first") {
@@ -182,7 +235,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                      "note: processes and their parameters: m (population, mutation, code, priority), s (cycles, "
                      "priority), other (label, size, priority)\n"
                      "note: nodes and their attributes: root, t (memory, clock, linkspeed, channelcall)\n"
-                     "note: connections and their attributes: c (linkspeed, length)\n");
+                     "note: connections and their attributes: c, wire (linkspeed, length)\n");
     CHECK(says(refusal({{"m.mutatoin", "3"}}), "--set:1:3: error: the process \"m\" has no parameter \"mutatoin\"\n"
                                                "    m.mutatoin=3\n"
                                                "      ^\n"
@@ -194,14 +247,14 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                                                "hint: there is t[0] to t[1]\n"));
     CHECK(
         says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));
-    CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: what of it is set is missing\n"));
+    CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: say what of it to set\n"));
     CHECK(says(refusal({{"clok", "3"}}), "hint: did you mean \"clock\"?\n"));
     std::string many;
     for (int i = 0; i < 100; ++i)
         many += "val v" + std::to_string(i) + " 1; T800 t" + std::to_string(i) + ";\n";
     auto listed = render(read_netlist_text(many, small_catalogue(), {{"nothing_like_it", "1"}}));
     CHECK(says(listed, "note: vals: v0 = 1, v1 = 1,"));
-    CHECK(says(listed, ", ..."));
+    CHECK(says(listed, " and 88 more\n"));
     CHECK_FALSE(says(listed, "v20"));
     CHECK_FALSE(says(listed, "t20"));
 }

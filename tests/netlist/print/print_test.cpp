@@ -118,8 +118,48 @@ TEST_CASE("an interface is printed in its order, with its types and sizes") {
         at = printed.find(entry, at);
         REQUIRE(at != std::string::npos);
     }
-    CHECK(printed.find("p (all = {\"north\", \"east\", \"south\", \"west\"},\n") != std::string::npos);
-    CHECK(printed.find("p[1] (first = 4, initial = 101, name = \"east\");") != std::string::npos);
+    CHECK(printed.find("all = {\"north\", \"east\", \"south\", \"west\"},\n") != std::string::npos);
+    CHECK(printed.find("p[1] (name = \"east\", first = 4, initial = 101);") != std::string::npos);
+}
+
+TEST_CASE("parameters are printed in the order of the netlist, which changes no hash") {
+    auto text = [](const char* parameters) {
+        return std::string("T800 t; process m; use \"ga.master\" for m; process s; use \"ga.slave\" for s; m (") +
+               parameters + "); connect m.out to s.in; connect s.out to m.back; place m on t; place s on t;";
+    };
+    auto one = read_netlist_text(text("mutation = 0.5, population = 30, code = \"gray\""), small_catalogue());
+    auto other = read_netlist_text(text("code = \"gray\", population = 30"), small_catalogue(), {{"mutation", "0.5"}});
+    REQUIRE(one.network);
+    REQUIRE(other.network);
+    CHECK(print_cfs(*one.network).find("m (mutation = 0.5, population = 30, code = \"gray\");") != std::string::npos);
+    CHECK(print_cfs(*other.network).find("m (code = \"gray\", population = 30, mutation = 0.5);") != std::string::npos);
+    CHECK(one.network->hash == other.network->hash);
+    check_round_trip(*one.network);
+    auto stand_in =
+        read_netlist_text("T800 t; process (interface (int zeta, int alpha[2], int mid = 3)) p; use \"p.lku\" "
+                          "for p; p (zeta = 1, alpha = {4, 5}); place p on t;",
+                          small_catalogue());
+    REQUIRE(stand_in.network);
+    CHECK(print_cfs(*stand_in.network).find("p (mid = 3, zeta = 1, alpha = {4, 5});") != std::string::npos);
+    check_round_trip(*stand_in.network);
+}
+
+TEST_CASE("what the toolset's include declares stands behind it") {
+    auto printed = [](const char* text) {
+        auto result = read_netlist_text(text, small_catalogue());
+        INFO(render(result.diagnostics));
+        REQUIRE(result.network);
+        check_round_trip(*result.network);
+        return print_cfs(*result.network);
+    };
+    const std::string include = "#include \"setconf.inc\"\n\n/* hardware */\n";
+    CHECK(printed("T800 t;").starts_with(include));
+    CHECK(printed("#include \"boards.inc\"\nval n 3;").starts_with(include));
+    CHECK(printed("val n 3;").starts_with("/* hardware */\n"));
+    CHECK(printed("T800 t; connect t.link[0] to host;").starts_with(include + "T800 (memory = 4096) t;\nconnect "));
+    CHECK(printed("edge host; T800 t; connect t.link[0] to host;")
+              .starts_with(include + "edge host;\nT800 (memory = 4096) t;\n"));
+    CHECK(printed("edge near; T800 t; connect t.link[0] to near;").starts_with(include + "edge near;\n"));
 }
 
 TEST_CASE("an interface is kept for a process whose kind is known") {

@@ -7,10 +7,12 @@
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -84,7 +86,7 @@ struct Traced {
     }
     hardware::Processor& processor() { return simulation.add<hardware::Processor>("t", 1'000'000'000); }
     const Notes& run(Time limit = Time::max()) {
-        timeline.finish(simulation.run(limit).ending);
+        timeline.finish(simulation.run(limit));
         return notes;
     }
 
@@ -196,6 +198,33 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
         });
         CHECK(traced.run().lines == Lines{"p: delayed 2000 to 3000, timer", "p: delayed 3000 to the end, timer",
                                           "2000 to 5000: end of the part that is traced"});
+    }
+}
+
+TEST_CASE("of the waits at the end of the work those are open that never end") {
+    auto run = [](bool stuck) {
+        Traced traced({"p", "q", "r"});
+        Channel<int> c("c"), never("never");
+        traced.simulation.process("p", [&] {
+            wait_for(1us);
+            wait_until_work_is_over();
+            c.out().output(1);
+        });
+        traced.simulation.process("q", [&] { c.in().input(); });
+        traced.simulation.process("r", [&] {
+            wait_for(2us);
+            if (stuck)
+                never.in().input();
+        });
+        return traced.run().lines;
+    };
+    for (bool stuck : {false, true}) {
+        Lines lines = run(stuck);
+        auto has = [&](const std::string& line) { return std::ranges::find(lines, line) != lines.end(); };
+        CHECK(has("p: after_work 1000 to 2000"));
+        CHECK(has("q: inputs 0 to 2000, c with "));
+        CHECK(has("r: inputs 2000 to the end, never with ") == stuck);
+        CHECK(lines.back() == (stuck ? "0 to 2000: deadlock" : "0 to 2000: completed"));
     }
 }
 
