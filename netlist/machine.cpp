@@ -2,12 +2,14 @@
 
 #include "netlist/network/names.hpp"
 #include "netlist/runnable.hpp"
+#include "runtime/timer.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
-#include <set>
+#include <new>
 #include <stdexcept>
+#include <system_error>
 
 namespace placedpar {
 
@@ -18,19 +20,28 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
     return *catalogue.find(process.kind);
 }
 
-[[noreturn]] void refuse(const ProcessInstance& process, const char* why) {
+/// Which process failed, where it was declared, and when if not at the start.
+std::string failure_of(const ProcessInstance& process, const char* why) {
     std::string place = process.declared.text();
-    throw UserError(
-        fmt::format("{}{}process {} ({}): {}", place, place.empty() ? "" : ": ", process.name, process.kind, why));
+    std::string when = now() == Time{0} ? "" : " at " + to_string(now());
+    return fmt::format("{}{}process {} ({}){}: {}", place, place.empty() ? "" : ": ", process.name, process.kind, when,
+                       why);
 }
 
-/// Runs a process's program. What it refuses to work with is reported with the process, its kind and its place.
+/// Runs a process's program. What it refuses to work with, and what is wrong with the program itself, is reported with
+/// the process; what the system refuses is not the process's fault.
 void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
               ProcessEnvironment& environment) {
     try {
         body(environment);
     } catch (const UserError& refused) {
-        refuse(process, refused.what());
+        throw UserError(failure_of(process, refused.what()));
+    } catch (const std::system_error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& defect) {
+        throw std::logic_error(failure_of(process, defect.what()));
     }
 }
 

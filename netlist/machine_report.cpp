@@ -19,7 +19,7 @@ void forget_waits_that_end(RunReport& report) {
         });
     };
     for (ProcessUse& process : report.processes)
-        if (report.result.ending == Ending::completed || (report.result.deadlock && !is_held(process)))
+        if (report.result.ending == Ending::completed || (report.result.ending == Ending::stuck && !is_held(process)))
             process.waits_since.reset();
 }
 

@@ -112,10 +112,10 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
 }
 
 std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
-    Process& self = Kernel::current()->running();
+    Process& self = Kernel::here().running();
     for (const Guard& guard : guards)
         if (guard.kind == Guard::input)
-            guard.channel->note_inputter(self);
+            guard.channel->own_input(self);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     bool has_to_sleep = !first_ready(guards);

@@ -10,15 +10,51 @@
 
 namespace placedpar {
 
+void refuse_end_without_channel() { throw std::logic_error("an end that belongs to no channel is used"); }
+
 namespace {
 
-[[noreturn]] void refuse_second_user(const char* verb, const Process& self, const AnyChannel& channel) {
-    throw std::logic_error(
-        fmt::format("process {} {} channel {} while another process is doing so: a channel joins two processes only",
-                    self.path(), verb, channel.name()));
+AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
+
+/// Whether the last user of an end and the process are of one outermost process, and not two components of a PAR.
+bool may_follow(const AnyChannel::User& last, const Process& process) {
+    return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }
 
-AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
+/// `end`: "outputs to", "inputs from".
+void own(AnyChannel::User& end, const Process& process, const char* verb, const AnyChannel& channel) {
+    if (end.process == &process && end.ordinal == process.ordinal())
+        return;
+    if (end.process && !may_follow(end, process))
+        throw std::logic_error(fmt::format("process {} {} channel {}, as {} does: a channel joins two processes only",
+                                           process.path(), verb, channel.name(),
+                                           end.outermost == &process.outermost() ? "another component of a PAR"
+                                                                                 : "process " + end.outermost->path()));
+    end = user(process);
+}
+
+/// Notes that a process is in the channel, for as long as it is.
+class Stay {
+public:
+    Stay(void*& place, void* mine) : place_(place) { place_ = mine; }
+    ~Stay() { place_ = nullptr; }
+    Stay(const Stay&) = delete;
+    Stay& operator=(const Stay&) = delete;
+
+private:
+    void*& place_;
+};
+
+[[noreturn]] void refuse_without_carrier(const Process& self, const Process& other, const AnyChannel& channel) {
+    throw std::logic_error(fmt::format("channel {} joins process {} on {} and process {} on {}, and no link carries it",
+                                       channel.name(), other.path(), other.executive()->name(), self.path(),
+                                       self.executive()->name()));
+}
+
+void require_carrier_between(const Process& self, const Process& other, const AnyChannel& channel) {
+    if (self.executive() != other.executive() && self.executive() && other.executive())
+        refuse_without_carrier(self, other, channel);
+}
 
 /// The second process to arrive at a soft channel copies the message.
 void charge_copy(const Process& self, const WireForm& form) {
@@ -38,22 +74,14 @@ void AnyChannel::expect(const Process* outputter, const Process* inputter) {
     inputter_ = inputter ? user(*inputter) : User{};
 }
 
-void AnyChannel::enable(Alternation& alternation) {
-    if (slot_ || (alternation_ && alternation_ != &alternation))
-        refuse_second_user("alternates on", Kernel::current()->running(), *this);
-    alternation_ = &alternation;
-}
-
-void AnyChannel::note_inputter(const Process& process) { inputter_ = user(process); }
+void AnyChannel::own_input(const Process& process) { own(inputter_, process, "inputs from", *this); }
 
 void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
-    Process& self = Kernel::current()->running();
+    Process& self = Kernel::here().running();
     if (!carrier_)
         charge(self, &OperationCosts::soft_communication);
-    if (message_)
-        refuse_second_user("outputs to", self, *this);
-    outputter_ = user(self);
-    message_ = message;
+    own(outputter_, self, "outputs to", *this);
+    Stay stay(message_, message);
     if (carrier_)
         carrier_->output(*this, form, where);
     else
@@ -61,13 +89,11 @@ void AnyChannel::output_any(void* message, const WireForm& form, const SourceLoc
 }
 
 void AnyChannel::input_any(void* slot, const SourceLocation& where) {
-    Process& self = Kernel::current()->running();
+    Process& self = Kernel::here().running();
     if (!carrier_)
         charge(self, &OperationCosts::soft_communication);
-    if (slot_ || alternation_)
-        refuse_second_user("inputs from", self, *this);
-    inputter_ = user(self);
-    slot_ = slot;
+    own_input(self);
+    Stay stay(slot_, slot);
     if (carrier_)
         carrier_->input(*this, where);
     else
@@ -88,6 +114,7 @@ void AnyChannel::output_soft(Process& self, const WireForm& form, const SourceLo
     Kernel& kernel = self.kernel();
     if (slot_) {
         Process& inputter = *waiting_;
+        require_carrier_between(self, inputter, *this);
         hand_over();
         charge_copy(self, form);
         kernel.make_ready(inputter);
@@ -103,6 +130,7 @@ void AnyChannel::input_soft(Process& self, const SourceLocation& where) {
     Kernel& kernel = self.kernel();
     if (message_) {
         Process& outputter = *waiting_;
+        require_carrier_between(self, outputter, *this);
         hand_over();
         charge_copy(self, waiting_form_);
         kernel.make_ready(outputter);

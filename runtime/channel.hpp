@@ -22,8 +22,10 @@ class Process;
 /// link.
 ///
 /// 1. It is put on a carrier, if at all, before it is used.
-/// 2. One process at a time outputs and one inputs: a second one at the same end makes it throw std::logic_error.
-/// 3. It belongs to one simulation and outlives its run.
+/// 2. Each end has one owner: a process at the outermost level with the components of its PARs, one after the other.
+///    When another one uses the end, or two components of one PAR do, it throws std::logic_error.
+/// 3. Processes on two executives need a carrier between them; without one it throws std::logic_error.
+/// 4. It belongs to one simulation and outlives its run.
 class AnyChannel {
 public:
     /// A process that used an end of a channel. It may have ended since, and its object be gone; its outermost
@@ -58,12 +60,16 @@ public:
     // For alternations.
     /// Whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    /// From now on a message wakes the alternation. Throws std::logic_error when another process inputs or alternates
-    /// on the channel.
-    void enable(Alternation&);
+    /// The process has a guard on the channel. Throws std::logic_error when it does not own the end.
+    void own_input(const Process&);
+    /// From now on a message wakes the alternation.
+    void enable(Alternation& alternation) { alternation_ = &alternation; }
     void disable() { alternation_ = nullptr; }
-    /// The process has a guard on the channel: for the report of a deadlock.
-    void note_inputter(const Process&);
+
+    // For reports.
+    /// A process is in the channel to output (input), and the message has not come over.
+    bool output_waits() const { return message_ != nullptr; }
+    bool input_waits() const { return slot_ != nullptr; }
 
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
@@ -93,20 +99,24 @@ private:
 template <class T>
 class Channel;
 
+/// Throws std::logic_error: an end that was made by itself belongs to no channel.
+[[noreturn]] void refuse_end_without_channel();
+
 /// occam's `c ! x`: the only end that can output.
 template <class T>
 class Output {
 public:
     Output() = default;
     void output(T message, const SourceLocation& where = SourceLocation::current()) const {
-        channel_->output(std::move(message), where);
+        own().output(std::move(message), where);
     }
-    AnyChannel& channel() const { return *channel_; }
+    AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
 
 private:
     friend class Channel<T>;
     explicit Output(Channel<T>& channel) : channel_(&channel) {}
+    Channel<T>& own() const { return channel_ ? *channel_ : (refuse_end_without_channel(), *channel_); }
     Channel<T>* channel_ = nullptr;
 };
 
@@ -115,13 +125,14 @@ template <class T>
 class Input {
 public:
     Input() = default;
-    T input(const SourceLocation& where = SourceLocation::current()) const { return channel_->input(where); }
-    AnyChannel& channel() const { return *channel_; }
+    T input(const SourceLocation& where = SourceLocation::current()) const { return own().input(where); }
+    AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
 
 private:
     friend class Channel<T>;
     explicit Input(Channel<T>& channel) : channel_(&channel) {}
+    Channel<T>& own() const { return channel_ ? *channel_ : (refuse_end_without_channel(), *channel_); }
     Channel<T>* channel_ = nullptr;
 };
 

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 
@@ -50,10 +50,11 @@ Processes awaited_by(const Process& process, const Processes& living) {
 /// Follows the waits from process to process, depth first, until it comes back to one on its way.
 class CycleSearch {
 public:
-    explicit CycleSearch(const Processes& living) : living_(living) {}
+    /// Starts from each of `stuck`.
+    CycleSearch(const Processes& stuck, const Processes& living) : stuck_(stuck), living_(living) {}
 
     Processes find() {
-        for (const Process* process : living_)
+        for (const Process* process : stuck_)
             if (visit(process))
                 return cycle_;
         return {};
@@ -96,6 +97,7 @@ private:
     };
     static constexpr std::size_t been_there = static_cast<std::size_t>(-1);
 
+    const Processes& stuck_;
     const Processes& living_;
     std::vector<Step> way_;
     std::unordered_map<const Process*, std::size_t> place_on_way_; ///< never iterated over
@@ -106,15 +108,13 @@ StuckProcess describe(const Process& process) {
     StuckProcess stuck{process.path(), process.activity(), {}, ""};
     for (const AnyChannel* channel : process.awaited_channels())
         stuck.channels.push_back(channel->name());
-    const auto& where = process.place_in_program();
-    if (where.line())
-        stuck.where = fmt::format("{}:{}", std::filesystem::path(where.file_name()).filename().string(), where.line());
+    stuck.where = text_of(process.place_in_program());
     return stuck;
 }
 
-std::vector<StuckChannel> describe_channels(const Processes& living) {
+std::vector<StuckChannel> describe_channels(const Processes& stuck, const Processes& living) {
     std::map<std::string, StuckChannel> by_name;
-    for (const Process* process : living)
+    for (const Process* process : stuck)
         for (const AnyChannel* channel : process->awaited_channels())
             by_name.try_emplace(channel->name(),
                                 StuckChannel{channel->name(), path_of(channel->last_outputter(), living),
@@ -142,15 +142,70 @@ const char* name_of(Activity activity) {
     return "";
 }
 
+namespace {
+
+/// Of some processes that are left; `living` are all.
+Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
+    Deadlock deadlock;
+    for (const Process* process : CycleSearch(stuck, living).find())
+        deadlock.cycle.push_back(process->path());
+    for (const Process* process : stuck)
+        deadlock.processes.push_back(describe(*process));
+    deadlock.channels = describe_channels(stuck, living);
+    return deadlock;
+}
+
+/// Whether a partner has yet to come to the channel, and it is known who that is. Not so when both are in it: then
+/// nothing but time is needed; nor when a link has brought the message, and only its acknowledge is still to come.
+bool lacks_partner(const Process& process, const AnyChannel& channel) {
+    bool known = channel.last_outputter().process && channel.last_inputter().process;
+    switch (process.activity()) {
+    case Activity::outputting: return known && channel.output_waits() && !channel.input_waits();
+    case Activity::inputting: return known && channel.input_waits() && !channel.output_waits();
+    default: return known && !channel.output_waits();
+    }
+}
+
+/// Whether only another process can make it go on, and which is known.
+bool needs_partner(const Process* process) {
+    switch (process->activity()) {
+    case Activity::joining: return true;
+    case Activity::outputting:
+    case Activity::inputting:
+    case Activity::alternating: break;
+    default: return false;
+    }
+    const auto& channels = process->awaited_channels();
+    return !process->awaits_timer() && !channels.empty() &&
+           std::ranges::all_of(channels, [&](const AnyChannel* each) { return lacks_partner(*process, *each); });
+}
+
+} // namespace
+
 Deadlock find_deadlock(const Kernel& kernel) {
     auto living = kernel.living();
-    Deadlock deadlock;
-    for (const Process* process : CycleSearch(living).find())
-        deadlock.cycle.push_back(process->path());
-    for (const Process* process : living)
-        deadlock.processes.push_back(describe(*process));
-    deadlock.channels = describe_channels(living);
-    return deadlock;
+    return deadlock_of(living, living);
+}
+
+/// The largest set of waiting processes none of which waits for one outside of it that lives.
+std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
+    auto living = kernel.living();
+    Processes stuck;
+    std::ranges::copy_if(living, std::back_inserter(stuck), needs_partner);
+    auto can_go_on = [&](const Process* process) {
+        return std::ranges::any_of(awaited_by(*process, living), [&](const Process* partner) {
+            return !partner->ended() && !std::ranges::binary_search(stuck, partner->ordinal(), {}, &Process::ordinal);
+        });
+    };
+    for (std::size_t before = 0; before != stuck.size();) {
+        before = stuck.size();
+        Processes left;
+        std::ranges::remove_copy_if(stuck, std::back_inserter(left), can_go_on);
+        stuck = std::move(left);
+    }
+    if (stuck.empty())
+        return std::nullopt;
+    return deadlock_of(stuck, living);
 }
 
 std::string Deadlock::text() const {

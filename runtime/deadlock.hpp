@@ -2,6 +2,7 @@
 
 #include "runtime/process.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,14 @@ struct Deadlock {
     std::string text() const;
 };
 
-/// REQUIRES: called at the end of a run, before the processes are unwound.
+// REQUIRES, both: called at the end of a run, before the processes are unwound.
+
+/// Of all processes that are left.
 Deadlock find_deadlock(const Kernel&);
+/// Of those that wait only for each other, or for processes that have ended, while others could still go on; nothing
+/// where there are none. A process that waits at a channel's end that has had no partner so far is not counted: anyone
+/// may come.
+std::optional<Deadlock> find_partial_deadlock(const Kernel&);
 
 /// "outputs", "alternates", ...
 const char* name_of(Activity);

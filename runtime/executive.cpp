@@ -5,8 +5,11 @@
 namespace placedpar {
 
 void compute(Cycles cycles) {
-    if (Executive* executive = Kernel::current()->running().executive())
+    Kernel& kernel = Kernel::here();
+    if (Executive* executive = kernel.running().executive())
         executive->compute(cycles);
+    else
+        kernel.takes_no_time();
 }
 
 } // namespace placedpar

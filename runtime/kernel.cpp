@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -48,6 +50,30 @@ const char* name_of(Ending ending) {
 }
 
 thread_local Kernel* Kernel::current_ = nullptr;
+
+void Kernel::refuse_outside_a_run() {
+    throw std::logic_error("only a process of a simulation that runs can communicate, compute or wait");
+}
+
+void Kernel::unwind_running() {
+    constexpr unsigned enough = 1000;
+    if (++running_->times_unwound_ > enough) {
+        std::fprintf(stderr, "process %s catches every exception, also the one that ends it: let Unwinding pass\n",
+                     running_->path().c_str());
+        std::abort();
+    }
+    throw Unwinding{};
+}
+
+void Kernel::takes_no_time() {
+    throw_if_unwinding();
+    if (interrupted_.load(std::memory_order_relaxed))
+        return give_way();
+    if (std::exchange(operations_at_, now_) != now_)
+        operations_at_once_ = 0;
+    if (++operations_at_once_ > most_operations_at_once)
+        throw std::logic_error(fmt::format("process {} computes for ever without any time passing", running_->path()));
+}
 
 Kernel::Kernel() = default;
 Kernel::~Kernel() = default;
@@ -200,6 +226,14 @@ void Kernel::give_way() {
             switch_to(next);
     }
     throw_if_unwinding();
+}
+
+/// The process that ran on the worker throws. Only the first failure counts.
+void Kernel::fail(const Process& p) noexcept {
+    if (failure_ || unwinding_)
+        return;
+    failure_ = std::current_exception();
+    who_failed_ = {p.path(), now_, text_of(p.place_in_program())};
 }
 
 /// The process that ran on the worker has ended. If it was the last component of a PAR, its parent can go on.

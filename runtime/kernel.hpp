@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,13 @@ const char* name_of(Ending);
 /// Thrown through a process that still waits when its simulation is over, so that its stack is unwound. A process
 /// that catches everything must let this exception pass, and no destructor may communicate, compute or wait.
 class Unwinding {};
+
+/// Which process threw, when, and where it last waited ("slave.cpp:57"; empty if it never did).
+struct Failure {
+    std::string process;
+    Time time{};
+    std::string where;
+};
 
 /// Decides which process runs next, and what time it is.
 ///
@@ -57,6 +65,13 @@ public:
 
     /// The kernel that this thread is running; null outside a run.
     static Kernel* current() { return current_; }
+    /// The kernel that runs the caller. Throws std::logic_error when the caller is no process: outside a run nobody can
+    /// communicate, compute or wait.
+    static Kernel& here() {
+        if (!current_ || !current_->running_)
+            refuse_outside_a_run();
+        return *current_;
+    }
 
     Time now() const { return now_; }
     /// The process whose program is being executed.
@@ -79,11 +94,16 @@ public:
     void wait();
     /// The same, but the process keeps its executive. For executives, while the process computes.
     void give_way();
-    /// Throws Unwinding when the simulation is over.
-    void throw_if_unwinding() const {
+    /// Throws Unwinding when the simulation is over. Ends the program with a message when the running process has
+    /// caught it many times.
+    void throw_if_unwinding() {
         if (unwinding_)
-            throw Unwinding{};
+            unwind_running();
     }
+    /// The running process does something that takes no time. Lets the run be interrupted; throws std::logic_error when
+    /// it has done so `most_operations_at_once` times since time last passed: nothing else would ever happen.
+    void takes_no_time();
+    static constexpr std::uint64_t most_operations_at_once = 100'000'000;
     /// Makes the process ready when the work is over. It waits until then.
     void after_work(Process& p) { after_work_.push_back(p); }
     /// Moves virtual time on to `until` if nothing else could happen before or at that moment; returns whether it did.
@@ -110,6 +130,8 @@ public:
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
     void interrupt() { interrupted_.store(true, std::memory_order_relaxed); }
 
+    /// The process that ended the run by throwing, if one did.
+    const std::optional<Failure>& who_failed() const { return who_failed_; }
     /// Every process of the program that exists and has not ended, in order of creation.
     std::vector<const Process*> living() const;
 
@@ -117,6 +139,9 @@ private:
     friend class FiberScheduler;
     friend class Process;
     friend class Worker;
+
+    [[noreturn]] static void refuse_outside_a_run();
+    [[noreturn]] void unwind_running();
 
     void add(Process&);
     void remove(Process&);
@@ -132,6 +157,7 @@ private:
     Process* next_with_worker();
     void switch_to(Process*);
     bool employ(Process&);
+    void fail(const Process&) noexcept;
     void finish(Process&) noexcept;
     Ending ending() const;
     void unwind_all();
@@ -159,6 +185,9 @@ private:
     bool limit_reached_ = false;
     std::atomic<bool> interrupted_{false};
     std::exception_ptr failure_; ///< what a process threw
+    std::optional<Failure> who_failed_;
+    Time operations_at_{};                 ///< when the operations were done that took no time
+    std::uint64_t operations_at_once_ = 0; ///< and how many
     std::optional<RandomStream> shuffle_;
     SwitchedStack host_stack_; ///< of the fiber that called run
     SwitchedStack* stack_in_use_ = nullptr;

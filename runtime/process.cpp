@@ -29,6 +29,13 @@ void Process::serve_machine() { kernel_.program_processes_ -= !std::exchange(mac
 
 std::string Process::path() const { return join_ ? fmt::format("{}/{}", join_->parent.path(), index_) : name_; }
 
+bool Process::is_beside(std::uint32_t ordinal) const {
+    for (const Process* p = this; p->join_; p = p->parent())
+        if (ordinal != p->ordinal_ && ordinal - p->join_->first_ordinal < p->join_->components)
+            return true;
+    return false;
+}
+
 void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     awaited_.clear();
     if (channel)

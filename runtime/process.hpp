@@ -29,6 +29,8 @@ enum class Activity { ready, delayed, outputting, inputting, alternating, joinin
 struct Join {
     std::size_t components_left;
     Process& parent;
+    std::size_t components = components_left;
+    std::uint32_t first_ordinal = 0; ///< of its components, which follow each other
 };
 
 /// One process of the simulation: a body that runs on a fiber, and, if it is placed, the executive that it
@@ -54,6 +56,8 @@ public:
     const Process* parent() const { return join_ ? &join_->parent : nullptr; }
     /// Its ancestor at the outermost level, perhaps itself.
     const Process& outermost() const { return *outermost_; }
+    /// Whether a process of that ordinal is another component of a PAR of which this one is a part.
+    bool is_beside(std::uint32_t ordinal) const;
     /// Null if it is not placed.
     Executive* executive() const { return executive_; }
     Priority priority() const { return priority_; }
@@ -117,6 +121,7 @@ private:
     Process* next_ = nullptr;  ///< the next in the queue in which it stands
     std::size_t slot_ = 0;     ///< where the kernel lists it
 
+    unsigned times_unwound_ = 0;
     Time work_left_{};          ///< see Executive::work_left
     Join* join_ = nullptr;      ///< the PAR of which it is a component
     Process* outermost_ = this; ///< see outermost()

@@ -4,7 +4,9 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -15,20 +17,27 @@ class WireForm {
 public:
     static constexpr std::size_t most_parts = 4;
 
-    template <std::convertible_to<std::uint32_t>... Bytes>
+    /// Throws std::length_error for a part of less than 0 or more than 2^32 - 1 bytes.
+    template <std::integral... Bytes>
     requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
-        : bytes_{static_cast<std::uint32_t>(bytes)...}, parts_(sizeof...(Bytes)) {}
+        : bytes_{length(bytes)...}, parts_(sizeof...(Bytes)) {}
 
     constexpr std::size_t parts() const { return parts_; }
     constexpr std::uint32_t operator[](std::size_t part) const { return bytes_[part]; }
-    constexpr std::uint32_t total() const {
-        std::uint32_t sum = 0;
+    constexpr std::int64_t total() const {
+        std::int64_t sum = 0;
         for (std::size_t part = 0; part < parts_; ++part)
             sum += bytes_[part];
         return sum;
     }
 
 private:
+    static constexpr std::uint32_t length(std::integral auto bytes) {
+        if (!std::in_range<std::uint32_t>(bytes))
+            throw std::length_error("a part of a message has 0 to 4294967295 bytes");
+        return static_cast<std::uint32_t>(bytes);
+    }
+
     std::array<std::uint32_t, most_parts> bytes_{};
     std::size_t parts_;
 };

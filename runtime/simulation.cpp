@@ -24,6 +24,8 @@ RunResult Simulation::run(Time limit, const std::function<void()>& work_over) {
     observer.run_over = [&](Ending ending) {
         if (ending == Ending::stuck)
             result.deadlock = find_deadlock(kernel_);
+        else if (ending != Ending::completed)
+            result.deadlock = find_partial_deadlock(kernel_);
     };
     result.ending = kernel_.run(limit, std::move(observer));
     result.fingerprint = kernel_.fingerprint().value();

@@ -21,9 +21,11 @@ namespace placedpar {
 /// How a run ended, and when its work did (see wait_until_work_is_over).
 struct RunResult {
     Ending ending = Ending::completed;
-    Time time{};                      ///< virtual time at the end of the work
-    std::uint64_t fingerprint = 0;    ///< of the whole run
-    std::optional<Deadlock> deadlock; ///< only if the run ended stuck
+    Time time{};                   ///< virtual time at the end of the work
+    std::uint64_t fingerprint = 0; ///< of the whole run
+    /// If the run ended stuck: all processes that are left. If it was stopped before its end: those that would never
+    /// have gone on, however long it had lasted.
+    std::optional<Deadlock> deadlock;
 };
 
 /// Processes and the devices that they run on, to be run once. Where a program that uses PlacedPar as a library begins.
@@ -71,6 +73,8 @@ public:
     /// std::logic_error when another simulation is running on this thread or this one has run before.
     RunResult run(
         Time limit = Time::max(), const std::function<void()>& work_over = [] {});
+    /// The process whose exception run() rethrew.
+    const std::optional<Failure>& who_failed() const { return kernel_.who_failed(); }
     /// Ends a run that is under way. May be called from a signal handler or another thread.
     void interrupt() { kernel_.interrupt(); }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <version>
 
 #if defined(__cpp_lib_source_location)
@@ -17,5 +19,12 @@ using SourceLocation = std::source_location;
 #else
 using SourceLocation = std::experimental::source_location;
 #endif
+
+/// "slave.cpp:57"; empty for no place.
+inline std::string text_of(const SourceLocation& where) {
+    std::string_view file = where.file_name();
+    file.remove_prefix(file.find_last_of('/') + 1);
+    return where.line() == 0 ? "" : std::string(file) + ":" + std::to_string(where.line());
+}
 
 } // namespace placedpar

@@ -18,10 +18,10 @@ struct Alarm final : Event {
 
 } // namespace
 
-Time now() { return Kernel::current()->now(); }
+Time now() { return Kernel::here().now(); }
 
 void wait_until(Time due, const SourceLocation& where) {
-    Kernel& kernel = *Kernel::current();
+    Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
     if (self.executive() && due <= kernel.now())
         return charge(self, &OperationCosts::timer_wait_past);
@@ -37,18 +37,18 @@ void wait_until(Time due, const SourceLocation& where) {
 void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now(), how_long), where); }
 
 void wait_until_work_is_over(const SourceLocation& where) {
-    Kernel& kernel = *Kernel::current();
+    Kernel& kernel = Kernel::here();
     kernel.after_work(kernel.running());
     kernel.running().wait_for(Activity::after_work, nullptr, where);
 }
 
 Time Timer::tick() const {
-    const Process& self = Kernel::current()->running();
+    const Process& self = Kernel::here().running();
     return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
 }
 
 std::int64_t Timer::read() const {
-    charge(Kernel::current()->running(), &OperationCosts::timer_read);
+    charge(Kernel::here().running(), &OperationCosts::timer_read);
     return now() / tick();
 }
 
@@ -62,7 +62,7 @@ void Timer::wait_after(std::int64_t ticks, const SourceLocation& where) const {
     Time moment = moment_after(ticks);
     bool has_to_wait = moment > now();
     if (has_to_wait)
-        charge(Kernel::current()->running(), &OperationCosts::timer_wait);
+        charge(Kernel::here().running(), &OperationCosts::timer_wait);
     if (!has_to_wait || moment > now())
         wait_until(moment, where);
 }

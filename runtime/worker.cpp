@@ -58,8 +58,7 @@ void Worker::work(Kernel& kernel) {
             self.body_();
         } catch (const Unwinding&) {
         } catch (...) {
-            if (!kernel.failure_ && !kernel.unwinding_)
-                kernel.failure_ = std::current_exception();
+            kernel.fail(self);
         }
         process = nullptr;
         kernel.finish(self);

@@ -194,7 +194,8 @@ std::string print_report(const RunReport& report, const Network& network) {
                     report.result.fingerprint) +
         print_set(network);
     if (report.result.deadlock)
-        out += "\n" + report.result.deadlock->text();
+        out += (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock, while others could go on:\n") +
+               report.result.deadlock->text();
     if (!report.measurements.empty())
         out += print_measurements(report.measurements);
     if (!report.processors.empty())

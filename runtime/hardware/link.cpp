@@ -22,10 +22,17 @@ std::size_t last_travelling_part(const WireForm& form) {
     return part;
 }
 
+const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
+    if (timing.bits_per_second <= 0 || timing.wire_delay < Time{0})
+        throw std::logic_error(
+            fmt::format("the link at {}: its speed must be positive and its delay not negative", end));
+    return timing;
+}
+
 } // namespace
 
 Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const std::string& b)
-    : timing_(timing), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
+    : timing_(checked(timing, a)), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
       a_to_b_(kernel, a + " -> " + b, timing_, wire_from_a_, wire_from_b_, b_to_a_),
       b_to_a_(kernel, b + " -> " + a, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
 

@@ -118,7 +118,8 @@ private:
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
 class Link {
 public:
-    /// The names are those of its ends, for reports.
+    /// The names are those of its ends, for reports. Throws std::logic_error unless bits_per_second > 0 and the wire's
+    /// delay is not negative.
     explicit Link(Kernel&, const LinkTiming& = {}, const std::string& a = "a", const std::string& b = "b");
     Link(const Link&) = delete;
     Link& operator=(const Link&) = delete;

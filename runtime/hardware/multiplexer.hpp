@@ -39,7 +39,7 @@ private:
     struct Packet {
         Lane* lane;
         bool acknowledge;
-        std::uint32_t bytes;
+        std::int64_t bytes;
         WireForm wire_form() const { return WireForm(header_bytes + bytes); }
     };
 

@@ -85,6 +85,8 @@ void Processor::compute(Cycles cycles) {
     assert(current_ == &self);
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
+    if (cycles == Cycles{0})
+        kernel_.takes_no_time();
     work_left(self) = later(work_left(self), duration(cycles));
     if (self.priority() == Priority::low && !high_.empty()) {
         preempt();

@@ -3,11 +3,14 @@
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
+#include "runtime/timer.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
+
+#include <system_error>
 
 using namespace placedpar;
 
@@ -140,9 +143,13 @@ TEST_CASE("what a process refuses is the user's error at its place; its defects 
     };
     CHECK_THROWS_WITH_AS(run([] { throw UserError("no such record"); }), "m.cfs:1:17: process p (mine): no such record",
                          UserError);
-    CHECK_THROWS_WITH_AS(run([] { throw std::invalid_argument("a population of -1"); }), "a population of -1",
-                         std::invalid_argument);
-    CHECK_THROWS_AS(run([] { throw std::out_of_range("at"); }), std::out_of_range);
+    CHECK_THROWS_WITH_AS(run([] {
+                             wait_for(std::chrono::microseconds{7});
+                             throw std::invalid_argument("a population of -1");
+                         }),
+                         "m.cfs:1:17: process p (mine) at 7.000000 us: a population of -1", std::logic_error);
+    CHECK_THROWS_AS(run([] { throw std::system_error(std::make_error_code(std::errc::no_space_on_device)); }),
+                    std::system_error);
 }
 
 TEST_CASE("a machine that would compute for longer than virtual time lasts says so and ends") {

@@ -1,6 +1,7 @@
 // The report of a deadlock.
 
 #include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
@@ -134,16 +135,17 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     const Process* first = nullptr;
     bool same_place = false;
     simulation.process("x", [&] {
-        par([&] {
-            first = &Kernel::current()->running();
-            a.out().output(1);
-        });
+        par([&] { a.in().input(); },
+            [&] {
+                first = &Kernel::current()->running();
+                a.out().output(1);
+            });
         par([&] {
             same_place = &Kernel::current()->running() == first;
             a.in().input();
         });
     });
-    simulation.process("y", [&] { a.in().input(), b.in().input(); });
+    simulation.process("y", [&] { b.in().input(); });
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     WARN_MESSAGE(same_place, "this allocator does not reuse the place: the test shows nothing");
@@ -208,4 +210,85 @@ TEST_CASE("a PAR of any form tells where in the program it stands") {
         if (process.activity == Activity::joining)
             joining.push_back(process.path + " " + process.where);
     CHECK(joining == std::vector<std::string>{"par pars.cpp:1", "par_for pars.cpp:2", "pri_par pars.cpp:3"});
+}
+
+namespace {
+
+/// Two processes that wait for each other, one that goes on for ever, and `others`; stopped after a while.
+RunResult partly_stuck(const std::function<void(Simulation&)>& others) {
+    Simulation simulation;
+    Channel<int> a("a"), b("b"), tick("tick");
+    simulation.process("left", [&] {
+        a.out().output(1);
+        b.in().input();
+        a.out().output(2);
+    });
+    simulation.process("right", [&] {
+        a.in().input();
+        b.out().output(1);
+        b.out().output(2);
+    });
+    simulation.process("clock", [&] {
+        for (;;) {
+            wait_for(std::chrono::microseconds{1});
+            tick.out().output(1);
+        }
+    });
+    simulation.process("counter", [&] {
+        for (;;)
+            tick.in().input();
+    });
+    others(simulation);
+    return simulation.run(std::chrono::microseconds{100});
+}
+
+std::vector<std::string> paths(const Deadlock& deadlock) {
+    std::vector<std::string> result;
+    for (const StuckProcess& each : deadlock.processes)
+        result.push_back(each.path);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("a part of a program is in a deadlock when the run is stopped") {
+    RunResult result = partly_stuck([](Simulation&) {});
+    CHECK(result.ending == Ending::time_limit);
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle == std::vector<std::string>{"left", "right"});
+    CHECK(paths(*result.deadlock) == std::vector<std::string>{"left", "right"});
+}
+
+TEST_CASE("a process that waits for one in a deadlock is in it too, one with a timeout is not") {
+    Channel<int> more("more"), perhaps("perhaps");
+    RunResult result = partly_stuck([&](Simulation& simulation) {
+        simulation.process("starved", [&] { more.in().input(), more.in().input(); });
+        simulation.process("ends", [&] { more.out().output(1), perhaps.out().output(1); });
+        simulation.process("patient", [&] {
+            perhaps.in().input();
+            alt(on(perhaps.in(), [](int) {}), after(std::chrono::seconds{1}, [] {}));
+        });
+    });
+    REQUIRE(result.deadlock);
+    CHECK(paths(*result.deadlock) == std::vector<std::string>{"left", "right", "starved"});
+}
+
+TEST_CASE("nothing that can go on is called a deadlock when the run is stopped") {
+    // A ring of processes over links, stopped at every microsecond: somebody always waits, but not for ever.
+    for (int stop = 1; stop < 60; ++stop) {
+        Simulation simulation;
+        std::list<Channel<std::array<char, 4>>> ring;
+        for (int i = 0; i < 3; ++i)
+            ring.emplace_back("c").put_on(simulation.add<hardware::Link>().from_a_to_b());
+        auto at = [&](int i) { return std::next(ring.begin(), i % 3); };
+        for (int i = 0; i < 3; ++i)
+            simulation.process("p", [=] {
+                for (bool first = i == 0;; first = false) {
+                    if (!first)
+                        at(i)->in().input();
+                    at(i + 1)->out().output({});
+                }
+            });
+        CHECK(!simulation.run(std::chrono::microseconds{stop}).deadlock);
+    }
 }

@@ -113,7 +113,7 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
         } catch (const std::logic_error& error) {
             message = error.what();
         }
-        CHECK(message == "process second outputs to channel busy while another process is doing so: "
+        CHECK(message == "process second outputs to channel busy, as process first does: "
                          "a channel joins two processes only");
     }
 }

@@ -1,0 +1,235 @@
+// What a program must not do is named at once.
+
+#include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <thread>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using std::chrono::microseconds;
+
+namespace {
+
+constexpr const char* no_process = "only a process of a simulation that runs can communicate, compute or wait";
+
+/// What a simulation of this process alone throws.
+std::string refusal_of(Process::Body body) {
+    Simulation simulation;
+    simulation.process("p", std::move(body));
+    try {
+        simulation.run();
+    } catch (const std::logic_error& refused) {
+        return refused.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("outside a run nobody communicates, computes or waits") {
+    Channel<int> c("c");
+    CHECK_THROWS_WITH_AS(c.out().output(1), no_process, std::logic_error);
+    CHECK_THROWS_WITH_AS(c.in().input(), no_process, std::logic_error);
+    CHECK_THROWS_WITH_AS(alt(on(c.in(), [](int) {})), no_process, std::logic_error);
+    CHECK_THROWS_WITH_AS(par([] {}, [] {}), no_process, std::logic_error);
+    CHECK_THROWS_WITH_AS(compute(Cycles{1}), no_process, std::logic_error);
+    CHECK_THROWS_WITH_AS(wait_for(microseconds{1}), no_process, std::logic_error);
+    CHECK_THROWS_WITH_AS(Timer().read(), no_process, std::logic_error);
+}
+
+TEST_CASE("the observer of the end of the work is no process") {
+    Simulation simulation;
+    simulation.process("p", [] {});
+    CHECK_THROWS_WITH_AS(simulation.run(Time::max(), [] { compute(Cycles{1}); }), no_process, std::logic_error);
+}
+
+TEST_CASE("an end of no channel") {
+    constexpr const char* message = "an end that belongs to no channel is used";
+    CHECK(refusal_of([] { Input<int>().input(); }) == message);
+    CHECK(refusal_of([] { Output<int>().output(1); }) == message);
+    CHECK(refusal_of([] { alt(on(Input<int>(), [](int) {})); }) == message);
+}
+
+TEST_CASE("a link without speed") {
+    Simulation simulation;
+    CHECK_THROWS_AS(simulation.add<Link>(LinkTiming{.bits_per_second = 0}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<Link>(LinkTiming{.bits_per_second = -1}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<Link>(LinkTiming{.wire_delay = Time{-1}}), std::logic_error);
+}
+
+TEST_CASE("a part of a message that is too long for its count") {
+    CHECK(WireForm(4u, std::int64_t{4'294'967'295}).total() == 4'294'967'299);
+    CHECK_THROWS_AS(WireForm(4u, std::int64_t{5'000'000'000}), std::length_error);
+    CHECK_THROWS_AS(WireForm(-1), std::length_error);
+}
+
+TEST_CASE("an outputter whom the carrier refused has left the channel") {
+    struct Nothing {
+        WireForm wire_form() const { return WireForm(0); }
+    };
+    Simulation simulation;
+    Channel<Nothing> c("c");
+    c.put_on(simulation.add<Link>().from_a_to_b());
+    int refused = 0;
+    simulation.process("p", [&] {
+        for (int i = 0; i < 2; ++i)
+            try {
+                c.out().output({});
+            } catch (const std::logic_error& error) {
+                refused += std::string(error.what()) == "a message without bytes cannot travel on channel c";
+            }
+    });
+    simulation.run();
+    CHECK(refused == 2);
+    CHECK(!c.output_waits());
+}
+
+TEST_CASE("a soft channel does not join processors") {
+    for (bool outputter_first : {true, false}) {
+        Simulation simulation;
+        auto& a = simulation.add<Processor>("a");
+        auto& b = simulation.add<Processor>("b");
+        Channel<int> c("c");
+        auto output = [&] { c.out().output(1); };
+        auto input = [&] { c.in().input(); };
+        simulation.process("first", outputter_first ? Process::Body(output) : input, &a);
+        simulation.process("second", outputter_first ? Process::Body(input) : output, &b);
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "channel c joins process first on a and process second on b, and no link carries it",
+                             std::logic_error);
+    }
+}
+
+TEST_CASE("each end of a channel has one owner") {
+    Simulation simulation;
+    Channel<int> c("c"), go("go");
+    SUBCASE("two outputters in turn") {
+        simulation.process("first", [&] { c.out().output(1), go.out().output(1); });
+        simulation.process("second", [&] { go.in().input(), c.out().output(2); });
+        simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "process second outputs to channel c, as process first does: a channel joins two "
+                             "processes only",
+                             std::logic_error);
+    }
+    SUBCASE("an alternation beside an inputter") {
+        simulation.process("first", [&] { c.in().input(), go.out().output(1); });
+        simulation.process("second", [&] { go.in().input(), alt(on(c.in(), [](int) {})); });
+        simulation.process("outputter", [&] { c.out().output(1), c.out().output(2); });
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "process second inputs from channel c, as process first does: a channel joins two "
+                             "processes only",
+                             std::logic_error);
+    }
+    SUBCASE("two components of a PAR in turn") {
+        simulation.process("p", [&] {
+            par([&] { c.out().output(1), go.out().output(1); }, [&] { go.in().input(), c.out().output(2); });
+        });
+        simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "process p/1 outputs to channel c, as another component of a PAR does: a channel joins "
+                             "two processes only",
+                             std::logic_error);
+    }
+    SUBCASE("a process and the components of its PARs, one after the other") {
+        simulation.process("p", [&] {
+            c.out().output(1);
+            for (int i = 0; i < 2; ++i)
+                par([&] { c.out().output(2); }, [] {});
+            par([] {}, [&] { par([] {}, [&] { c.out().output(3); }); });
+            c.out().output(4);
+        });
+        simulation.process("inputter", [&] {
+            for (int i = 0; i < 5; ++i)
+                c.in().input();
+        });
+        CHECK(simulation.run().ending == Ending::completed);
+    }
+}
+
+TEST_CASE("computing for ever in no time") {
+    Simulation simulation;
+    SUBCASE("not placed") {
+        simulation.process("p", [] {
+            for (;;)
+                compute(Cycles{1});
+        });
+    }
+    SUBCASE("placed") {
+        simulation.process(
+            "p",
+            [] {
+                for (;;)
+                    compute(Cycles{0});
+            },
+            &simulation.add<Processor>("t800"));
+    }
+    CHECK_THROWS_WITH_AS(simulation.run(microseconds{1}), "process p computes for ever without any time passing",
+                         std::logic_error);
+}
+
+TEST_CASE("computing in no time can be interrupted") {
+    Simulation simulation;
+    std::thread other;
+    simulation.process("p", [&] {
+        other = std::thread([&] { simulation.interrupt(); });
+        for (;;)
+            compute(Cycles{1});
+    });
+    CHECK(simulation.run().ending == Ending::interrupted);
+    other.join();
+}
+
+TEST_CASE("a process that catches everything does not hang the end") {
+    pid_t child = fork();
+    if (child == 0) {
+        std::signal(SIGABRT, SIG_DFL);
+        close(STDERR_FILENO);
+        alarm(20);
+        Simulation simulation;
+        Channel<int> c("c");
+        simulation.process("p", [&] {
+            for (;;)
+                try {
+                    c.in().input();
+                } catch (...) {
+                }
+        });
+        simulation.run();
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == SIGABRT);
+}
+
+TEST_CASE("who failed, when and where") {
+    Simulation simulation;
+    Channel<int> c("c");
+    simulation.process("cluster[0].p", [&] {
+        par(
+            [&] {
+                wait_for(microseconds{7});
+                throw std::runtime_error("worn out");
+            },
+            [&] { c.in().input(); });
+    });
+    CHECK_THROWS_WITH_AS(simulation.run(), "worn out", std::runtime_error);
+    REQUIRE(simulation.who_failed());
+    CHECK(simulation.who_failed()->process == "cluster[0].p/0");
+    CHECK(simulation.who_failed()->time == microseconds{7});
+    CHECK(simulation.who_failed()->where.starts_with("misuse_test.cpp:"));
+}
