@@ -145,7 +145,7 @@ std::set<std::string> all_offspring(const std::vector<std::size_t>& kept, const 
             for (std::size_t i = 0; i < 7; ++i)
                 if (std::size_t each = other[(first + length + i) % 7]; std::ranges::count(offspring, each) == 0)
                     offspring.push_back(each);
-            std::ranges::rotate(offspring, offspring.end() - static_cast<std::ptrdiff_t>(first));
+            std::rotate(offspring.begin(), offspring.end() - static_cast<std::ptrdiff_t>(first), offspring.end());
             all.insert(tours.text(tours.permutation().encode(offspring)));
         }
     return all;
