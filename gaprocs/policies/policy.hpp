@@ -102,7 +102,7 @@ class OneOf {
 public:
     OneOf() = default;
     template <class Policy>
-    requires(std::is_same_v<Policy, Policies> || ...) constexpr OneOf(Policy policy) : policy_(std::move(policy)) {}
+    constexpr OneOf(Policy policy) requires(std::is_same_v<Policy, Policies> || ...) : policy_(std::move(policy)) {}
 
     /// As read() takes it.
     std::string text() const {
@@ -121,7 +121,11 @@ public:
     template <class Kind>
     static std::vector<std::string> fitting(Kind kind) {
         std::vector<std::string> names;
-        (void)((Policies::fits(kind) && (names.emplace_back(Policies::name), true)), ...);
+        auto add = [&](bool fits, std::string_view name) {
+            if (fits)
+                names.emplace_back(name);
+        };
+        (add(Policies::fits(kind), Policies::name), ...);
         return names;
     }
 
