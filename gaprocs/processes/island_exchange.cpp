@@ -53,16 +53,20 @@ IslandExchange::IslandExchange(const ProcessEnvironment& environment, const Sear
     neighbours_ = self.neighbours;
     has_neighbours_ = !self.ports_to.empty() || !self.ports_from.empty();
     samples_to_begin_ = schedule_.in_step() ? samples_needed(network, archipelago, self_) : samples_needed(process);
+    bool over_a_window = !problem.objective();
+    if (!over_a_window)
+        samples_to_begin_ = 0;
     for (std::size_t to : neighbours_)
         outgoing_.push_back(
             std::make_unique<Outgoing>(to, environment.output<Emigrants>(self.ports_to.at(to)), environment.process()));
     for (const auto& [from, port] : self.ports_from) {
         const PlacedIsland& other = archipelago.islands()[from];
-        incoming_.push_back(std::make_unique<Incoming>(Incoming{from,
-                                                                environment.input<Emigrants>(port),
-                                                                other.neighbours,
-                                                                !same_window(process, network.processes[other.process]),
-                                                                {}}));
+        incoming_.push_back(std::make_unique<Incoming>(
+            Incoming{from,
+                     environment.input<Emigrants>(port),
+                     other.neighbours,
+                     over_a_window && !same_window(process, network.processes[other.process]),
+                     {}}));
     }
 }
 
@@ -120,6 +124,8 @@ std::vector<Migration> IslandExchange::take_arrivals() {
 
 /// The fitness that came with an immigrant holds where it was found over the same samples.
 void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<const Sample> window) const {
+    if (problem_.objective())
+        return; // the same everywhere
     for (auto& each : incoming_)
         for (Migration& arrival : arrivals)
             if (arrival.from == each->from && (each->other_window || !schedule_.in_step())) {

@@ -122,9 +122,9 @@ TEST_CASE("connections that no topology has are refused where they are made") {
 
 TEST_CASE("another topology than the parameter says") {
     check_says(said_of(12, all(", topology = \"hypercube\""), ring(12)),
-               "islands.cfs:4:43: error: a hypercube of 12 islands, expected a power of two such as 8 or 16");
+               "islands.cfs:4:44: error: a hypercube of 12 islands, expected a power of two such as 8 or 16");
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
-               "islands.cfs:4:43: error: \"island[0]\" is connected to island[1], but has the neighbours island[1], "
+               "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], but has the neighbours island[1], "
                "island[2] in the topology \"hypercube\" of 4 islands");
     check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but has the neighbours nobody");
     check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "there is no \"cube\", but ring(ways = 1)");
@@ -133,7 +133,7 @@ TEST_CASE("another topology than the parameter says") {
 
 TEST_CASE("more migrants than individuals, more than a message holds, and more than there is room for") {
     check_says(said_of(2, all(", emigration = \"best(13)\""), ring(2)),
-               "islands.cfs:4:43: error: 13 emigrants from a population of 12, expected at most 12");
+               "islands.cfs:4:44: error: 13 emigrants from a population of 12, expected at most 12");
     check_says(said_of(2,
                        "island (problem = \"line\", population = 100000, emigration = \"best(50000)\", "
                        "string_bytes = 65536);",
