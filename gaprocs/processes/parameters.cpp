@@ -3,6 +3,7 @@
 #include "gaprocs/initial_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
