@@ -49,8 +49,8 @@ bool is_declared_by_toolset(const Node& node) {
 
 enum class ParameterOrder { as_given, by_name };
 
-/// Writes one network. Everything is said outright, so that nothing depends on defaults of the reader but
-/// those that the language states.
+/// Writes one network. What its devices and connections are is said outright, so that nothing depends on defaults of
+/// the reader but those that the language states.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
@@ -196,7 +196,8 @@ private:
         return entries;
     }
 
-    /// Those that the netlist gives go first, in its order.
+    /// Those that the netlist gives, in its order: what is left to its default may mean another thing than the default
+    /// given. By name: all.
     std::vector<std::string> parameters_in_order(const ProcessInstance& process) const {
         std::vector<std::string> names;
         std::set<std::string_view> known; // in the process
@@ -207,8 +208,9 @@ private:
         if (order_ == ParameterOrder::as_given)
             for (const std::string& name : process.given_in_order)
                 add(name);
-        for (const auto& [name, value] : process.parameters)
-            add(base_name(name));
+        else
+            for (const auto& [name, value] : process.parameters)
+                add(base_name(name));
         return names;
     }
 
