@@ -16,7 +16,10 @@ Genome read_line(const Representation& representation, const std::shared_ptr<con
     try {
         return representation.read(text);
     } catch (const UserError& wrong) {
-        throw RefusedInput(render(Diagnostic{.message = wrong.what(), .location = {file, line, 1}}));
+        Diagnostic refused;
+        refused.message = wrong.what();
+        refused.location = {file, line, 1};
+        throw RefusedInput(render(refused));
     }
 }
 
