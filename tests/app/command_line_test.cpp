@@ -114,8 +114,8 @@ TEST_CASE("a program with kinds of its own goes by its own name") {
 
 TEST_CASE("a kind of one's own cannot take a name that is taken") {
     CHECK(outcome_of_program("farmer", "kinds", "csp.identity") ==
-          Outcome{1, "farmer: this program adds a process kind \"csp.identity\", but that name is taken: give the kind "
-                     "another, such as \"own.identity\"\n"});
+          Outcome{1, "farmer: this program adds a process kind \"csp.identity\", but that name is taken: give the "
+                     "process kind another, such as \"own.identity\"\n"});
 }
 
 namespace {
