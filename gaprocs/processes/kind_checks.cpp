@@ -2,6 +2,7 @@
 
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/processes/slave_chain.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "text/user_error.hpp"
@@ -115,7 +116,7 @@ private:
 
     /// A crossover or a mutation that does not fit the strings of the problem.
     void check_operator(const char* parameter, void (*set)(SearchSettings&, const std::string&)) {
-        if (!coded_problem_ || !(given(parameter) || !has_objective()))
+        if (!coded_problem_ || text(parameter) == search_description::usual)
             return;
         SearchSettings settings = usual_settings(*coded_problem_);
         set(settings, text(parameter));
@@ -139,7 +140,7 @@ private:
         refuse_given({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                       "measurements"},
                      "leave it out: \"generations\" of ga.host says how long it is searched");
-        if (given("reproduction"))
+        if (text("reproduction") != search_description::usual)
             try {
                 require_fitting_reproduction(*recorded_->problem(), Reproduction::named(text("reproduction")));
             } catch (const UserError& unfit) {

@@ -1,6 +1,7 @@
 #include "gaprocs/processes/parameters.hpp"
 
 #include "gaprocs/initial_population.hpp"
+#include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "text/user_error.hpp"
@@ -17,6 +18,12 @@ std::uint32_t bytes(const ProcessEnvironment& environment, std::string_view para
 
 std::size_t size(const ProcessEnvironment& environment, std::string_view parameter) {
     return static_cast<std::size_t>(environment.integer(parameter));
+}
+
+template <class Step>
+void set_policy(Step& usual, const std::string& text) {
+    if (text != search_description::usual)
+        usual = Step::named(text);
 }
 
 } // namespace
@@ -53,12 +60,9 @@ SearchSettings read_search_settings(const ProcessEnvironment& environment, const
     settings.crossover_probability = environment.real("crossover");
     settings.mutation_probability = environment.real("mutation");
     settings.elite = size(environment, "elite");
-    if (environment.given("reproduction") || !problem.objective())
-        settings.reproduction = Reproduction::named(environment.text("reproduction"));
-    if (environment.given("crossover_operator") || !problem.objective())
-        settings.crossover = Crossover::named(environment.text("crossover_operator"));
-    if (environment.given("mutation_operator") || !problem.objective())
-        settings.mutation = Mutation::named(environment.text("mutation_operator"));
+    set_policy(settings.reproduction, environment.text("reproduction"));
+    set_policy(settings.crossover, environment.text("crossover_operator"));
+    set_policy(settings.mutation, environment.text("mutation_operator"));
     if (const std::string& file = environment.text("initial"); !file.empty())
         settings.initial = load_population(file, problem.representation());
     settings.window.length = size(environment, "window");

@@ -40,12 +40,14 @@ Parameters operator_parameters() {
              "probability that a bit is flipped (or a number, or a place of a permutation changed)"),
         integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
                 "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
-        policy<Reproduction>("reproduction", Reproduction().text(),
-                             "how parents are chosen (thesis: by roulette; of a problem without a record: ranking)"),
-        policy<Crossover>("crossover_operator", Crossover().text(),
-                          "what a pair exchanges that is crossed over (thesis: one-point)"),
-        policy<Mutation>("mutation_operator", Mutation().text(),
-                         "how what is mutated changes (thesis: a bit is flipped)"),
+        usual_policy<Reproduction>(
+            "reproduction", "how parents are chosen (usual: roulette, thesis; of a problem without a record ranking)"),
+        usual_policy<Crossover>("crossover_operator",
+                                "what a pair exchanges that is crossed over (usual: one-point, thesis; of real numbers "
+                                "blend, of permutations order)"),
+        usual_policy<Mutation>("mutation_operator",
+                               "how what is mutated changes (usual: bit, thesis; of real numbers gaussian, of "
+                               "permutations inversion)"),
         policy<Coding>("coding", Coding().text(),
                        "how a field of the string stands for a number (thesis: natural); the slaves are told"),
         text("initial", {.by_default = ""},

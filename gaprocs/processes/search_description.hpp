@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,21 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
                               .choices = std::move(examples),
                               .check = [](const std::string& text) { Step::named(text); }},
                              std::move(about));
+}
+
+/// What a netlist says of a step that is to take the policy that suits the problem: usual_settings().
+inline constexpr std::string_view usual = "usual";
+
+/// The same, by default the one that suits the problem.
+template <class Step>
+ParameterDescription usual_policy(std::string name, std::string about) {
+    ParameterDescription description = policy<Step>(std::move(name), std::string(usual), std::move(about));
+    description.choices.insert(description.choices.begin(), std::string(usual));
+    description.check = [](const std::string& text) {
+        if (text != usual)
+            Step::named(text);
+    };
+    return description;
 }
 
 ParameterDescription problem();

@@ -10,10 +10,6 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
       parameters_(network.processes[index].parameters), ports_(std::move(ports)), seed_(seed),
       measurements_(measurements) {}
 
-bool ProcessEnvironment::given(const std::string& parameter) const {
-    return network_.processes[index_].given.contains(parameter);
-}
-
 AnyChannel* ProcessEnvironment::find(std::string_view port) const {
     for (const Port& candidate : ports_)
         if (candidate.name == port)

@@ -53,8 +53,6 @@ public:
     std::int64_t integer(std::string_view parameter) const { return get<std::int64_t>(parameter); }
     double real(std::string_view parameter) const { return get<double>(parameter); }
     const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
-    /// Whether the netlist gives the parameter; else it has its default.
-    bool given(const std::string& parameter) const;
 
     bool connected(std::string_view port) const { return find(port) != nullptr; }
     template <class T>

@@ -236,3 +236,20 @@ TEST_CASE("what is refused only when it runs names the process, its kind and its
         Machine(*read.network, others, 1).run(),
         doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"), UserError);
 }
+
+TEST_CASE("netlists that run differently differ in their hash: a policy that is left out is the usual one") {
+    auto hash = [](const std::string& parameters) {
+        Kinds kinds;
+        auto lines = statements();
+        for (auto& [name, statement] : lines)
+            if (std::size_t at = statement.find("\"line\""); at != std::string::npos)
+                statement.replace(at, 6, "\"sphere\"");
+        lines.at("master").replace(lines.at("master").find(')'), 1, parameters + ")");
+        return read_netlist_text(netlist(lines), kinds.catalogue).network.value().hash;
+    };
+    CHECK(hash("") != hash(", reproduction = \"tournament\""));
+    CHECK(hash("") != hash(", crossover_operator = \"one-point\""));
+    CHECK(hash("") != hash(", mutation_operator = \"bit\""));
+    CHECK(hash("") ==
+          hash(", reproduction = \"usual\", crossover_operator = \"usual\", mutation_operator = \"usual\""));
+}
