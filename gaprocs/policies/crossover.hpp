@@ -5,6 +5,8 @@
 #include "gaprocs/representation/representation.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -91,6 +93,12 @@ public:
     /// this representation, fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
+
+    /// All offspring that it can make of two mates, found by trying every outcome of its draws: vertices of the
+    /// hypercube, each the string read as a whole number. The parents are among them where both can stay as they are.
+    /// Empty where the two are no mates. REQUIRES: both binary strings of one length, 2 to 20. Throws
+    /// std::invalid_argument for a way that does not fit binary strings.
+    std::set<std::uint64_t> every_offspring(const Genome& a, const Genome& b) const;
 };
 
 } // namespace placedpar

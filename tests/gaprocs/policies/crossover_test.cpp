@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 
 using namespace placedpar;
@@ -124,4 +125,26 @@ TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that dif
         auto firsts = offspring(OnePointCrossover{}, zeros.c_str(), ones.c_str(), 2000);
         CHECK(firsts.size() == n - 1); // the second of the two is the other's complement
     }
+}
+
+TEST_CASE("what many draws make of any two short strings is what every_offspring says") {
+    for (const char* way : {"one-point", "two-point", "uniform", "by-difference"})
+        for (unsigned pair = 0; pair < 256; ++pair) {
+            Genome a(4), b(4);
+            a.set_field(0, 4, pair / 16);
+            b.set_field(0, 4, pair % 16);
+            CAPTURE(way);
+            CAPTURE(pair);
+            Crossover cross = Crossover::named(way);
+            std::set<std::uint64_t> seen;
+            RandomStream random(pair, way);
+            bool mates = std::string(way) != "by-difference" || difference(a, b) >= 2;
+            for (int i = 0; i < (mates ? 200 : 0); ++i) {
+                auto population = std::vector{a, b};
+                cross(population, 1, BitString(4), random);
+                for (const Genome& each : population)
+                    seen.insert(each.field(0, 4));
+            }
+            CHECK(cross.every_offspring(a, b) == seen);
+        }
 }

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/search.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "gaprocs/window.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace placedpar {
+
+/// A "coarse" genetic algorithm and a "fine" one (thesis 6.2, Figure 6.6).
+struct CoarseFineSettings {
+    SearchSettings coarse, fine; ///< of equal windows
+    Recoding coarse_reading;     ///< the most significant bits of the problem's fields
+    std::vector<std::size_t>
+        fine_bits; ///< of each field; where it has all bits of the problem's, it is found by itself
+};
+
+/// Two searches over the same record: the coarse one on a coarse grid, and the fine one on the problem's own grid,
+/// but only around the best of the coarse one, its bias point. Ours, the thesis is silent: the bias point is the best
+/// of the coarse population of the same generation, so that the fine population moves with it.
+class CoarseFine {
+public:
+    /// `problem`, read in natural binary, must outlive this. Throws as SearchSettings::validate() and
+    /// Recoding::validate(), and std::invalid_argument for windows that are not equal.
+    CoarseFine(const SearchProblem& problem, const CoarseFineSettings& settings, std::uint64_t seed);
+
+    /// A new sample comes into the window.
+    void push(Sample sample) { window_.push(std::move(sample)); }
+    bool ready() const { return window_.ready(); }
+    /// A generation of both. REQUIRES: ready().
+    void next_generation();
+
+    /// The best of the last generation, as strings of the problem. REQUIRES: there was one.
+    const Individual& coarse_best() const { return coarse_best_; }
+    const Individual& fine_best() const { return fine_best_; }
+
+private:
+    /// Breeds; the best as the problem reads it.
+    Individual evaluate_and_breed(Search& search, const Recoding& reading);
+
+    const SearchProblem& problem_;
+    double bias_;
+    SlidingWindow window_;
+    Recoding coarse_reading_, fine_reading_;
+    Search coarse_, fine_;
+    Individual coarse_best_, fine_best_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,38 @@
+#include "gaprocs/spread_population.hpp"
+
+#include <cstdint>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// count codes from 0 to below 2^bits in equal steps, in a random order (Fisher and Yates).
+std::vector<std::uint64_t> spread_codes(std::size_t count, std::size_t bits, RandomStream& random) {
+    std::vector<std::uint64_t> codes;
+    double begin = random.uniform(), all = static_cast<double>(std::uint64_t{1} << bits);
+    for (std::size_t i = 0; i < count; ++i)
+        codes.push_back(
+            static_cast<std::uint64_t>((static_cast<double>(i) + begin) * all / static_cast<double>(count)));
+    for (std::size_t left = count; left > 1; --left)
+        std::swap(codes[left - 1], codes[random.below(static_cast<std::uint32_t>(left))]);
+    return codes;
+}
+
+} // namespace
+
+std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random) {
+    std::vector<Genome> population(count, Genome(reading.length()));
+    std::size_t position = 0;
+    for (std::size_t bits : reading.bits) {
+        std::vector<std::uint64_t> codes = spread_codes(count, bits, random);
+        for (std::size_t bit = 0; bit < bits; ++bit, position += reading.stuffing + 1)
+            for (std::size_t i = 0; i < count; ++i) {
+                std::uint64_t code = reading.gray ? gray_code(codes[i]) : codes[i];
+                population[i].set(position, ((code >> (bits - 1 - bit)) & 1u) != 0);
+            }
+    }
+    return population;
+}
+
+} // namespace placedpar

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gaprocs/representation/recoding.hpp"
+#include "runtime/random.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar {
+
+/// A first population that covers the space better than a random one (thesis 6.3, "predefined populations"): of each
+/// field the codes are evenly spread over its range, in an order drawn for each field by itself (Latin hypercube
+/// sampling, M. McKay et al., 1979). "Don't care" bits are 0. Strings as they are bred. At least `count` numbers a
+/// field.
+/// REQUIRES: reading.validate() throws nothing.
+std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random);
+
+} // namespace placedpar
