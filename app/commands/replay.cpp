@@ -27,14 +27,15 @@ namespace {
 
 /// What the command line may say; what is written has no file where it is empty.
 struct ReplayOptions {
-    std::string experiment, json, plots;
+    std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
+    std::size_t seeds = 0; ///< 0: as many as the experiment says
 };
 
 std::string list_experiments() {
     std::string out;
     for (const Experiment& experiment : experiments())
-        out += fmt::format("  {:<20} {}\n", experiment.name, experiment.about);
+        out += fmt::format("  {:<24} {}\n", experiment.name, experiment.about);
     return out;
 }
 
@@ -61,14 +62,19 @@ void require_folder_for_plots(const std::filesystem::path& folder) {
     require_writable(folder / "plot.svg");
 }
 
+void write_plot(const std::filesystem::path& folder, const std::string& name, const std::string& svg) {
+    std::filesystem::path path = folder / (name + ".svg");
+    write_whole(path, svg);
+    print_out(fmt::format("plot: {}\n", path.string()));
+}
+
 void write_plots(const Replay& replay, const std::filesystem::path& folder) {
-    if (replay.plots.empty())
+    if (replay.plots.empty() && replay.drawings.empty())
         print_out("this experiment has no plots\n");
-    for (const NamedPlot& plot : replay.plots) {
-        std::filesystem::path path = folder / (plot.name + ".svg");
-        write_whole(path, draw_svg(plot.plot));
-        print_out(fmt::format("plot: {}\n", path.string()));
-    }
+    for (const NamedPlot& plot : replay.plots)
+        write_plot(folder, plot.name, draw_svg(plot.plot));
+    for (const NamedDrawing& drawing : replay.drawings)
+        write_plot(folder, drawing.name, drawing.svg);
 }
 
 void require_outputs(const ReplayOptions& options) {
@@ -78,14 +84,38 @@ void require_outputs(const ReplayOptions& options) {
         require_folder_for_plots(options.plots);
 }
 
+void require_study(const Experiment& experiment, const ReplayOptions& options) {
+    if (experiment.seeds == 0 && (options.seeds != 0 || !options.resume.empty()))
+        throw UserError(fmt::format("{} is no study over several seeds, so that --seeds and --resume mean nothing",
+                                    experiment.name));
+    if (options.resume.empty())
+        return;
+    if (is_standard_stream(options.resume))
+        throw UserError("--resume -: runs are kept in a file that is read again; standard output is none");
+    require_writable(options.resume);
+}
+
+std::unique_ptr<KeptRuns> kept_runs(const ReplayOptions& options) {
+    if (options.resume.empty())
+        return nullptr;
+    return std::make_unique<KeptRuns>(
+        options.resume, fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit));
+}
+
+std::size_t number_of_seeds(const Experiment& experiment, const ReplayOptions& options) {
+    return options.seeds != 0 ? options.seeds : experiment.seeds;
+}
+
 /// Throws UnfinishedRun.
-Replay run_experiment(const Experiment& experiment, std::uint64_t seed, Interruption& interruption) {
+Replay run_experiment(const Experiment& experiment, const ReplayOptions& options, Interruption& interruption) {
     Progress progress;
+    auto kept = kept_runs(options);
     auto show = [&](const std::string& what) {
         end_if_requested(interruption);
         progress.show(what);
     };
-    Replay result = experiment.run({examples_folder(), seed, show, print_warnings, interruption});
+    Replay result = experiment.run({examples_folder(), options.seed, show, print_warnings, interruption,
+                                    number_of_seeds(experiment, options), kept.get()});
     end_if_requested(interruption);
     return result;
 }
@@ -99,9 +129,10 @@ void write_files(const Replay& replay, const ReplayOptions& options, const std::
 
 ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     const Experiment& experiment = find_experiment(options.experiment);
+    require_study(experiment, options);
     require_outputs(options);
     InterruptedBySignals interruption;
-    Replay result = run_experiment(experiment, options.seed, interruption);
+    Replay result = run_experiment(experiment, options, interruption);
     print_out(print_replay(result));
     write_files(result, options, typed);
     return result.within_tolerance() ? ExitCode::success : ExitCode::missed_tolerance;
@@ -116,6 +147,9 @@ Action declare_replay(CLI::App& command, const std::string& typed) {
     add_seed(command, options->seed);
     add_file(command, "--json", options->json, "writes the cells for machines");
     add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG", "FOLDER");
+    add_count(command, "--seeds", options->seeds, "of a study, instead of its own number")
+        ->check(CLI::PositiveNumber.description(""));
+    add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
     command.footer("experiments:\n" + list_experiments());
     return [options, typed] { return replay(*options, typed); };
 }

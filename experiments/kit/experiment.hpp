@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiments/kit/comparison.hpp"
+#include "experiments/kit/kept_runs.hpp"
 #include "workbench/load.hpp"
 #include "workbench/netlist_run.hpp"
 #include "workbench/plot.hpp"
@@ -14,12 +15,18 @@
 
 namespace placedpar {
 
+/// A picture that is no plot, and the name of its file, without .svg.
+struct NamedDrawing {
+    std::string name, svg;
+};
+
 /// An experiment of the thesis, run.
 struct Replay {
     std::vector<Comparison> comparisons; ///< judged by the first of them, and by the others that are `judged`
     std::string constants = {};          ///< for people: which were published, stated as workload, calibrated
     std::uint64_t fingerprint = 0;
-    std::vector<NamedPlot> plots = {}; ///< --plots draws them
+    std::vector<NamedPlot> plots = {};       ///< --plots draws them,
+    std::vector<NamedDrawing> drawings = {}; ///< and writes these
 
     bool within_tolerance() const;
 };
@@ -35,6 +42,8 @@ struct ReplayContext {
     std::function<void(const std::string&)> progress; ///< told what is being run; it may throw to end the experiment
     WarningSink warn;                                 ///< told the warnings of netlists
     Interruption& interruption;                       ///< ends the runs of netlists
+    std::size_t seeds = 0;                            ///< over which a study is run: see kit/seed_runs.hpp
+    KeptRuns* kept = nullptr;                         ///< what a study has found before, and finds
 };
 
 /// What the file of an experiment says about it: see experiments/README.md.
@@ -43,6 +52,7 @@ struct Experiment {
     std::string_view chapter; ///< of the thesis, or its appendix: the experiments come in this order,
     int number;               ///< and those of a chapter in this one
     Replay (*run)(const ReplayContext&);
+    std::size_t seeds = 0; ///< of a study by kit/seed_runs.hpp; 0: it is none
 };
 
 /// Every experiment: one of each file in the folders chapter_* and appendix_*, by chapter and number.

@@ -57,6 +57,32 @@ class Replay(unittest.TestCase):
         self.assertEqual(times, sorted(times, reverse=True))
         self.assertLess(times[3], times[0] / 2.8)
 
+    def test_studies_of_chapter_6_hold_over_few_seeds(self):
+        for experiment in ("coarse-fine", "encoding", "crossover-by-difference"):
+            run, document = replay(experiment, self.folder, "--seeds", 3)
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            self.assertTrue(document["within_tolerance"])
+
+    def test_a_study_goes_on_where_it_was_interrupted(self):
+        kept = pathlib.Path(self.folder) / "kept"
+        arguments = ("crossover-by-difference", self.folder, "--seeds", 1, "--resume", kept)
+        _, whole = replay(*arguments)
+        lines = kept.read_text(encoding="utf-8").splitlines(keepends=True)
+        self.assertEqual(len(lines), 1 + 18)  # a line for what they are of, and one a run
+        kept.write_text("".join(lines[:9]) + lines[9][:20], encoding="utf-8")
+        _, resumed = replay(*arguments)
+        self.assertEqual(resumed["cells"], whole["cells"])
+        self.assertEqual(sorted(kept.read_text(encoding="utf-8").splitlines()), sorted("".join(lines).splitlines()))
+        other = placedpar("replay", "crossover-by-difference", "--seeds", 1, "--seed", 2, "--resume", kept)
+        self.assertEqual(other.returncode, 1)
+        self.assertIn("name another file", other.stderr)
+        self.assertEqual(sorted(kept.read_text(encoding="utf-8").splitlines()), sorted("".join(lines).splitlines()))
+
+    def test_what_is_no_study_has_no_seeds_to_count(self):
+        run = placedpar("replay", "table-e1", "--seeds", 3)
+        self.assertEqual((run.returncode, run.stdout), (1, ""))
+        self.assertIn("table-e1 is no study over several seeds", run.stderr)
+
     def test_table_e2_is_within_its_tolerances(self):
         run, document = replay("table-e2", self.folder)
         self.assertEqual(run.returncode, 0, run.stdout)

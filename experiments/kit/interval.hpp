@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// What is known of a figure from some seeds: with a probability of 95 % it lies within.
+struct Interval {
+    double low, high;
+
+    bool contains(double value) const { return low <= value && value <= high; }
+};
+
+/// Of the median, by the bootstrap: 2,000 samples of as many values, drawn with replacement; their 2.5 and 97.5 %
+/// quantiles. The same values give the same interval. REQUIRES: not empty.
+Interval median_interval(const std::vector<double>& values);
+
+/// Of the probability of a success, by `successes` of `runs` (C. Clopper and E. Pearson, 1934), in percent. REQUIRES:
+/// successes <= runs, runs > 0.
+Interval success_interval(std::size_t successes, std::size_t runs);
+
+/// Of the difference of two probabilities of success, in percent: the second minus the first, by R. Newcombe's method
+/// (1998, from E. Wilson's intervals). An interval that contains 0 shows no effect.
+Interval difference_interval(std::size_t first, std::size_t first_runs, std::size_t second, std::size_t second_runs);
+
+} // namespace placedpar

@@ -1,0 +1,36 @@
+#include "experiments/kit/interval.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+TEST_CASE("intervals of a probability that are in the tables of statisticians") {
+    Interval none = success_interval(0, 20), half = success_interval(10, 20), all = success_interval(20, 20);
+    CHECK(none.low == 0);
+    CHECK(none.high == doctest::Approx(16.84).epsilon(0.001)); // Clopper and Pearson
+    CHECK(half.low == doctest::Approx(27.20).epsilon(0.001));
+    CHECK(half.high == doctest::Approx(72.80).epsilon(0.001));
+    CHECK(all.low == doctest::Approx(83.16).epsilon(0.001));
+    CHECK(all.high == 100);
+    Interval gain = difference_interval(48, 80, 56, 70); // R. Newcombe 1998, method 10
+    CHECK(gain.low == doctest::Approx(5.24).epsilon(0.002));
+    CHECK(gain.high == doctest::Approx(33.39).epsilon(0.002));
+    CHECK(difference_interval(5, 10, 5, 10).contains(0));
+}
+
+TEST_CASE("the interval of a median holds it, and narrows with more values") {
+    std::vector<double> few, many;
+    for (int i = 0; i < 1000; ++i) {
+        double value = (i * 7919) % 1000;
+        many.push_back(value);
+        if (i < 20)
+            few.push_back(value);
+    }
+    Interval of_few = median_interval(few), of_many = median_interval(many);
+    CHECK(of_many.contains(499.5));
+    CHECK(of_many.high - of_many.low < (of_few.high - of_few.low) / 2);
+    CHECK(of_many.low == median_interval(many).low);
+    CHECK(median_interval({3}).low == 3);
+    // Of 1000 even values the median's deviation is 500 / sqrt(1000): 31 to either side at 95 %.
+    CHECK(of_many.high - of_many.low == doctest::Approx(62).epsilon(0.15));
+}
