@@ -1,0 +1,99 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
+#include "text/user_error.hpp"
+#include "workbench/generation_walk.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+struct GenerationOptions {
+    WalkSettings walk;
+    std::size_t generations = 1;
+    std::string frames;
+};
+
+void require_folder_for_frames(const std::filesystem::path& folder) {
+    if (is_standard_stream(folder))
+        throw UserError("--frames -: frames are files in a folder; standard output is none");
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    require_writable(folder / "frame.svg");
+}
+
+using Steps = std::vector<DrawnHypercube>;
+
+void write_frame(const std::filesystem::path& path, const std::string& title, const Steps& steps) {
+    write_whole(path, draw_hypercubes(title, steps, 2, walk_legend()));
+}
+
+void write_single_frames(const std::filesystem::path& folder, const std::string& name, const Steps& steps) {
+    for (std::size_t step = 0; step < steps.size(); ++step)
+        write_frame(folder / fmt::format("{}-step-{}.svg", name, step), "", {steps[step]});
+}
+
+std::string frames_line(const std::string& path) {
+    return fmt::format("frames: {0}-step-*.svg, all in one {0}.svg\n", path);
+}
+
+/// A file for each step, and one with all the steps of the generation.
+void write_frames(const WalkedGeneration& walked, const std::filesystem::path& folder) {
+    std::string name = fmt::format("generation-{}", walked.number);
+    write_single_frames(folder, name, draw_walk(walked));
+    write_frame(folder / (name + ".svg"), "Figure 6.4: reproduction and crossover on the hypercube", draw_walk(walked));
+    print_out(frames_line((folder / name).string()));
+}
+
+void show_generation(const WalkedGeneration& walked, const GenerationOptions& options) {
+    print_out((walked.number == 1 ? "" : "\n") + print_walk(walked, options.walk));
+    if (!options.frames.empty())
+        write_frames(walked, options.frames);
+}
+
+ExitCode walk_generations(const GenerationOptions& options) {
+    GenerationWalk walk(options.walk);
+    if (!options.frames.empty())
+        require_folder_for_frames(options.frames);
+    for (std::size_t i = 0; i < options.generations; ++i)
+        show_generation(walk.next(), options);
+    return ExitCode::success;
+}
+
+Action declare_generation(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<GenerationOptions>();
+    add_seed(command, options->walk.seed);
+    add_count(command, "--population", options->walk.population, "strings of four bits");
+    add_count(command, "--generations", options->generations, "how many are walked through");
+    command.add_option("--function", options->walk.function, "fitness of x, the string as a number")
+        ->type_name("square|ones|impulse")
+        ->capture_default_str();
+    command.add_option("--crossover", options->walk.crossover_probability, "probability of crossover")
+        ->type_name("P")
+        ->capture_default_str();
+    command.add_option("--mutation", options->walk.mutation_probability, "probability of mutation of a bit")
+        ->type_name("P")
+        ->capture_default_str();
+    add_file(command, "--frames", options->frames, "draws the steps on the four-dimensional hypercube, SVG", "FOLDER");
+    return [options] { return walk_generations(*options); };
+}
+
+} // namespace
+
+extern const Command generation_command{
+    .name = "generation",
+    .about = "Walks through a generation of a genetic algorithm by hand",
+    .place = 12,
+    .declare = declare_generation,
+};
+
+} // namespace placedpar
