@@ -1,0 +1,159 @@
+#include "experiments/chapter_6/kit/conditions.hpp"
+#include "experiments/chapter_6/kit/landscape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <array>
+#include <cmath>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::array coarse_populations{24, 30, 50};
+
+/// A row of Table 6.4 and of its control, the conventional string of 37 bits.
+struct CoarseRow {
+    std::size_t field_bits; ///< of the five parameters
+    std::size_t population;
+    const char* thesis;
+    Expected with_elite, to_the_letter;
+};
+
+constexpr const char* failed = "failed to converge";
+
+const CoarseRow coarse_rows[]{
+    {4, 24, failed, {90, 38}, {30, 0}},       {4, 30, failed, {94, 51}, {31, 0}},
+    {4, 50, failed, {100, 76}, {40, 0}},      {5, 24, "good (converge rapidly)", {97, 42}, {26, 0}},
+    {5, 30, failed, {97, 48}, {31, 0}},       {5, 50, "slow convergence rate", {99, 82}, {41, 0}},
+    {7, 24, "not tried", {97, 55}, {31, 0}},  {7, 30, "not tried", {99, 66}, {38, 0}},
+    {7, 50, "not tried", {100, 80}, {45, 0}},
+};
+
+std::size_t string_bits(std::size_t field_bits) { return plant_reading(field_bits).length(); }
+
+SearchSettings letter_settings(std::size_t population) {
+    SearchSettings settings = plant_settings(population);
+    settings.reproduction = RouletteReproduction();
+    settings.elite = 0;
+    return settings;
+}
+
+/// Its tallies, in the order of the rows.
+struct CoarseTable {
+    Comparison comparison;
+    std::vector<Tally> tallies;
+};
+
+CoarseTable coarse_table(const ReplayContext& context, const std::string& name, SearchSettings (*settings)(std::size_t),
+                         Expected CoarseRow::*expected) {
+    CoarseTable table{{.name = "Table 6.4 over many seeds, " + name, .against = "other", .judged = true}, {}};
+    for (const CoarseRow& row : coarse_rows) {
+        std::string title =
+            fmt::format("{} bits, {} individuals, {}", string_bits(row.field_bits), row.population, name);
+        table.tallies.push_back(
+            tally_search(context, title, {settings(row.population), plant_reading(row.field_bits)}));
+        table.tallies.back().name =
+            fmt::format("{} bits, {} ({})", string_bits(row.field_bits), row.population, row.thesis);
+        add_tally(table.comparison, table.tallies.back(), row.*expected);
+    }
+    table.comparison.notes = "other: 60 or 100 other seeds of this program; in parentheses what the thesis says\n";
+    return table;
+}
+
+/// Populations of each half, so that their sum is the control's.
+Comparison pair_table(const ReplayContext& context) {
+    Comparison comparison{.name = "the pair, the fine one's answer; and single searches with as many evaluations",
+                          .against = "other",
+                          .judged = true};
+    const std::array<std::array<Expected, 3>, 2> expected{
+        {{{{98, 76}, {100, 88}, {100, 91}}}, {{{100, 95}, {100, 96}, {100, 100}}}}};
+    for (std::size_t i = 0; i < coarse_populations.size(); ++i) {
+        auto population = static_cast<std::size_t>(coarse_populations[i]);
+        std::vector<Tally> pairs;
+        for (std::size_t bits : {std::size_t{4}, std::size_t{5}}) {
+            Recoding coarse = plant_reading(bits);
+            CoarseFineSettings settings{plant_settings(population), plant_settings(population), coarse, coarse.bits};
+            pairs.push_back(tally_runs(context,
+                                       fmt::format("pair of {} bits, {} + {}", coarse.length(), population, population),
+                                       [&](std::uint64_t seed) { return run_plant_pair(settings, seed).fine; }));
+            add_tally(comparison, pairs.back(), expected[bits - 4][i]);
+        }
+        Tally single = tally_search(context, fmt::format("single, 37 bits, {}", 2 * population),
+                                    {plant_settings(2 * population), plant_reading(7)});
+        add_tally(comparison, single);
+    }
+    return comparison;
+}
+
+double impulse_percent(std::size_t bits) {
+    return 100 * (1 + static_cast<double>(bits)) / std::exp2(static_cast<double>(bits));
+}
+
+void add_landscape(Comparison& comparison, const std::string& column, const LandscapeFacts& facts) {
+    comparison.add(plain_cell("strings of positive fitness", column, "%", facts.fit_percent, 3));
+    comparison.add(plain_cell("strings within .1 of the pole", column, "", facts.good_strings, 0));
+    comparison.add(plain_cell("strings without a better neighbour", column, "", static_cast<double>(facts.minima), 0));
+    comparison.add(at_least(0.1, compared_cell("descents that end at the optimum", column, "%", impulse_percent(22),
+                                               facts.optimum_percent, 4)));
+    comparison.add(
+        at_least(5, plain_cell("descents that end within .1 of the pole", column, "%", facts.good_percent, 2)));
+    comparison.add(
+        at_least(0.1, compared_cell("correlation of error and bit difference", column, "", 0, facts.correlation, 3)));
+}
+
+Comparison landscape_table(const ReplayContext& context) {
+    Comparison comparison{.name =
+                              "is it an impulse? all 4 194 304 strings of 22 bits, steepest one-bit descent from each",
+                          .against = "impulse",
+                          .judged = true};
+    for (bool gray : {false, true}) {
+        std::string code = gray ? "gray" : "natural";
+        context.progress(fmt::format("all strings of 22 bits, {} code", code));
+        add_landscape(comparison, code, enumerate_landscape(plant_reading(4, gray), seeds_of(context).front()));
+    }
+    return comparison;
+}
+
+Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallies) {
+    Panel panel{.title = title, .x = {"individuals", 20, 54}, .y = {"runs that converged [%]", 0, 105}};
+    for (std::size_t first = 0; first < tallies.size(); first += coarse_populations.size()) {
+        auto colour = static_cast<int>(first / coarse_populations.size());
+        Series shares{.name = fmt::format("{} bits", string_bits(coarse_rows[first].field_bits)), .colour = colour};
+        std::vector<Series> bars;
+        for (std::size_t i = first; i < first + coarse_populations.size(); ++i) {
+            double at = static_cast<double>(coarse_rows[i].population) + 0.25 * colour;
+            Interval interval = success_interval(tallies[i].converged, tallies[i].runs);
+            shares.points.push_back({at, tallies[i].converged_percent()});
+            bars.push_back({.name = "", .points = {{at, interval.low}, {at, interval.high}}, .colour = colour});
+        }
+        panel.series.push_back(std::move(shares));
+        panel.series.insert(panel.series.end(), bars.begin(), bars.end());
+    }
+    return panel;
+}
+
+Replay replay_coarse_fine(const ReplayContext& context) {
+    CoarseTable with_elite = coarse_table(context, "an elite of one", plant_settings, &CoarseRow::with_elite);
+    CoarseTable letter = coarse_table(context, "to the letter", letter_settings, &CoarseRow::to_the_letter);
+    Comparison pair = pair_table(context);
+    Plot plot{"Table 6.4: coarse searches that converged before the plant changed, with 95 % intervals",
+              {table_6_4_panel("an elite of one, universal sampling", with_elite.tallies),
+               table_6_4_panel("to the letter: roulette, no elite", letter.tallies)}};
+    return replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)}, {{"table-6-4", plot}});
+}
+
+} // namespace
+
+extern const Experiment coarse_fine_experiment{
+    .name = "coarse-fine",
+    .about = "a coarse and a fine search in the place of one, and all strings of the coarse one: Tables 6.3, 6.4",
+    .chapter = "6",
+    .number = 3,
+    .run = replay_coarse_fine,
+    .seeds = 100,
+};
+
+} // namespace placedpar

@@ -1,0 +1,112 @@
+#include "experiments/chapter_6/kit/conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+/// A way to cross, and how often.
+struct CrossingTried {
+    const char *name, *crossover;
+    double probability = 0.8;
+};
+
+constexpr CrossingTried crossings[]{
+    {.name = "one-point, .8", .crossover = "one-point"},
+    {.name = "by difference, .8", .crossover = "by-difference"},
+    {.name = "one-point, always", .crossover = "one-point", .probability = 1},
+    {.name = "two-point, .8", .crossover = "two-point"},
+    {.name = "uniform, .8", .crossover = "uniform"},
+    {.name = "none", .crossover = "one-point", .probability = 0},
+};
+
+struct CrossingGroup {
+    std::size_t field_bits, population;
+    Expected one_point, by_difference;
+};
+
+constexpr CrossingGroup crossing_groups[]{
+    {.field_bits = 4, .population = 24, .one_point = {90, 38}, .by_difference = {93, 49}},
+    {.field_bits = 7, .population = 30, .one_point = {99, 66}, .by_difference = {97, 70}},
+    {.field_bits = 7, .population = 100, .one_point = {100, 88}, .by_difference = {}},
+};
+
+std::string name_of_group(const CrossingGroup& group) {
+    return fmt::format("{} bits, {} individuals", plant_reading(group.field_bits).length(), group.population);
+}
+
+PlantSearch search_of(const CrossingGroup& group, const CrossingTried& tried) {
+    PlantSearch search{plant_settings(group.population), plant_reading(group.field_bits)};
+    search.settings.crossover = Crossover::named(tried.crossover);
+    search.settings.crossover_probability = tried.probability;
+    return search;
+}
+
+/// The shares, then the gains over one-point crossover.
+std::vector<Comparison> compare_crossings(const CrossingGroup& group, const ReplayContext& context) {
+    std::string name = name_of_group(group);
+    Comparison shares{.name = name, .against = "other", .judged = true},
+        gains{.name = name + ": percent points more than by one-point crossover"};
+    std::vector<Tally> tallies;
+    for (const CrossingTried& tried : crossings) {
+        tallies.push_back(tally_search(context, fmt::format("{}, {}", name, tried.name), search_of(group, tried)));
+        tallies.back().name = tried.name;
+        add_tally(shares, tallies.back(),
+                  tallies.size() == 1   ? group.one_point
+                  : tallies.size() == 2 ? group.by_difference
+                                        : Expected());
+        if (tallies.size() > 1)
+            add_gain(gains, tallies.front(), tallies.back());
+    }
+    return {shares, gains};
+}
+
+double figure_of(const Comparison& shares, const std::string& row, const std::string& column) {
+    auto cell =
+        std::ranges::find_if(shares.cells, [&](const Cell& each) { return each.row == row && each.column == column; });
+    return cell->simulated;
+}
+
+Panel crossing_panel(const Comparison& shares) {
+    Panel panel{.title = shares.name,
+                .x = {"generation of convergence, median", 0, std::nullopt},
+                .y = {"runs that followed [%]", 0, 105}};
+    for (std::size_t i = 0; i < std::size(crossings); ++i) {
+        std::string row = crossings[i].name;
+        auto figure = [&](const char* column) { return figure_of(shares, row, column); };
+        auto colour = static_cast<int>(i);
+        double x = figure("generation"), y = figure("followed");
+        panel.series.push_back({row, {{x, y}}, Stroke::points, colour});
+        panel.series.push_back({"", {{x, figure("followed >=")}, {x, figure("followed <=")}}, Stroke::line, colour});
+        panel.series.push_back(
+            {"", {{figure("generation >="), y}, {figure("generation <="), y}}, Stroke::line, colour});
+    }
+    return panel;
+}
+
+Replay replay_crossover_by_difference(const ReplayContext& context) {
+    std::vector<Comparison> comparisons;
+    Plot plot{"Ways to cross: how soon and how often they find the plant, with 95 % intervals", {}};
+    for (const CrossingGroup& group : crossing_groups) {
+        std::vector<Comparison> compared = compare_crossings(group, context);
+        plot.panels.push_back(crossing_panel(compared.front()));
+        comparisons.insert(comparisons.end(), compared.begin(), compared.end());
+    }
+    return replay_of(std::move(comparisons), {{"crossover-by-difference", plot}});
+}
+
+} // namespace
+
+extern const Experiment crossover_by_difference_experiment{
+    .name = "crossover-by-difference",
+    .about = "mates chosen by their bit difference, beside other ways to cross, on the plant of chapter 5",
+    .chapter = "6",
+    .number = 5,
+    .run = replay_crossover_by_difference,
+    .seeds = 100,
+};
+
+} // namespace placedpar

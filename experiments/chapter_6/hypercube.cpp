@@ -1,0 +1,234 @@
+#include "experiments/kit/experiment.hpp"
+#include "gaprocs/policies/crossover.hpp"
+#include "workbench/hypercube_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t most_counted_bits = 7; ///< of the pairs that are all tried
+
+Genome string_of(std::uint64_t vertex, std::size_t bits) {
+    Genome genome(bits);
+    genome.set_field(0, bits, vertex);
+    return genome;
+}
+
+std::size_t bit_difference(std::uint64_t a, std::uint64_t b) { return static_cast<std::size_t>(std::popcount(a ^ b)); }
+
+/// Neighbours of one vertex, by bit difference.
+std::vector<std::size_t> count_neighbours(std::uint64_t vertex, std::size_t bits) {
+    std::vector<std::size_t> neighbours(bits + 1);
+    for (std::uint64_t other = 0; other < std::uint64_t{1} << bits; ++other)
+        ++neighbours[bit_difference(vertex, other)];
+    return neighbours;
+}
+
+double binomial(std::size_t of, std::size_t chosen) {
+    double count = 1;
+    for (std::size_t i = 1; i <= chosen; ++i)
+        count = count * static_cast<double>(of - chosen + i) / static_cast<double>(i);
+    return count;
+}
+
+/// The thesis prints 0 for difference 0, which is the vertex itself: shown beside ours and not judged.
+Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) {
+    std::string row = fmt::format("neighbours at {} bit{} of difference", differ, differ == 1 ? "" : "s"),
+                column = fmt::format("l = {}", bits);
+    return differ == 0 ? compared_cell(row, column, "", 0, static_cast<double>(counted), 0)
+                       : judged_cell(row, column, "", binomial(bits, differ), static_cast<double>(counted), 0, 0);
+}
+
+Comparison table_6_1() {
+    Comparison comparison{.name = "Table 6.1: vertices of a hypercube of dimension l by their bit difference from one"};
+    for (std::size_t bits : {std::size_t{8}, std::size_t{4}}) {
+        auto neighbours = count_neighbours(0b0101, bits);
+        for (std::size_t differ = 0; differ <= bits; ++differ)
+            comparison.add(neighbours_cell(bits, differ, neighbours[differ]));
+    }
+    comparison.notes = "0 bits of difference: the vertex itself, C(l, 0) = 1; the thesis prints 0\n";
+    return comparison;
+}
+
+/// The least and the most that was counted.
+struct Extremes {
+    std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
+
+    void add(std::size_t counted) {
+        least = std::min(least, counted);
+        most = std::max(most, counted);
+    }
+};
+
+/// What one-point crossover made of all pairs of parents with one bit difference.
+struct Children {
+    std::size_t outside = 0;     ///< of the hypercube that the difference of the parents spans
+    std::size_t otherwise = 0;   ///< pairs of offspring that differ in another number of bits than their parents
+    std::size_t from_own = 0;    ///< the greatest difference of A1 from A0, the parent of its first characters
+    std::size_t from_nearer = 0; ///< the greatest difference from the nearer parent
+};
+
+void add_children(Children& children, const Genome& a, const Genome& b, std::size_t differ) {
+    std::uint64_t parent = a.field(0, a.size()), other = b.field(0, b.size());
+    for (std::size_t cut = 1; cut < a.size(); ++cut) {
+        Genome first = b, second = a; // so that the first keeps a's characters before the cut (6.5)
+        swap_leading(first, second, cut);
+        std::uint64_t child = first.field(0, a.size()), sibling = second.field(0, a.size());
+        for (std::uint64_t each : {child, sibling})
+            children.outside += ((each ^ parent) & ~(parent ^ other)) != 0;
+        children.otherwise += bit_difference(child, sibling) != differ;
+        children.from_own = std::max(children.from_own, bit_difference(child, parent));
+        children.from_nearer =
+            std::max(children.from_nearer, std::min(bit_difference(child, parent), bit_difference(child, other)));
+    }
+}
+
+/// Every pair of parents on a hypercube, by their bit difference.
+template <class Visit>
+void for_each_pair(std::size_t bits, Visit visit) {
+    for (std::uint64_t a = 0; a < std::uint64_t{1} << bits; ++a)
+        for (std::uint64_t b = 0; b < std::uint64_t{1} << bits; ++b)
+            visit(string_of(a, bits), string_of(b, bits), bit_difference(a, b));
+}
+
+std::string parents_row(std::size_t differ) { return fmt::format("parents that differ in {}", differ); }
+
+Comparison table_6_2() {
+    std::vector<Children> children(most_counted_bits + 1);
+    for_each_pair(most_counted_bits, [&](const Genome& a, const Genome& b, std::size_t differ) {
+        add_children(children[differ], a, b, differ);
+    });
+    Comparison comparison{.name = fmt::format("Table 6.2: offspring of one-point crossover, all pairs of parents and "
+                                              "all cuts, l = {}",
+                                              most_counted_bits),
+                          .judged = true};
+    for (std::size_t differ = 1; differ <= most_counted_bits; ++differ) {
+        const Children& found = children[differ];
+        auto count = [](std::size_t number) { return static_cast<double>(number); };
+        std::string row = parents_row(differ);
+        comparison.add(judged_cell(row, "outside of the space", "", 0, count(found.outside), 0, 0));
+        comparison.add(judged_cell(row, "another difference", "", 0, count(found.otherwise), 0, 0));
+        comparison.add(
+            judged_cell(row, "most from nearer parent", "", count(differ / 2), count(found.from_nearer), 0, 0));
+        comparison.add(compared_cell(row, "most from own parent", "", count(differ / 2), count(found.from_own), 0));
+    }
+    comparison.notes =
+        "own parent: A0 of A1 in 6.5. \"0 to integer(n/2) from A0, B0 respectively\" holds for the nearer "
+        "parent, not for the own one\n";
+    return comparison;
+}
+
+std::size_t new_vertices(const Crossover& crossover, const Genome& a, const Genome& b) {
+    auto vertices = crossover.every_offspring(a, b);
+    vertices.erase(a.field(0, a.size()));
+    vertices.erase(b.field(0, b.size()));
+    return vertices.size();
+}
+
+/// A way to cross and how many new vertices it is to reach, of parents that differ in n bits.
+struct Reach {
+    const char* crossover;
+    double (*known)(double n);
+};
+
+double new_by_one_point(double n) { return 2 * (n - 1); }
+double new_by_two_point(double n) { return n == 1 ? 0 : n == 2 ? 2 : n * (n - 1); }
+double all_new(double n) { return std::exp2(n) - 2; }
+
+constexpr Reach reaches[]{{"one-point", new_by_one_point},
+                          {"by-difference", new_by_one_point},
+                          {"two-point", new_by_two_point},
+                          {"uniform", all_new}};
+
+/// The least and the most of all pairs are to be the same number, and are judged apart where they are not.
+void add_reach(Comparison& comparison, const Reach& reach) {
+    Crossover crossover = Crossover::named(reach.crossover);
+    std::vector<Extremes> counted(most_counted_bits + 1);
+    for_each_pair(most_counted_bits, [&](const Genome& a, const Genome& b, std::size_t differ) {
+        counted[differ].add(new_vertices(crossover, a, b));
+    });
+    for (std::size_t differ = 1; differ <= most_counted_bits; ++differ) {
+        double known = reach.known(static_cast<double>(differ)), least = static_cast<double>(counted[differ].least),
+               most = static_cast<double>(counted[differ].most);
+        comparison.add(judged_cell(parents_row(differ), reach.crossover, "", known, most, 0, 0));
+        if (least != most)
+            comparison.add(judged_cell(parents_row(differ), "least", "", known, least, 0, 0));
+    }
+}
+
+Comparison reached_vertices(const ReplayContext& context) {
+    Comparison comparison{.name = fmt::format("new vertices that crossover can reach between its parents, all pairs, "
+                                              "l = {}",
+                                              most_counted_bits),
+                          .against = "known",
+                          .judged = true};
+    for (const Reach& reach : reaches) {
+        context.progress(fmt::format("{} crossover of all pairs", reach.crossover));
+        add_reach(comparison, reach);
+    }
+    comparison.notes = "known: 2(n - 1) with one cut, n(n - 1) with two (2 where n = 2), all 2^n - 2 with uniform "
+                       "crossover\n";
+    return comparison;
+}
+
+std::string draw_figure_6_2() {
+    DrawnHypercube cube{.title = "16 vertices, 32 links, 4 neighbours each"};
+    cube.vertices = {{.number = 12, .look = VertexLook::parent}, {.number = 5, .look = VertexLook::parent}};
+    cube.spanned = {{12, 5}};
+    cube.lines = {"From 12 (1100) to 5 (0101) two bits differ: two links, by 4 or by 13."};
+    return draw_hypercubes("Figure 6.2: a four-dimensional hypercube", {cube}, 1, {});
+}
+
+/// The parents differ in every bit of their space: 00...0 and 11...1.
+DrawnHypercube offspring_between_parents(std::size_t differ) {
+    constexpr const char* spaces[]{"", "a link", "a plane", "a cube", "a hypercube of dimension 4"};
+    Genome first(differ + 1), second = string_of((std::uint64_t{1} << differ) - 1, differ + 1);
+    auto last = static_cast<std::uint32_t>((1u << differ) - 1);
+    DrawnHypercube cube{
+        .title = fmt::format("{} bit{} of difference", differ, differ == 1 ? "" : "s"),
+        .dimensions = differ,
+        .vertices = {{.number = 0, .look = VertexLook::parent}, {.number = last, .look = VertexLook::parent}}};
+    for (std::uint64_t vertex : Crossover().every_offspring(first, second))
+        if (vertex != 0 && vertex != last)
+            cube.vertices.push_back({.number = static_cast<std::uint32_t>(vertex), .look = VertexLook::offspring});
+    cube.lines = {fmt::format("on {} ({} vertices):", spaces[differ], 1u << differ),
+                  fmt::format("{} new of {}", cube.vertices.size() - 2, (1u << differ) - 2)};
+    return cube;
+}
+
+std::string draw_figure_6_3() {
+    std::vector<DrawnHypercube> cubes;
+    for (std::size_t differ = 1; differ <= 4; ++differ)
+        cubes.push_back(offspring_between_parents(differ));
+    return draw_hypercubes("Figure 6.3: where the offspring of one-point crossover can be", cubes, 3,
+                           {{VertexLook::parent, "parent"},
+                            {VertexLook::offspring, "possible offspring"},
+                            {VertexLook::empty, "never, by a single cut"}});
+}
+
+Replay replay_hypercube(const ReplayContext& context) {
+    Replay replay = replay_of({table_6_1(), table_6_2(), reached_vertices(context)}, {});
+    replay.drawings = {{"figure-6-2", draw_figure_6_2()}, {"figure-6-3", draw_figure_6_3()}};
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment hypercube_experiment{
+    .name = "hypercube",
+    .about = "vertices of a hypercube, and those that crossover reaches, counted: Tables 6.1, 6.2, Figures 6.2, 6.3",
+    .chapter = "6",
+    .number = 1,
+    .run = replay_hypercube,
+};
+
+} // namespace placedpar
