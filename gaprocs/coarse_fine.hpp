@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/recoding.hpp"
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/window.hpp"

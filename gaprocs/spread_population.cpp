@@ -23,12 +23,13 @@ std::vector<std::uint64_t> spread_codes(std::size_t count, std::size_t bits, Ran
 
 std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random) {
     std::vector<Genome> population(count, Genome(reading.length()));
-    std::size_t position = 0;
+    std::size_t position = 0, step = 1 + reading.coding.dont_care();
+    bool gray = reading.coding.way() == Coding::gray.way();
     for (std::size_t bits : reading.bits) {
         std::vector<std::uint64_t> codes = spread_codes(count, bits, random);
-        for (std::size_t bit = 0; bit < bits; ++bit, position += reading.stuffing + 1)
+        for (std::size_t bit = 0; bit < bits; ++bit, position += step)
             for (std::size_t i = 0; i < count; ++i) {
-                std::uint64_t code = reading.gray ? gray_code(codes[i]) : codes[i];
+                std::uint64_t code = gray ? gray_code(codes[i]) : codes[i];
                 population[i].set(position, ((code >> (bits - 1 - bit)) & 1u) != 0);
             }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/recoding.hpp"
 #include "runtime/random.hpp"
 
 #include <cstddef>

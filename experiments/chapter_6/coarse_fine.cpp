@@ -109,10 +109,10 @@ Comparison landscape_table(const ReplayContext& context) {
                               "is it an impulse? all 4 194 304 strings of 22 bits, steepest one-bit descent from each",
                           .against = "impulse",
                           .judged = true};
-    for (bool gray : {false, true}) {
-        std::string code = gray ? "gray" : "natural";
-        context.progress(fmt::format("all strings of 22 bits, {} code", code));
-        add_landscape(comparison, code, enumerate_landscape(plant_reading(4, gray), seeds_of(context).front()));
+    for (Coding coding : {Coding::natural, Coding::gray}) {
+        context.progress(fmt::format("all strings of 22 bits, {} code", coding.text()));
+        add_landscape(comparison, coding.text(),
+                      enumerate_landscape(plant_reading(4, coding), seeds_of(context).front()));
     }
     return comparison;
 }

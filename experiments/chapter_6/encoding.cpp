@@ -11,18 +11,17 @@ namespace {
 /// A way to code the plant's string.
 struct CodingTried {
     const char* name;
-    bool gray = false;
-    std::size_t stuffing = 0;
+    Coding coding;
     bool spread = false;
 };
 
 constexpr CodingTried codings[]{
-    {.name = "natural"},
-    {.name = "natural, stuffed a*a*a", .stuffing = 1},
-    {.name = "natural, stuffed a***a***a", .stuffing = 3},
-    {.name = "natural, spread start", .spread = true},
-    {.name = "Gray", .gray = true},
-    {.name = "Gray, stuffed a*a*a", .gray = true, .stuffing = 1},
+    {.name = "natural", .coding = NaturalCoding{}},
+    {.name = "natural, stuffed a*a*a", .coding = NaturalCoding{1}},
+    {.name = "natural, stuffed a***a***a", .coding = NaturalCoding{3}},
+    {.name = "natural, spread start", .coding = NaturalCoding{}, .spread = true},
+    {.name = "Gray", .coding = GrayCoding{}},
+    {.name = "Gray, stuffed a*a*a", .coding = GrayCoding{1}},
 };
 
 /// What else a search is given.
@@ -55,8 +54,7 @@ constexpr EncodingGroup encoding_groups[]{
 };
 
 PlantSearch search_of(const EncodingGroup& group, const CodingTried& tried) {
-    PlantSearch search{plant_settings(group.population), plant_reading(group.field_bits, tried.gray), tried.spread};
-    search.reading.stuffing = tried.stuffing;
+    PlantSearch search{plant_settings(group.population), plant_reading(group.field_bits, tried.coding), tried.spread};
     if (group.ranking)
         search.settings.reproduction = RankingReproduction();
     return search;

@@ -70,19 +70,18 @@ TEST_CASE("a pair of different windows is refused, and a fine search finer than 
 }
 
 TEST_CASE("a spread population has every code of a field as often, in any coding") {
-    for (bool gray : {false, true})
-        for (std::size_t stuffing : {0u, 1u}) {
-            Recoding reading{.problem_bits = {3, 2}, .bits = {3, 2}, .gray = gray, .stuffing = stuffing};
-            RandomStream random(5, "spread");
-            auto population = spread_population(16, reading, random);
-            std::multiset<std::uint64_t> first, second;
-            for (const Genome& each : reading.to_problem(population)) {
-                first.insert(each.field(0, 3));
-                second.insert(each.field(3, 2));
-            }
-            for (std::uint64_t code = 0; code < 8; ++code)
-                CHECK(first.count(code) == 2);
-            for (std::uint64_t code = 0; code < 4; ++code)
-                CHECK(second.count(code) == 4);
+    for (const char* coding : {"natural", "natural(1)", "gray", "gray(1)"}) {
+        Recoding reading{.problem_bits = {3, 2}, .bits = {3, 2}, .coding = Coding::named(coding)};
+        RandomStream random(5, "spread");
+        auto population = spread_population(16, reading, random);
+        std::multiset<std::uint64_t> first, second;
+        for (const Genome& each : reading.to_problem(population)) {
+            first.insert(each.field(0, 3));
+            second.insert(each.field(3, 2));
         }
+        for (std::uint64_t code = 0; code < 8; ++code)
+            CHECK(first.count(code) == 2);
+        for (std::uint64_t code = 0; code < 4; ++code)
+            CHECK(second.count(code) == 4);
+    }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/recoding.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "problems/plant/plant_problem.hpp"
 

@@ -54,8 +54,8 @@ const SearchProblem& plant_search_problem() {
 
 std::vector<std::size_t> plant_field_bits() { return {2, 7, 7, 7, 7, 7}; }
 
-Recoding plant_reading(std::size_t bits, bool gray) {
-    return {.problem_bits = plant_field_bits(), .bits = {2, bits, bits, bits, bits, bits}, .gray = gray};
+Recoding plant_reading(std::size_t bits, Coding coding) {
+    return {.problem_bits = plant_field_bits(), .bits = {2, bits, bits, bits, bits, bits}, .coding = coding};
 }
 
 SearchSettings plant_settings(std::size_t population) {

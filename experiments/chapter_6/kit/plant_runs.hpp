@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gaprocs/coarse_fine.hpp"
-#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/recoding.hpp"
 #include "gaprocs/settings.hpp"
 #include "problems/plant/plant_record.hpp"
 
@@ -17,7 +17,7 @@ namespace placedpar {
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
 /// The coarse reading of Table 6.3: two bits for the delay, so many for each of the five others. 7 is the whole string.
-Recoding plant_reading(std::size_t bits, bool gray = false);
+Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
 /// The settings that all searches of this chapter have in common, as those of chapter 5: a window of 30 samples, B = 10
 /// a sample, stochastic universal sampling, an elite of one, rates .8 and .01.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/representation/coding.hpp"
+#include "gaprocs/policies/coding.hpp"
 #include "gaprocs/representation/genome.hpp"
 
 #include <cstddef>
@@ -11,22 +11,19 @@
 namespace placedpar {
 
 /// How the string that a search breeds becomes the string that a problem reads in natural binary, field by field:
-/// in another coding, with fewer bits, or with bits that mean nothing.
+/// with fewer bits, or around a point, and those in any coding of bits.
 struct Recoding {
     std::vector<std::size_t> problem_bits; ///< of each field of the problem's string
     /// Of each field of the bred string, at most as many: the most significant ones (thesis 6.2). The problem's other
-    /// bits are 0, so that a field stands for the lower end of its cell, or 100..., for the middle.
+    /// bits are 0, so that a field stands for the lower end of its cell.
     std::vector<std::size_t> bits;
-    bool middle = false;
-    bool gray = false; ///< the bred fields are in Gray code, each by itself
-    /// "Don't care" bits behind each bit of the bred string but the last: a1 * a2 * a3 (6.15, stuffing 1).
-    std::size_t stuffing = 0;
+    Coding coding = Coding::natural; ///< of the bred fields
     /// Around this string of the problem (the bias point of a "fine" genetic algorithm): a field of fewer bits than the
     /// problem's counts steps of the problem from 2^(bits - 1) below it on, and stays within the field.
     std::optional<Genome> around = std::nullopt;
 
-    /// Throws std::invalid_argument: no field, another number of fields, a field of 0 or more than 63 bits, or of more
-    /// than the problem's; `around` of another length than the problem's string.
+    /// Throws std::invalid_argument: no field, a coding without bits, another number of fields, a field of 0 or more
+    /// than 63 bits, or of more than the problem's; `around` of another length than the problem's string.
     void validate() const;
     /// Length of the bred string.
     std::size_t length() const;

@@ -1,4 +1,4 @@
-#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/recoding.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,24 +16,22 @@ std::string read(const Recoding& recoding, const char* bred) {
 
 TEST_CASE("a string as the problem's own, in Gray code, with don't-care bits") {
     CHECK(read(natural_recoding({2, 3}), "01110") == "01110");
-    CHECK(read({.problem_bits = {2, 3}, .bits = {2, 3}, .gray = true}, "01110") == "01100");
-    Recoding stuffed{.problem_bits = {2, 1}, .bits = {2, 1}, .stuffing = 1};
+    CHECK(read({.problem_bits = {2, 3}, .bits = {2, 3}, .coding = Coding::gray}, "01110") == "01100");
+    Recoding stuffed{.problem_bits = {2, 1}, .bits = {2, 1}, .coding = NaturalCoding{1}};
     CHECK(stuffed.length() == 5); // a1 * a2 * a3
     CHECK(read(stuffed, "10011") == "101");
     CHECK(read(stuffed, "11001") == "101");
-    stuffed.stuffing = 2;
+    stuffed.coding = NaturalCoding{2};
     CHECK(stuffed.length() == 7);
     CHECK(read(stuffed, "0111010") == "010");
 }
 
-TEST_CASE("most significant bits stand for the lower end of their cell, or its middle") {
+TEST_CASE("most significant bits stand for the lower end of their cell") {
     Recoding coarse{.problem_bits = {2, 4}, .bits = {2, 2}};
     CHECK(coarse.length() == 4);
     CHECK(read(coarse, "1001") == "100100");
-    coarse.middle = true;
-    CHECK(read(coarse, "1001") == "100110");
-    coarse.gray = true; // of the bred field: gray 11 is 2
-    CHECK(read(coarse, "0011") == "001010");
+    coarse.coding = Coding::gray; // of the bred field: gray 11 is 2
+    CHECK(read(coarse, "0011") == "001000");
 }
 
 TEST_CASE("around a bias point, within the field") {
@@ -52,6 +50,8 @@ TEST_CASE("readings that mean nothing are refused") {
     CHECK_THROWS_AS((Recoding{.problem_bits = {2}, .bits = {0}}.validate()), std::invalid_argument);
     CHECK_THROWS_AS((Recoding{.problem_bits = {2, 2}, .bits = {2}}.validate()), std::invalid_argument);
     CHECK_THROWS_AS((Recoding{.problem_bits = {4}, .bits = {2}, .around = Genome(3)}.validate()),
+                    std::invalid_argument);
+    CHECK_THROWS_AS((Recoding{.problem_bits = {2}, .bits = {2}, .coding = Coding::real}.validate()),
                     std::invalid_argument);
     CHECK_NOTHROW(natural_recoding({1, 63}).validate());
 }

@@ -1,4 +1,6 @@
-#include "gaprocs/representation/recoding.hpp"
+#include "gaprocs/recoding.hpp"
+
+#include "gaprocs/representation/coding.hpp"
 
 #include <fmt/format.h>
 
@@ -35,6 +37,8 @@ void Recoding::validate() const {
     if (bits.empty() || bits.size() != problem_bits.size())
         throw std::invalid_argument(
             fmt::format("{} fields are bred for {} of the problem", bits.size(), problem_bits.size()));
+    if (coding == Coding::real)
+        throw std::invalid_argument("real numbers have no bits");
     for (std::size_t i = 0; i < bits.size(); ++i)
         validate_field(i, bits[i], problem_bits[i]);
     if (around && around->size() != problem_length())
@@ -42,12 +46,13 @@ void Recoding::validate() const {
             fmt::format("around a string of {} bits, the problem's has {}", around->size(), problem_length()));
 }
 
-std::size_t Recoding::length() const { return stuffed_bits(sum_of(bits), stuffing); }
+std::size_t Recoding::length() const { return stuffed_bits(sum_of(bits), coding.dont_care()); }
 
 std::size_t Recoding::problem_length() const { return sum_of(problem_bits); }
 
 Genome Recoding::to_problem(const Genome& bred) const {
-    Genome read = stuffing == 0 ? bred : unstuffed(bred, stuffing);
+    Genome read = coding.dont_care() == 0 ? bred : unstuffed(bred, coding.dont_care());
+    bool gray = coding.way() == Coding::gray.way();
     Genome problem(problem_length());
     for (std::size_t i = 0, from = 0, to = 0; i < bits.size(); from += bits[i], to += problem_bits[i], ++i) {
         std::uint64_t code = read.field(from, bits[i]);
@@ -55,7 +60,7 @@ Genome Recoding::to_problem(const Genome& bred) const {
             code = gray_decoded(code);
         if (std::size_t missing = problem_bits[i] - bits[i]; missing > 0)
             code = around ? code_around(around->field(to, problem_bits[i]), code, bits[i], problem_bits[i])
-                          : (code << missing) + (middle ? std::uint64_t{1} << (missing - 1) : 0);
+                          : code << missing;
         problem.set_field(to, problem_bits[i], code);
     }
     return problem;
