@@ -51,7 +51,7 @@ TEST_CASE("the landscape of the shortest strings, found by another way") {
 }
 
 TEST_CASE("a search of the plant is the same again, and a good one converges") {
-    PlantSearch search{plant_settings(100), plant_reading(7, true)};
+    PlantSearch search{plant_settings(100), plant_reading(7, Coding::gray)};
     PlantOutcome first = run_plant_search(search, 11), again = run_plant_search(search, 11);
     CHECK(first.pole_error == again.pole_error);
     CHECK(first.converged());
