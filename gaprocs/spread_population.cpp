@@ -1,5 +1,7 @@
 #include "gaprocs/spread_population.hpp"
 
+#include "gaprocs/representation/coding.hpp"
+
 #include <cstdint>
 #include <utility>
 
