@@ -1,0 +1,138 @@
+#include "experiments/chapter_5/kit/plant_study.hpp"
+#include "identification/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// Whether a value is on the claimed side.
+bool agrees(const Claim& claim, double value) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return value >= claim.at_least.value_or(-infinity) && value <= claim.at_most.value_or(infinity);
+}
+
+std::string bound_of(const Claim& claim) {
+    std::string bound;
+    if (claim.at_least)
+        bound = fmt::format("at least {:g}", *claim.at_least);
+    if (claim.at_most)
+        bound += fmt::format("{}at most {:g}", bound.empty() ? "" : " and ", *claim.at_most);
+    return bound;
+}
+
+void add_interval(Comparison& comparison, const Claim& claim) {
+    Interval interval = median_interval(claim.values);
+    comparison.add(cell_of(claim.text, "median", claim.unit, claim.bound(), interval.median, {}, 2));
+    comparison.add(plain_cell(claim.text, "95 % from", claim.unit, interval.low, 2));
+    comparison.add(plain_cell(claim.text, "to", claim.unit, interval.high, 2));
+}
+
+struct TrackColumn {
+    const char* name;
+    Tracking figure;
+    int decimals;
+};
+constexpr TrackColumn track_columns[]{{"delay to 20 %", Tracking::delay_20, 1},
+                                      {"lag", Tracking::lag, 1},
+                                      {"error during", Tracking::error_during, 3},
+                                      {"error after", Tracking::error_after, 3},
+                                      {"deviation after", Tracking::deviation_after, 4}};
+
+/// A colour for each row; the truth has one of its own.
+constexpr int truth_colour = 7;
+
+template <class PoleAt>
+void add_pole_series(Panel& panel, const std::string& name, int colour, std::size_t points, PoleAt pole_at) {
+    auto time = [](int i) { return 5.0 * i; };
+    int steps = static_cast<int>(points) - 1;
+    panel.series.push_back(curve({.name = name, .colour = colour}, steps, [&](int i) {
+        return Point{time(i), pole_at(static_cast<std::size_t>(i)).alpha};
+    }));
+    panel.series.push_back(curve({.name = "", .stroke = Stroke::dashes, .colour = colour}, steps, [&](int i) {
+        return Point{time(i), pole_at(static_cast<std::size_t>(i)).beta};
+    }));
+}
+
+double median_part(const TrackRow& row, std::size_t point, double Pole::*part) {
+    std::vector<double> parts;
+    for (const auto& run : row.study->runs)
+        parts.push_back(run[row.track].poles[point].*part);
+    return identification::median(parts);
+}
+
+Pole median_pole(const TrackRow& row, std::size_t point) {
+    return {median_part(row, point, &Pole::alpha), median_part(row, point, &Pole::beta)};
+}
+
+template <class PoleAt>
+Panel panel_of(std::string title, const std::vector<TrackRow>& rows, PoleAt pole_at) {
+    Panel panel{.title = std::move(title),
+                .x = {"generation", 0, 600},
+                .y = {"real part (lines), imaginary part (dashes)", 0, 1}};
+    const PlantStudy& first = *rows.front().study;
+    std::size_t points = first.runs.front().front().poles.size();
+    int colour = 0;
+    for (const TrackRow& row : rows)
+        add_pole_series(panel, row.name, colour++, points, [&](std::size_t i) { return pole_at(row, i); });
+    add_pole_series(panel, "truth", truth_colour, points, [&](std::size_t i) {
+        return pole_of(a1_at(first.islands.plant.change, 5.0 * static_cast<double>(i)), Plant{}.a2);
+    });
+    return panel;
+}
+
+} // namespace
+
+std::string verdict(const Claim& claim) {
+    Interval interval = median_interval(claim.values);
+    bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
+    if (low && high)
+        return "holds";
+    return low || high || agrees(claim, interval.median) ? "undecided" : "does not hold";
+}
+
+Comparison claims_comparison(std::string name, const std::vector<Claim>& claims) {
+    Comparison comparison{.name = std::move(name), .against = "claim"};
+    for (const Claim& claim : claims) {
+        add_interval(comparison, claim);
+        comparison.notes += fmt::format("{}: claimed {}: {}\n", claim.text, bound_of(claim), verdict(claim));
+    }
+    return comparison;
+}
+
+TrackRow answer_row(const PlantStudy& study, const std::string& choice) {
+    return {choice, &study, study.answer(choice)};
+}
+
+Comparison tracks_comparison(std::string name, const std::vector<TrackRow>& rows) {
+    Comparison comparison{.name = std::move(name), .against = "known"};
+    for (const TrackRow& row : rows) {
+        for (const TrackColumn& column : track_columns)
+            comparison.add(
+                plain_cell(row.name, column.name, "", row.study->median(row.track, column.figure), column.decimals));
+        comparison.add(plain_cell(row.name, "found [%]", "", row.study->found_percent(row.track), 0));
+    }
+    return comparison;
+}
+
+Cell judged_delay(const TrackRow& row, double known, double tolerance) {
+    double delay = row.study->median(row.track, Tracking::delay_20);
+    return judged_cell(row.name, "median", "generations", known, delay, tolerance, 1);
+}
+
+Panel pole_panel(std::string title, const std::vector<TrackRow>& rows) {
+    return panel_of(std::move(title), rows, median_pole);
+}
+
+Panel single_run_panel(std::string title, const std::vector<TrackRow>& rows) {
+    return panel_of(std::move(title), rows, [](const TrackRow& row, std::size_t point) {
+        return row.study->runs.front()[row.track].poles[point];
+    });
+}
+
+} // namespace placedpar

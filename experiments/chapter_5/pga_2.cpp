@@ -1,0 +1,119 @@
+#include "experiments/chapter_5/kit/plant_study.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "identification/statistics.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+constexpr const char* every_generation = "broadcast(every = 1)";
+
+PlantIslands with_sizes(const char* name, const std::vector<std::size_t>& populations,
+                        const std::vector<std::size_t>& windows, double noise) {
+    return sized(traditional_pga(every_generation, noise), name, populations, windows);
+}
+
+/// Traditional, distributed, and each half of what makes the difference.
+struct BroadcastStudies {
+    PlantStudy traditional, larger, windows, distributed;
+
+    BroadcastStudies(const ReplayContext& context, double noise, const Seeds& seeds)
+        : traditional(study_plant(context, traditional_pga(every_generation, noise), seeds)),
+          larger(study_plant(
+              context, with_sizes("larger populations, equal windows", distributed_populations, equal_windows, noise),
+              seeds)),
+          windows(study_plant(
+              context,
+              with_sizes("equal populations, different windows", equal_populations, distributed_windows, noise),
+              seeds)),
+          distributed(study_plant(context, distributed_pga(every_generation, noise), seeds)) {}
+
+    std::vector<const PlantStudy*> all() const { return {&traditional, &larger, &windows, &distributed}; }
+};
+
+/// "The estimated poles from two different local GAs became identical and converged prematurely"; with the distributed
+/// fitness function "close but remained different ... no indication of premature convergence".
+std::vector<Claim> claims_of(const BroadcastStudies& studies) {
+    auto error = [](const PlantStudy& study) { return study.of(0, Tracking::error_after); };
+    return {{"traditional: generations with the same best", "share", studies.traditional.identical, 0.9, {}},
+            {"traditional: error of the pole after the change", "", error(studies.traditional), found_pole, {}},
+            {"distributed: generations with the same best", "share", studies.distributed.identical, {}, 0.5},
+            {"distributed: error of the pole after the change", "", error(studies.distributed), {}, found_pole},
+            {"diversity, distributed less traditional",
+             "bits",
+             less(studies.distributed.diversity, studies.traditional.diversity),
+             0.5,
+             {}},
+            {"diversity, larger populations less traditional",
+             "bits",
+             less(studies.larger.diversity, studies.traditional.diversity),
+             0.5,
+             {}},
+            {"diversity, different windows less traditional",
+             "bits",
+             less(studies.windows.diversity, studies.traditional.diversity),
+             0.5,
+             {}}};
+}
+
+Comparison diversity_comparison(const std::string& name, const BroadcastStudies& studies) {
+    Comparison comparison{.name = name, .against = "known"};
+    for (const PlantStudy* study : studies.all()) {
+        auto add = [&](const char* column, const std::vector<double>& values) {
+            comparison.add(plain_cell(study->islands.name, column, "", identification::median(values), 2));
+        };
+        add("diversity [bits of 37]", study->diversity);
+        add("same best [share]", study->identical);
+        comparison.add(plain_cell(study->islands.name, "found [%]", "", study->found_percent(0), 0));
+    }
+    return comparison;
+}
+
+/// Known: the same with 60 other seeds.
+Comparison judged_diversity(const BroadcastStudies& noiseless) {
+    Comparison comparison{.name = "bits of 37 in which two of an island differ, noiseless", .against = "known"};
+    const double known[]{4.2, 5.2, 4.5, 5.5};
+    auto all = noiseless.all();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        comparison.add(judged_cell(all[i]->islands.name, "median", "bits", known[i],
+                                   identification::median(all[i]->diversity), 0.6, 2));
+    return comparison;
+}
+
+void add_tables(std::vector<Comparison>& comparisons, const BroadcastStudies& studies, const std::string& noise) {
+    comparisons.push_back(diversity_comparison("generations 400 to 600, medians, " + noise, studies));
+    comparisons.push_back(claims_comparison("claims, " + noise, claims_of(studies)));
+}
+
+Plot two_islands_plot(const BroadcastStudies& noiseless) {
+    Plot plot{"Figure 5.4: broadcast in every generation (experiment #2), one run, noiseless", {}};
+    for (const PlantStudy* study : noiseless.all())
+        plot.panels.push_back(
+            single_run_panel(study->islands.name, {{"first island", study, 0}, {"last island", study, 3}}));
+    return plot;
+}
+
+Replay replay_pga_2(const ReplayContext& context) {
+    Seeds seeds = record_seeds(context.seed, plant_runs);
+    BroadcastStudies noiseless(context, 0, seeds), noisy(context, 0.3, seeds);
+    std::vector<Comparison> comparisons{judged_diversity(noiseless)};
+    add_tables(comparisons, noiseless, noise_name(0));
+    add_tables(comparisons, noisy, noise_name(0.3));
+    return replay_of(std::move(comparisons), {{"figure-5-4", two_islands_plot(noiseless)}});
+}
+
+} // namespace
+
+extern const Experiment pga_2_experiment{
+    .name = "pga-2",
+    .about = "islands that broadcast in every generation: what protects their diversity (Figure 5.4)",
+    .chapter = "5",
+    .number = 2,
+    .run = replay_pga_2,
+};
+
+} // namespace placedpar
