@@ -15,11 +15,11 @@ struct WindowStudies {
     double noise;
     PlantStudy traditional, distributed, random, equal_cost;
 
-    WindowStudies(const ReplayContext& context, double sigma, const Seeds& seeds)
-        : noise(sigma), traditional(study_plant(context, traditional_pga(every_twelfth, sigma), seeds)),
-          distributed(study_plant(context, distributed_pga(every_twelfth, sigma), seeds)),
-          random(study_plant(context, answering_at_random(sigma), seeds)),
-          equal_cost(study_plant(context, equal_cost_ga(sigma), seeds)) {}
+    WindowStudies(const ReplayContext& context, double sigma)
+        : noise(sigma), traditional(study_plant(context, traditional_pga(every_twelfth, sigma))),
+          distributed(study_plant(context, distributed_pga(every_twelfth, sigma))),
+          random(study_plant(context, answering_at_random(sigma))),
+          equal_cost(study_plant(context, equal_cost_ga(sigma))) {}
 
     std::vector<TrackRow> rows() const {
         return {{"traditional, island 0", &traditional}, {"distributed, window 30", &distributed},
@@ -71,11 +71,10 @@ Panel window_panel(const WindowStudies& studies) {
 }
 
 Replay replay_pga_3(const ReplayContext& context) {
-    Seeds seeds = record_seeds(context.seed, plant_runs);
     std::vector<Comparison> comparisons(1);
     std::vector<Panel> traditional, distributed;
     for (double noise : {0.0, 0.1, 0.3, 1.0}) {
-        WindowStudies studies(context, noise, seeds);
+        WindowStudies studies(context, noise);
         if (noise == 0)
             comparisons.front() = judged_delays(studies);
         comparisons.push_back(tracks_comparison("medians, " + noise_name(noise), studies.rows()));
@@ -83,7 +82,7 @@ Replay replay_pga_3(const ReplayContext& context) {
         traditional.push_back(pole_panel("traditional, " + noise_name(noise), {studies.rows().front()}));
         distributed.push_back(window_panel(studies));
     }
-    Plot plot{"Figure 5.5: broadcast every 12 generations (experiment #3), median of 60 seeds",
+    Plot plot{"Figure 5.5: broadcast every 12 generations (experiment #3), " + median_of_seeds(context),
               {traditional[0], distributed[0], traditional[2], distributed[2]}};
     return replay_of(std::move(comparisons), {{"figure-5-5", plot}});
 }
@@ -96,6 +95,7 @@ extern const Experiment pga_3_experiment{
     .chapter = "5",
     .number = 3,
     .run = replay_pga_3,
+    .seeds = plant_seeds,
 };
 
 } // namespace placedpar

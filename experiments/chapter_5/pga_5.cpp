@@ -13,10 +13,9 @@ struct RivalStudies {
     double noise;
     PlantStudy islands, single, equal_cost;
 
-    RivalStudies(const ReplayContext& context, double sigma, const Seeds& seeds)
-        : noise(sigma), islands(study_plant(context, configured(sigma), seeds)),
-          single(study_plant(context, single_ga(sigma), seeds)),
-          equal_cost(study_plant(context, equal_cost_ga(sigma), seeds)) {}
+    RivalStudies(const ReplayContext& context, double sigma)
+        : noise(sigma), islands(study_plant(context, configured(sigma))),
+          single(study_plant(context, single_ga(sigma))), equal_cost(study_plant(context, equal_cost_ga(sigma))) {}
 
     std::vector<TrackRow> rows() const {
         std::vector<TrackRow> rows;
@@ -78,11 +77,10 @@ void add_panels(Plot& plot, const RivalStudies& studies) {
 }
 
 Replay replay_pga_5(const ReplayContext& context) {
-    Seeds seeds = record_seeds(context.seed, plant_runs);
     std::vector<Comparison> comparisons(1);
-    Plot plot{"Figure 5.7: islands beside one genetic algorithm (experiment #5), median of 60 seeds", {}};
+    Plot plot{"Figure 5.7: islands beside one genetic algorithm (experiment #5), " + median_of_seeds(context), {}};
     for (double noise : {0.0, 0.1, 0.3, 1.0}) {
-        RivalStudies studies(context, noise, seeds);
+        RivalStudies studies(context, noise);
         if (noise == 0)
             comparisons.front() = judged_single(studies);
         comparisons.push_back(tracks_comparison("medians, " + noise_name(noise), studies.rows()));
@@ -101,6 +99,7 @@ extern const Experiment pga_5_experiment{
     .chapter = "5",
     .number = 5,
     .run = replay_pga_5,
+    .seeds = plant_seeds,
 };
 
 } // namespace placedpar

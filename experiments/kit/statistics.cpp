@@ -1,12 +1,8 @@
 #include "experiments/kit/statistics.hpp"
 
-#include "identification/statistics.hpp"
-#include "runtime/random.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 
 namespace placedpar {
@@ -25,19 +21,6 @@ double deviation(const std::vector<double>& values) {
 double percent_within(const std::vector<double>& values, double limit) {
     auto within = std::ranges::count_if(values, [&](double value) { return value <= limit; });
     return 100 * static_cast<double>(within) / static_cast<double>(values.size());
-}
-
-Interval median_interval(const std::vector<double>& values) {
-    constexpr std::size_t samples = 2000;
-    RandomStream random(1, "bootstrap");
-    std::vector<double> medians, sample(values.size());
-    for (std::size_t i = 0; i < samples; ++i) {
-        for (double& each : sample)
-            each = values[random.below(static_cast<std::uint32_t>(values.size()))];
-        medians.push_back(identification::median(sample));
-    }
-    return {identification::median(values), identification::quantile(medians, 0.025),
-            identification::quantile(medians, 0.975)};
 }
 
 } // namespace placedpar

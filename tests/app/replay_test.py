@@ -78,6 +78,14 @@ class Replay(unittest.TestCase):
         self.assertIn("name another file", other.stderr)
         self.assertEqual(sorted(kept.read_text(encoding="utf-8").splitlines()), sorted("".join(lines).splitlines()))
 
+    def test_kept_runs_of_islands_are_read_as_they_were_made(self):
+        kept = pathlib.Path(self.folder) / "kept"
+        _, alone = replay("pga-4", self.folder, "--seeds", 2)
+        for _ in range(2):  # made and kept, then read
+            _, document = replay("pga-4", self.folder, "--seeds", 2, "--resume", kept)
+            self.assertEqual(document["cells"], alone["cells"])
+            self.assertEqual(len(kept.read_text(encoding="utf-8").splitlines()), 1 + 2 * 8)
+
     def test_what_is_no_study_has_no_seeds_to_count(self):
         run = placedpar("replay", "table-e1", "--seeds", 3)
         self.assertEqual((run.returncode, run.stdout), (1, ""))

@@ -14,7 +14,7 @@ namespace {
 // The thesis names none of these: readings that follow its text.
 constexpr double plant_bias = 10;
 constexpr std::size_t plant_elite = 1;
-const char* const plant_acceptance = "random";
+const char* const plant_acceptance = "offspring";
 // Diversity is looked at from here on, every so many generations.
 constexpr std::size_t diversity_from = 400, diversity_every = 10;
 

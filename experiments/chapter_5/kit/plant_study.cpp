@@ -1,48 +1,63 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 
-#include "experiments/kit/experiment_runs.hpp"
+#include "experiments/kit/statistics.hpp"
 #include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
-#include <future>
 #include <iterator>
 #include <span>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 namespace placedpar {
 
 namespace {
 
-struct StudiedRun {
-    std::vector<PlantTrack> tracks;
-    double diversity, identical;
-};
-
 constexpr std::size_t plotted_every = 5;
 
-PlantTrack track_of(const std::vector<Pole>& found, PlantChange change) {
-    PlantTrack result{track(found, change), {}};
+// The figures of a run: its two of diversity, then of each track those of TrackingFigures and of every fifth pole.
+
+void append_track(Figures& figures, const std::vector<Pole>& found, PlantChange change) {
+    TrackingFigures tracking = track(found, change);
+    figures.insert(figures.end(), tracking.begin(), tracking.end());
     for (std::size_t generation = 0; generation < found.size(); generation += plotted_every)
-        result.poles.push_back(found[generation]);
-    return result;
+        figures.insert(figures.end(), {found[generation].alpha, found[generation].beta});
 }
 
-void add_tracks(StudiedRun& run, const std::vector<std::vector<Pole>>& found, PlantChange change) {
-    for (const auto& each : found)
-        run.tracks.push_back(track_of(each, change));
-}
-
-StudiedRun studied_run(const PlantIslands& islands, std::uint64_t seed) {
+Figures figures_of(const PlantIslands& islands, std::uint64_t seed) {
     PlantSearchRun run = search_plant(islands, seed);
-    StudiedRun result{{}, run.diversity, run.identical};
-    add_tracks(result, run.islands, islands.plant.change);
-    add_tracks(result, run.answers, islands.plant.change);
-    return result;
+    Figures figures{run.diversity, run.identical};
+    for (const auto* tracks : {&run.islands, &run.answers})
+        for (const auto& found : *tracks)
+            append_track(figures, found, islands.plant.change);
+    return figures;
+}
+
+PlantTrack read_track(std::span<const double> figures) {
+    PlantTrack track{};
+    std::ranges::copy(figures.first(tracking_figures), track.figures.begin());
+    for (std::size_t i = tracking_figures; i < figures.size(); i += 2)
+        track.poles.push_back({figures[i], figures[i + 1]});
+    return track;
+}
+
+void add_run(PlantStudy& study, std::span<const double> figures) {
+    study.diversity.push_back(figures[0]);
+    study.identical.push_back(figures[1]);
+    std::size_t tracks = study.islands.windows.size() + study.islands.choices.size();
+    auto of_tracks = figures.subspan(2);
+    std::size_t length = of_tracks.size() / tracks;
+    study.runs.emplace_back();
+    for (std::size_t i = 0; i < tracks; ++i)
+        study.runs.back().push_back(read_track(of_tracks.subspan(i * length, length)));
+}
+
+std::string name_of(const PlantIslands& islands) {
+    std::string name = fmt::format("{}, {}", islands.name, noise_name(islands.plant.noise));
+    return islands.choices.empty() ? name : fmt::format("{}, answers by {}", name, fmt::join(islands.choices, ", "));
 }
 
 template <class Combine>
@@ -50,21 +65,6 @@ std::vector<double> paired(const std::vector<double>& one, const std::vector<dou
     std::vector<double> values;
     std::ranges::transform(one, other, std::back_inserter(values), combine);
     return values;
-}
-
-void add_run(PlantStudy& study, StudiedRun run) {
-    study.runs.push_back(std::move(run.tracks));
-    study.diversity.push_back(run.diversity);
-    study.identical.push_back(run.identical);
-}
-
-/// A thread for each.
-void add_runs(PlantStudy& study, std::span<const std::uint64_t> seeds) {
-    std::vector<std::future<StudiedRun>> under_way;
-    for (std::uint64_t seed : seeds)
-        under_way.push_back(std::async(std::launch::async, studied_run, std::cref(study.islands), seed));
-    for (std::future<StudiedRun>& run : under_way)
-        add_run(study, run.get());
 }
 
 } // namespace
@@ -91,15 +91,11 @@ std::size_t PlantStudy::answer(const std::string& choice) const {
     return islands.windows.size() + static_cast<std::size_t>(found - islands.choices.begin());
 }
 
-PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands, const Seeds& seeds) {
+PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands) {
     PlantStudy study{islands, {}, {}, {}};
-    const std::size_t at_once = std::max(1u, std::thread::hardware_concurrency());
-    for (std::size_t first = 0; first < seeds.size(); first += at_once) {
-        end_if_requested(context.interruption);
-        context.progress(
-            fmt::format("{}, {}: {} of {} seeds", islands.name, noise_name(islands.plant.noise), first, seeds.size()));
-        add_runs(study, std::span(seeds).subspan(first, std::min(at_once, seeds.size() - first)));
-    }
+    for (const Figures& run :
+         run_seeds(context, name_of(islands), [&](std::uint64_t seed) { return figures_of(islands, seed); }))
+        add_run(study, run);
     return study;
 }
 

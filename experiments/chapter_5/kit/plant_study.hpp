@@ -3,8 +3,7 @@
 #include "experiments/chapter_5/kit/plant_islands.hpp"
 #include "experiments/chapter_5/kit/tracking.hpp"
 #include "experiments/kit/experiment.hpp"
-#include "experiments/kit/record_seeds.hpp"
-#include "experiments/kit/statistics.hpp"
+#include "experiments/kit/seed_runs.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +13,8 @@
 
 namespace placedpar {
 
-/// Runs of an experiment, a seed each.
-inline constexpr std::size_t plant_runs = 60;
+/// Seeds of an experiment, unless it is told another number.
+inline constexpr std::size_t plant_seeds = 60;
 
 /// An island's best over time, or a choice's answer.
 struct PlantTrack {
@@ -37,8 +36,8 @@ struct PlantStudy {
     std::size_t answer(const std::string& choice) const;
 };
 
-/// All seeds, on all processors; the same figures on any number of them.
-PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands, const Seeds& seeds);
+/// Every seed of the replay.
+PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands);
 
 /// Of each seed, the one less the other, or the one by the other. The seeds give both the same record.
 std::vector<double> less(const std::vector<double>& one, const std::vector<double>& other);
@@ -71,6 +70,8 @@ Comparison tracks_comparison(std::string name, const std::vector<TrackRow>& rows
 /// The median delay until 20 % of the change is followed, judged by how near it is to a known one.
 Cell judged_delay(const TrackRow& row, double known, double tolerance);
 
+/// "median of 60 seeds"
+std::string median_of_seeds(const ReplayContext& context);
 /// Real part (a line) and imaginary part (dashes) of the pole over generations, median of the seeds, beside the truth.
 Panel pole_panel(std::string title, const std::vector<TrackRow>& rows);
 /// The same of one run alone, the first.

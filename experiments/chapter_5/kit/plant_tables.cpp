@@ -1,4 +1,5 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
+#include "experiments/kit/interval.hpp"
 #include "identification/statistics.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,8 @@ std::string bound_of(const Claim& claim) {
 
 void add_interval(Comparison& comparison, const Claim& claim) {
     Interval interval = median_interval(claim.values);
-    comparison.add(cell_of(claim.text, "median", claim.unit, claim.bound(), interval.median, {}, 2));
+    comparison.add(
+        cell_of(claim.text, "median", claim.unit, claim.bound(), identification::median(claim.values), {}, 2));
     comparison.add(plain_cell(claim.text, "95 % from", claim.unit, interval.low, 2));
     comparison.add(plain_cell(claim.text, "to", claim.unit, interval.high, 2));
 }
@@ -93,7 +95,7 @@ std::string verdict(const Claim& claim) {
     bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
     if (low && high)
         return "holds";
-    return low || high || agrees(claim, interval.median) ? "undecided" : "does not hold";
+    return low || high || agrees(claim, identification::median(claim.values)) ? "undecided" : "does not hold";
 }
 
 Comparison claims_comparison(std::string name, const std::vector<Claim>& claims) {
@@ -124,6 +126,8 @@ Cell judged_delay(const TrackRow& row, double known, double tolerance) {
     double delay = row.study->median(row.track, Tracking::delay_20);
     return judged_cell(row.name, "median", "generations", known, delay, tolerance, 1);
 }
+
+std::string median_of_seeds(const ReplayContext& context) { return fmt::format("median of {} seeds", context.seeds); }
 
 Panel pole_panel(std::string title, const std::vector<TrackRow>& rows) {
     return panel_of(std::move(title), rows, median_pole);
