@@ -31,8 +31,8 @@ function(placedpar_room name)
     target_include_directories(placedpar_${name} INTERFACE
         $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(placedpar_${name} PUBLIC cxx_std_20)
-    # Else Eigen's square root with AVX-512 is an approximation: see gaprocs/population_fitness.hpp.
-    target_compile_definitions(placedpar_${name} PUBLIC EIGEN_FAST_MATH=0)
+    # Public, for problems are compiled for several vector widths by those who state them: runtime/vector_width.hpp.
+    target_compile_options(placedpar_${name} PUBLIC -ffp-contract=off)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
 
     list(TRANSFORM ROOM_DOORS PREPEND ${name}/)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace placedpar {
@@ -19,12 +20,14 @@ inline constexpr std::size_t exact_fitness_terms = 1024;
 /// nearest, ties to even; the limits stay what they are. Needs IEEE arithmetic, so never -ffast-math.
 inline constexpr double fitness_rounding_shift = 0x1.8p32;
 
-/// One sample's term of the fitness. `bias` and `error` squared are in the same unit, the problem's own.
-/// An error that is not a number, or infinite, gives the lower limit.
-inline double fitness_term(double bias, double error) {
-    double term = bias - error * error;
-    term = term > -fitness_term_limit ? term : -fitness_term_limit; // in this order NaN is caught too
-    term = term < fitness_term_limit ? term : fitness_term_limit;
+/// One sample's term of the fitness, or several individuals' (T is double or Lanes). `bias` and `error` squared are in
+/// the same unit, the problem's own. An error that is not a number, or infinite, gives the lower limit.
+template <typename T>
+T fitness_term(double bias, const T& error) {
+    using std::max, std::min;
+    T term = bias - error * error;
+    term = max(T(-fitness_term_limit), term); // in this order NaN is caught too
+    term = min(T(fitness_term_limit), term);
     return (term + fitness_rounding_shift) - fitness_rounding_shift;
 }
 

@@ -60,19 +60,20 @@ void Search::next_generation(std::span<const double> fitness) {
     std::size_t best = best_index(fitness);
     best_ = Individual{population_[best], fitness[best]};
     ++generation_;
-    offspring_.clear();
+    offspring_.resize(population_.size());
+    auto next = offspring_.begin();
     for (std::size_t index : best_indices(fitness, elite_))
-        offspring_.push_back(population_[index]);
-    if (auto parents = reproduction_(fitness, population_.size() - elite_, random_)) {
+        *next++ = population_[index];
+    std::span<Genome> bred(next, offspring_.end());
+    if (auto parents = reproduction_(fitness, bred.size(), random_)) {
         for (std::size_t parent : *parents)
-            offspring_.push_back(population_[parent]);
-        std::span<Genome> bred = std::span(offspring_).subspan(elite_);
+            *next++ = population_[parent];
         crossover_(bred, crossover_probability_, representation_, random_);
         mutation_(bred, mutation_probability_, representation_, random_);
     } else {
         ++redraws_;
-        while (offspring_.size() < population_.size())
-            offspring_.push_back(representation_.random(random_));
+        for (Genome& genome : bred)
+            genome = representation_.random(random_);
     }
     std::swap(population_, offspring_);
 }

@@ -101,7 +101,9 @@ public:
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                     std::span<double> out) const override {
         if constexpr (ErrorOfParameters<P, StringRead>)
-            fitness_in_lanes(problem_, population, samples, bias, as_coded, out);
+            fitness_in_lanes(
+                problem_, population, samples, bias,
+                [](const Genome& genome) -> StringRead { return as_coded(genome); }, out);
         else
             for (std::size_t i = 0; i < population.size(); ++i)
                 out[i] = fitness(population[i], samples, bias);

@@ -22,6 +22,9 @@ public:
     /// Thesis 3.2: 20 bits for two compliances.
     static constexpr std::size_t usual_bits = 10;
 
+    /// In in^3/psi, one for each junction.
+    using Compliances = boost::container::static_vector<double, hydraulics::all_links.size()>;
+
     /// Throws std::invalid_argument when the circuit has no junction or more than 4, and as ParameterCoding.
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits = usual_bits)
         : CircuitProblem(circuit, flow, bits, hydraulics::printed_inlet_flow(circuit.size())) {}
@@ -35,10 +38,12 @@ public:
     /// That of every compliance.
     const ParameterField& field() const { return coding_.field(0); }
 
-    std::size_t parameters() const { return coding_.parameters(); }
     template <BinaryString G>
-    double parameter(const G& genome, std::size_t number) const {
-        return coding_.value(genome, number);
+    Compliances parameters_of(const G& genome) const {
+        Compliances compliances;
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
+            compliances.push_back(coding_.value(genome, j));
+        return compliances;
     }
     /// The error of one set of compliances, or of each of an array of them.
     template <typename T>
@@ -55,10 +60,7 @@ public:
     }
     template <BinaryString G>
     double error(const G& genome, std::span<const double> sample) const {
-        hydraulics::PerJunction<double> compliances;
-        for (std::size_t j = 0; j < circuit_.size(); ++j)
-            compliances[j] = coding_.value(genome, j);
-        return error_of<double>(compliances, sample);
+        return error_of<double>(parameters_of(genome), sample);
     }
 
     /// "C_BUi", ... in the circuit's order.

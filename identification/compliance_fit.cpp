@@ -65,16 +65,18 @@ std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const Circu
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
     std::uint64_t codes = std::uint64_t{1} << bits;
-    auto compliance = [&](std::uint64_t string, std::size_t junction) {
-        std::uint64_t code = (string >> (bits * (circuit.size() - 1 - junction))) % codes;
-        return largest * static_cast<double>(code) / static_cast<double>(codes);
+    auto compliances_of = [&](std::uint64_t string) {
+        std::vector<double> compliances(circuit.size());
+        for (std::size_t j = circuit.size(); j-- > 0; string /= codes)
+            compliances[j] = largest * static_cast<double>(string % codes) / static_cast<double>(codes);
+        return compliances;
     };
-    auto term = [&](std::span<const Lanes> compliances, const CircuitSample& sample) -> Lanes {
-        Lanes error = circuit_error_in3_per_s<Lanes>(circuit, compliances, sample.links, flow, form);
+    auto term = [&]<class T>(std::span<const T> compliances, const CircuitSample& sample) -> T {
+        T error = circuit_error_in3_per_s<T>(circuit, compliances, sample.links, flow, form);
         return bias - error * error;
     };
     std::vector<double> fitness(std::size_t{1} << (circuit.size() * bits));
-    sum_in_lanes(circuit.size(), compliance, window, term, fitness);
+    sum_in_lanes(compliances_of, window, term, fitness);
     return fitness;
 }
 

@@ -2,6 +2,8 @@
 
 #include <Random123/philox.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -21,9 +23,9 @@ public:
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
     result_type operator()() {
-        if (drawn_from_block_ == 4)
-            next_block();
-        return block_[drawn_from_block_++];
+        if (drawn_ == ahead)
+            compute_ahead();
+        return numbers_[drawn_++];
     }
     /// Draws the next numbers, the same as single calls would.
     void fill(std::span<result_type> numbers);
@@ -31,20 +33,31 @@ public:
     /// Uniform in [0, 1), a multiple of 2^-32.
     double uniform() { return (*this)() * 0x1p-32; }
     /// Uniform in 0 ... n - 1 without bias. REQUIRES: n > 0.
-    std::uint32_t below(std::uint32_t n);
+    std::uint32_t below(std::uint32_t n) {
+        // Lemire's multiplication with rejection (ACM TOMACS 29, 2019).
+        std::uint64_t product = std::uint64_t{(*this)()} * n;
+        if (static_cast<std::uint32_t>(product) < n) [[unlikely]]
+            reject(product, n);
+        return static_cast<std::uint32_t>(product >> 32);
+    }
     /// From the standard normal distribution, by Box and Muller's cosine: two uniform numbers.
     double normal();
     /// True with the given probability.
     bool chance(double probability) { return uniform() < probability; }
 
 private:
-    void next_block();
+    /// Numbers are computed ahead, so that wide registers have something to do: 16 blocks of 4.
+    static constexpr std::size_t ahead = 64;
+    using Numbers = std::array<result_type, ahead>;
+
+    void compute_ahead();
+    void reject(std::uint64_t& product, std::uint32_t n);
 
     using Philox = r123::Philox4x32;
     Philox::key_type key_;
     Philox::ctr_type counter_;
-    Philox::ctr_type block_;
-    unsigned drawn_from_block_;
+    std::size_t drawn_ = ahead; ///< of `numbers_`
+    Numbers numbers_;
 };
 
 } // namespace placedpar

@@ -11,6 +11,7 @@
 #include "identification/statistics.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/random.hpp"
+#include "runtime/vector_width.hpp"
 
 #include <fmt/format.h>
 
@@ -133,8 +134,8 @@ bool time_evaluations(const Transient& transient, int goes) {
     });
     double vectorised =
         nanoseconds_of(evaluations, goes, [&] { problem->fitness_of(population, window, Transient::bias, together); });
-    fmt::print("one error evaluation: {:.2f} ns one by one, {:.2f} ns vectorised ({})\n\n", one_by_one, vectorised,
-               Eigen::SimdInstructionSetsInUse());
+    fmt::print("one error evaluation: {:.2f} ns one by one, {:.2f} ns vectorised ({} doubles at once)\n\n", one_by_one,
+               vectorised, vector_width());
     return alone == together;
 }
 

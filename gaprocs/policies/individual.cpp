@@ -13,6 +13,12 @@ template <class ComesFirst>
 std::vector<std::size_t> first_indices(std::span<const double> fitness, std::size_t count, ComesFirst comes_first) {
     if (count == 0)
         return {};
+    if (count == 1) { // the usual elite
+        std::size_t first = 0;
+        for (std::size_t i = 1; i < fitness.size(); ++i)
+            first = comes_first(fitness[i], fitness[first]) ? i : first;
+        return {first};
+    }
     std::vector<std::size_t> indices(fitness.size());
     std::iota(indices.begin(), indices.end(), std::size_t{0});
     auto before = [&](std::size_t a, std::size_t b) {

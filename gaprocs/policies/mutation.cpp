@@ -52,6 +52,21 @@ void BitMutation::operator()(std::span<Genome> population, RandomStream& random)
         }
 }
 
+void DistanceMutation::operator()(std::span<Genome> population, RandomStream& random) const {
+    const std::size_t length = population.empty() ? 0 : population.front().size();
+    const double per_logarithm = 1 / std::log1p(-probability); // -0 for the certainty, -infinity for the impossible
+    auto left = static_cast<double>(population.size() * length);
+    for (std::size_t next = 0;; ++next) {
+        // That the next `distance` bits stay has the chance (1 - probability)^distance.
+        double distance = std::floor(std::log(1 - random.uniform()) * per_logarithm);
+        left -= distance + 1;
+        if (!(left >= 0)) // nor when it is not a number: 0 times infinity
+            return;
+        next += static_cast<std::size_t>(distance);
+        population[next / length].flip(next % length);
+    }
+}
+
 void GaussianMutation::operator()(Genome& genome, std::size_t place, const Representation& representation,
                                   RandomStream& random) const {
     const RealVector& reals = representation.reals();
@@ -89,8 +104,8 @@ void Mutation::operator()(std::span<Genome> population, double probability, cons
                           RandomStream& random) const {
     std::size_t places = representation.bits() / representation.unit();
     auto mutate_all = [&]<class Way>(const Way& mutate) {
-        if constexpr (std::is_same_v<Way, BitMutation>)
-            BitMutation{probability}(population, random);
+        if constexpr (std::is_same_v<Way, BitMutation> || std::is_same_v<Way, DistanceMutation>)
+            Way{probability}(population, random);
         else if (representation.kind() == StringKind::real || places > 1)
             for (Genome& genome : population)
                 for (std::size_t place = 0; place < places; ++place)

@@ -26,6 +26,17 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
+/// The same, drawing from each bit that is flipped the distance to the next, which is distributed geometrically: one
+/// number of the stream for each flip, and one for the end of the population. REQUIRES: all strings of one length.
+struct DistanceMutation {
+    static constexpr std::string_view name = "distance", about = "as bit, by drawing how far it is to the next flip";
+    static constexpr std::tuple<> numbers() { return {}; }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
+
+    double probability = 0.01;
+    void operator()(std::span<Genome> population, RandomStream& random) const;
+};
+
 /// A normal deviate is added; beyond an end of the range lies that end. Two numbers.
 struct GaussianMutation {
     static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range";
@@ -82,8 +93,8 @@ struct InversionMutation {
 };
 
 /// How a string is changed by chance alone.
-class Mutation
-    : public OneOf<BitMutation, GaussianMutation, BreederMutation, UniformMutation, SwapMutation, InversionMutation> {
+class Mutation : public OneOf<BitMutation, DistanceMutation, GaussianMutation, BreederMutation, UniformMutation,
+                              SwapMutation, InversionMutation> {
 public:
     using OneOf::OneOf;
     static Mutation named(std::string_view text) { return read<Mutation>(text); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace placedpar {
@@ -32,16 +33,27 @@ std::size_t RouletteWheel::sector(double turn) const {
 }
 
 std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) const {
-    // Rounding may put the last ball on the end of the wheel: it lies in the last sector that is not empty.
-    auto last = static_cast<std::size_t>(std::lower_bound(ends_.begin(), ends_.end(), ends_.back()) - ends_.begin());
-    std::vector<std::size_t> found(balls);
-    std::size_t sector = 0;
-    for (std::size_t i = 0; i < balls; ++i) {
-        double ball = (static_cast<double>(i) + turn) / static_cast<double>(balls) * ends_.back();
-        while (sector < last && ends_[sector] <= ball)
-            ++sector;
-        found[i] = sector;
+    // A ball lies in the sector whose number is that of the ends up to the ball: so many, for every ball, without a
+    // jump that would go either way as often. Rounding may put the last ball on the end of the wheel: it lies in the
+    // last sector that is not empty, whose end is not counted.
+    const double all = static_cast<double>(balls), end = ends_.back();
+    constexpr std::size_t past = 3;
+    std::vector<double> places(balls + past, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < balls; ++i)
+        places[i] = (static_cast<double>(i) + turn) / all * end;
+    std::vector<std::size_t> found(balls + past);
+    for (double sector_end : ends_) {
+        if (sector_end == end)
+            break;
+        // The balls before this end: two or one more than `before`, or by rounding three or none.
+        double about = sector_end / end * all - turn;
+        std::size_t before = about < 1 ? 0 : static_cast<std::size_t>(about) - 1;
+        for (std::size_t i = 0; i < past; ++i)
+            before += static_cast<std::size_t>(places[before] < sector_end);
+        ++found[before];
     }
+    found.resize(balls);
+    std::partial_sum(found.begin(), found.end(), found.begin());
     return found;
 }
 

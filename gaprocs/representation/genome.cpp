@@ -40,18 +40,6 @@ void Genome::set_field(std::size_t first, std::size_t count, std::uint64_t value
         set(first + i, (value >> (count - 1 - i)) & 1u);
 }
 
-void swap_leading(Genome& a, Genome& b, std::size_t count) {
-    std::size_t whole = count / 64;
-    for (std::size_t word = 0; word < whole; ++word)
-        std::swap(a.words_[word], b.words_[word]);
-    if (count % 64 == 0)
-        return;
-    std::uint64_t leading = ~(~std::uint64_t{0} >> (count % 64));
-    std::uint64_t difference = (a.words_[whole] ^ b.words_[whole]) & leading;
-    a.words_[whole] ^= difference;
-    b.words_[whole] ^= difference;
-}
-
 void swap_where(Genome& a, Genome& b, const Genome& mask) {
     for (std::size_t word = 0; word < mask.words_.size(); ++word) {
         std::uint64_t exchanged = (a.words_[word] ^ b.words_[word]) & mask.words_[word];

@@ -4,11 +4,13 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -25,6 +27,18 @@ public:
     Genome() = default;
     /// `size` zeros.
     explicit Genome(std::size_t size) : words_((size + 63) / 64, 0), size_(size) {}
+    Genome(const Genome&) = default;
+    Genome(Genome&&) = default;
+    Genome& operator=(Genome&&) = default;
+    /// Into the memory that is there, where the length stays.
+    Genome& operator=(const Genome& other) {
+        if (words_.size() != other.words_.size())
+            words_ = other.words_;
+        else
+            std::copy(other.words_.begin(), other.words_.end(), words_.begin());
+        size_ = other.size_;
+        return *this;
+    }
 
     /// From characters '0' and '1'. Throws std::invalid_argument at any other.
     static Genome from_string(std::string_view text);
@@ -76,6 +90,18 @@ private:
 
 /// `count` random strings of `bits` bits.
 std::vector<Genome> random_population(std::size_t count, std::size_t bits, RandomStream& random);
+
+inline void swap_leading(Genome& a, Genome& b, std::size_t count) {
+    std::size_t whole = count / 64;
+    for (std::size_t word = 0; word < whole; ++word)
+        std::swap(a.words_[word], b.words_[word]);
+    if (count % 64 == 0)
+        return;
+    std::uint64_t leading = ~(~std::uint64_t{0} >> (count % 64));
+    std::uint64_t difference = (a.words_[whole] ^ b.words_[whole]) & leading;
+    a.words_[whole] ^= difference;
+    b.words_[whole] ^= difference;
+}
 
 inline std::uint64_t Genome::field(std::size_t first, std::size_t count) const {
     std::size_t word = first / 64, offset = first % 64;

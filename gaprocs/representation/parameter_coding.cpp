@@ -26,8 +26,8 @@ ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(s
     if (fields_.empty())
         throw std::invalid_argument("a binary string that codes no parameter");
     for (const ParameterField& field : fields_) {
-        validate(field, firsts_.size());
-        firsts_.push_back(bits_);
+        validate(field, places_.size());
+        places_.push_back({bits_, field.bits, field.low, field.resolution(), field.whole});
         bits_ += field.bits;
     }
 }

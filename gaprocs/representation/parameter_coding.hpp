@@ -29,7 +29,7 @@ struct ParameterField {
     double codes() const { return static_cast<double>(std::uint64_t{1} << bits); }
     /// REQUIRES: code < 2^bits.
     double value(std::uint64_t code) const {
-        double value = low + (high - low) * static_cast<double>(code) / codes();
+        double value = low + resolution() * static_cast<double>(code);
         return whole ? std::floor(value) : value;
     }
     /// A number of the range as the parameter: whole where that is. REQUIRES: low <= number <= high.
@@ -61,8 +61,10 @@ public:
     /// REQUIRES: parameter < parameters(), a string of bits().
     template <BinaryString G>
     double value(const G& genome, std::size_t parameter) const {
-        const ParameterField& field = fields_[parameter];
-        return field.value(genome.field(firsts_[parameter], field.bits));
+        const Place& place = places_[parameter];
+        auto code = static_cast<std::int64_t>(genome.field(place.first, place.bits)); // signed: sooner a double
+        double value = place.low + place.resolution * static_cast<double>(code);
+        return place.whole ? std::floor(value) : value;
     }
     template <BinaryString G>
     std::vector<double> decode(const G& genome) const {
@@ -73,8 +75,15 @@ public:
     }
 
 private:
+    /// What value() needs of a field, and where it is in the string.
+    struct Place {
+        std::size_t first, bits;
+        double low, resolution;
+        bool whole;
+    };
+
     std::vector<ParameterField> fields_;
-    std::vector<std::size_t> firsts_; ///< the first bit of each field
+    std::vector<Place> places_;
     std::size_t bits_ = 0;
 };
 

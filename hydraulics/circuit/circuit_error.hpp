@@ -28,7 +28,7 @@ using PerJunction = std::array<T, all_links.size()>;
 /// cylinder, less the flow through the bypass. Pressures at the junctions are not measured but estimated from the flows
 /// into the cylinders (3.6). Where the next junction's estimate is higher, nothing flows through the bypass.
 ///
-/// T is double, or an Eigen array of doubles (orifice.hpp). `compliance_in3_per_psi` and `samples` have one entry for
+/// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `samples` have one entry for
 /// each junction, in the circuit's order. REQUIRES: at most 4 junctions, samples[j].inlet_in2 > 0.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,

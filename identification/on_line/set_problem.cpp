@@ -42,15 +42,18 @@ std::vector<double> SetProblem::fitness(std::span<const Genome> strings, std::sp
     std::vector<SetSample> ordered;
     for (const SetSample& sample : window)
         ordered.push_back(by_junction(sample));
-    auto compliance = [&](std::size_t i, std::size_t junction) {
-        return compliance_in3_per_psi(strings[i], positions_[junction]);
+    auto compliances_of = [&](std::size_t i) {
+        CircuitProblem::Compliances compliances;
+        for (std::size_t position : positions_)
+            compliances.push_back(compliance_in3_per_psi(strings[i], position));
+        return compliances;
     };
-    auto term = [&](std::span<const Lanes> compliances, const SetSample& sample) {
-        return fitness_terms(
-            bias, circuit_error_in3_per_s<Lanes>(circuit_, compliances, sample, flow_, InletFlow::as_signed));
+    auto term = [&]<class T>(std::span<const T> compliances, const SetSample& sample) {
+        return fitness_term<T>(bias,
+                               circuit_error_in3_per_s<T>(circuit_, compliances, sample, flow_, InletFlow::as_signed));
     };
     std::vector<double> fitness(strings.size());
-    sum_in_lanes(circuit_.size(), compliance, ordered, term, fitness);
+    sum_in_lanes(compliances_of, ordered, term, fitness);
     return fitness;
 }
 

@@ -7,6 +7,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/circuit_problem.hpp"
+#include "tests/runtime/each_vector_width.hpp"
 
 #include <doctest/doctest.h>
 
@@ -45,6 +46,11 @@ void check_population(const SearchProblem& problem, std::size_t links, std::size
         window.push_back(random_sample(links, random));
     std::vector<double> fitness(individuals, not_a_number);
     problem.fitness_of(population, window, 400, fitness);
+    test::in_each_vector_width([&] {
+        std::vector<double> again(individuals, not_a_number);
+        problem.fitness_of(population, window, 400, again);
+        REQUIRE(again == fitness);
+    });
     for (std::size_t i = 0; i < individuals; ++i) {
         REQUIRE(bits_of(fitness[i]) == bits_of(problem.fitness(population[i], window, 400)));
         double sum = 0;
@@ -60,12 +66,12 @@ TEST_CASE("terms of eight errors at once are those of each") {
     RandomStream random(1, "terms");
     const std::array<double, 10> special{0, -0.0, 20, infinity, -infinity, not_a_number, 1e300, 1e-300, 2896.3, 2896.4};
     for (int i = 0; i < 10'000; ++i) {
-        Lanes errors;
+        std::array<double, 8> errors{};
         for (double& error : errors)
             error = random.below(3) ? (random.uniform() - 0.5) * 6000 : special.at(random.below(10));
         double bias = random.below(2) ? 400 : 1e7 * random.uniform(); // the upper limit is 2^23
-        Lanes terms = fitness_terms(bias, errors);
-        for (Eigen::Index lane = 0; lane < errors.size(); ++lane)
+        auto terms = fitness_term<Lanes<2>>(bias, errors).numbers();
+        for (std::size_t lane = 0; lane < errors.size(); ++lane)
             REQUIRE(bits_of(terms[lane]) == bits_of(fitness_term(bias, errors[lane])));
     }
 }

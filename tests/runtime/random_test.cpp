@@ -1,8 +1,10 @@
 #include "runtime/random.hpp"
+#include "tests/runtime/each_vector_width.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
+#include <vector>
 
 using namespace placedpar;
 
@@ -25,10 +27,10 @@ TEST_CASE("Philox 4x32-10 gives the known answer of Random123's kat_vectors for 
 }
 
 TEST_CASE("filling takes the numbers that so many calls would give, from any place in a block") {
-    for (std::size_t before = 0; before < 5; ++before)
-        for (std::size_t count = 0; count < 14; ++count) {
+    for (std::size_t before : {0u, 1u, 5u, 63u, 64u, 65u})
+        for (std::size_t count : {0u, 1u, 2u, 63u, 64u, 65u, 200u}) {
             RandomStream one(3, "fill"), all(3, "fill");
-            std::array<std::uint32_t, 14> numbers{};
+            std::array<std::uint32_t, 200> numbers{};
             for (std::size_t i = 0; i < before; ++i)
                 CHECK(one() == all());
             all.fill(std::span(numbers).first(count));
@@ -36,6 +38,22 @@ TEST_CASE("filling takes the numbers that so many calls would give, from any pla
                 REQUIRE(numbers.at(i) == one());
             REQUIRE(all() == one());
         }
+}
+
+TEST_CASE("a stream's numbers are Random123's, block after block, in every vector width") {
+    const r123::Philox4x32::key_type key{{0x89abcdef, 0x01234567}};
+    std::vector<std::uint32_t> expected;
+    // The hash of the empty path, 64 bits of FNV-1a, is its offset basis.
+    for (std::uint32_t block = 0; block < 100; ++block)
+        for (std::uint32_t number : r123::Philox4x32{}({{block, 0, 0x84222325, 0xcbf29ce4}}, key))
+            expected.push_back(number);
+    test::in_each_vector_width([&] {
+        RandomStream stream(0x0123456789abcdef, "");
+        std::vector<std::uint32_t> drawn(expected.size());
+        for (std::uint32_t& number : drawn)
+            number = stream();
+        CHECK(drawn == expected);
+    });
 }
 
 TEST_CASE("below(n) is uniform over 0 ... n - 1") {

@@ -61,7 +61,7 @@ TEST_CASE("each operator says what strings it fits") {
     CHECK(Crossover::fitting(StringKind::real) ==
           std::vector<std::string>{"one-point", "two-point", "uniform", "blend"});
     CHECK(Crossover::fitting(StringKind::permutation) == std::vector<std::string>{"order"});
-    CHECK(Mutation::fitting(StringKind::binary) == std::vector<std::string>{"bit"});
+    CHECK(Mutation::fitting(StringKind::binary) == std::vector<std::string>{"bit", "distance"});
     CHECK(Mutation::fitting(StringKind::real) == std::vector<std::string>{"gaussian", "breeder", "uniform"});
     CHECK(Mutation::fitting(StringKind::permutation) == std::vector<std::string>{"swap", "inversion"});
     CHECK_FALSE(Mutation().fits(StringKind::real));

@@ -1,7 +1,7 @@
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/circuit_error.hpp"
+#include "runtime/lanes.hpp"
 
-#include <Eigen/Core>
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -104,7 +104,7 @@ TEST_CASE("two pumps meet at the boom in configuration d") {
 }
 
 TEST_CASE("a whole array of compliances has the same bits as each alone") {
-    using Array = Eigen::Array<double, 8, 1>;
+    using Array = Lanes<2>;
     std::mt19937 random(2);
     auto draw = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
@@ -114,18 +114,21 @@ TEST_CASE("a whole array of compliances has the same bits as each alone") {
             Circuit circuit = circuit_of(configuration, group);
             for (int i = 0; i < 1000; ++i) {
                 std::array<LinkSample, 4> samples{};
+                std::array<std::array<double, Array::count>, 4> drawn{};
                 std::array<Array, 4> compliances;
                 for (std::size_t j = 0; j < circuit.size(); ++j) {
                     samples[j] = {draw(0, 3000), draw(-3000, 3000), draw(-100, 150), draw(0.001, 0.5), draw(0, 0.5)};
-                    for (auto& compliance : compliances[j])
+                    for (double& compliance : drawn[j])
                         compliance = draw(0, 0.1);
+                    compliances[j] = drawn[j];
                 }
-                Array together = circuit_error_in3_per_s<Array>(circuit, std::span<const Array>(compliances), samples,
-                                                                fitted_flow_constants(), InletFlow::as_signed);
-                for (Eigen::Index n = 0; n < together.size(); ++n) {
+                auto together = circuit_error_in3_per_s<Array>(circuit, std::span<const Array>(compliances), samples,
+                                                               fitted_flow_constants(), InletFlow::as_signed)
+                                    .numbers();
+                for (std::size_t n = 0; n < together.size(); ++n) {
                     std::array<double, 4> one{};
                     for (std::size_t j = 0; j < circuit.size(); ++j)
-                        one[j] = compliances[j][n];
+                        one[j] = drawn[j][n];
                     CHECK(circuit_error_in3_per_s<double>(circuit, std::span<const double>(one), samples,
                                                           fitted_flow_constants(),
                                                           InletFlow::as_signed) == together[n]);

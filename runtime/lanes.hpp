@@ -1,0 +1,179 @@
+#pragma once
+
+#include "runtime/vector_width.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+namespace placedpar {
+
+/// The same number of eight individuals, side by side in registers of `width` doubles. What is written for double
+/// works for it too, and gives each lane the bits that it has alone: every operation rounds once. Comparisons are those
+/// of std::max and std::min. Made and used in the Work of in_vectors(), so that it is compiled for that width.
+template <std::size_t width>
+class Lanes {
+public:
+    static constexpr std::size_t count = 8;
+
+    Lanes() = default;
+    /// The same in all lanes.
+    [[gnu::always_inline]] Lanes(double all) { // NOLINT: as a double is
+        each([&](std::size_t i) { put_into_all(all, registers_[i]); });
+    }
+    [[gnu::always_inline]] Lanes(const std::array<double, count>& numbers) {
+        std::memcpy(registers_, numbers.data(), sizeof registers_);
+    }
+    // Not trivial, so that Lanes are passed in memory: code compiled for another width looks for them there too.
+    [[gnu::always_inline]] Lanes(const Lanes& other) { *this = other; }
+    [[gnu::always_inline]] Lanes& operator=(const Lanes& other) {
+        each([&](std::size_t i) { registers_[i] = other.registers_[i]; });
+        return *this;
+    }
+
+    [[gnu::always_inline]] std::array<double, count> numbers() const {
+        const Lanes copy = *this; // so that these lanes can stay in registers until now
+        std::array<double, count> numbers;
+        std::memcpy(numbers.data(), copy.registers_, sizeof registers_);
+        return numbers;
+    }
+
+    [[gnu::always_inline]] friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        Lanes result;
+        each([&](std::size_t i) { result.registers_[i] = a.registers_[i] + b.registers_[i]; });
+        return result;
+    }
+    [[gnu::always_inline]] friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        Lanes result;
+        each([&](std::size_t i) { result.registers_[i] = a.registers_[i] - b.registers_[i]; });
+        return result;
+    }
+    [[gnu::always_inline]] friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        Lanes result;
+        each([&](std::size_t i) { result.registers_[i] = a.registers_[i] * b.registers_[i]; });
+        return result;
+    }
+    [[gnu::always_inline]] friend Lanes operator/(const Lanes& a, const Lanes& b) {
+        Lanes result;
+        each([&](std::size_t i) { result.registers_[i] = a.registers_[i] / b.registers_[i]; });
+        return result;
+    }
+    [[gnu::always_inline]] Lanes operator-() const {
+        Lanes result;
+        each([&](std::size_t i) { result.registers_[i] = -registers_[i]; });
+        return result;
+    }
+    [[gnu::always_inline]] Lanes& operator+=(const Lanes& other) { return *this = *this + other; }
+    [[gnu::always_inline]] Lanes& operator-=(const Lanes& other) { return *this = *this - other; }
+    [[gnu::always_inline]] Lanes& operator*=(const Lanes& other) { return *this = *this * other; }
+
+    [[gnu::always_inline]] friend Lanes max(const Lanes& a, const Lanes& b) {
+        Lanes result;
+        each([&](std::size_t i) { take_greater(b.registers_[i], a.registers_[i], result.registers_[i]); });
+        return result;
+    }
+    [[gnu::always_inline]] friend Lanes min(const Lanes& a, const Lanes& b) {
+        Lanes result;
+        each([&](std::size_t i) { take_less(b.registers_[i], a.registers_[i], result.registers_[i]); });
+        return result;
+    }
+    [[gnu::always_inline]] friend Lanes abs(const Lanes& x) {
+        Lanes result;
+        each([&](std::size_t i) {
+            result.registers_[i] =
+                reinterpret_cast<Register>(reinterpret_cast<Bits>(x.registers_[i]) & 0x7fffffffffffffff);
+        });
+        return result;
+    }
+    [[gnu::always_inline]] friend Lanes sqrt(const Lanes& x) {
+        Lanes result;
+        each([&](std::size_t i) { take_root(x.registers_[i], result.registers_[i]); });
+        return result;
+    }
+
+    // One lane after the other: processors have no instruction for these.
+    friend Lanes sin(const Lanes& x) {
+        return x.one_by_one([](double each) { return std::sin(each); });
+    }
+    friend Lanes cos(const Lanes& x) {
+        return x.one_by_one([](double each) { return std::cos(each); });
+    }
+    friend Lanes exp(const Lanes& x) {
+        return x.one_by_one([](double each) { return std::exp(each); });
+    }
+    friend Lanes log(const Lanes& x) {
+        return x.one_by_one([](double each) { return std::log(each); });
+    }
+
+private:
+    using Register = typename Registers<width>::Doubles;
+    using Bits = typename Registers<width>::Words;
+
+    template <class Do>
+    [[gnu::always_inline]] static void each(const Do& do_register) {
+        constexpr std::size_t registers = count / width;
+        do_register(0);
+        if constexpr (registers > 1)
+            do_register(1);
+        if constexpr (registers > 2)
+            do_register(2), do_register(3);
+    }
+    template <class Function>
+    Lanes one_by_one(Function function) const {
+        std::array<double, count> results = numbers();
+        for (double& result : results)
+            result = function(result);
+        return Lanes(results);
+    }
+
+    // a > b ? a : b, a < b ? a : b; where GCC 12 finds no instruction for it, it is named.
+    [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
+        result = a > b ? a : b;
+    }
+    [[gnu::always_inline]] static void take_less(const Register& a, const Register& b, Register& result) {
+        result = a < b ? a : b;
+    }
+    static void put_into_all(double all, Register& result) {
+        for (std::size_t i = 0; i < width; ++i)
+            result[i] = all;
+    }
+    static void take_root(const Register& x, Register& root) {
+        for (std::size_t i = 0; i < width; ++i)
+            root[i] = std::sqrt(x[i]);
+    }
+#ifdef __x86_64__
+    [[PLACEDPAR_AVX512]] static void take_greater(const Register& a, const Register& b,
+                                                  Register& result) requires(width == 8) {
+        result = _mm512_maskz_max_pd(0xff, a, b);
+    }
+    [[PLACEDPAR_AVX512]] static void take_less(const Register& a, const Register& b,
+                                               Register& result) requires(width == 8) {
+        result = _mm512_maskz_min_pd(0xff, a, b);
+    }
+    static void put_into_all(double all, Register& result) requires(width == 2) { result = _mm_set1_pd(all); }
+    [[PLACEDPAR_AVX2]] static void put_into_all(double all, Register& result) requires(width == 4) {
+        result = _mm256_set1_pd(all);
+    }
+    [[PLACEDPAR_AVX512]] static void put_into_all(double all, Register& result) requires(width == 8) {
+        result = _mm512_set1_pd(all);
+    }
+    static void take_root(const Register& x, Register& root) requires(width == 2) { root = _mm_sqrt_pd(x); }
+    [[PLACEDPAR_AVX2]] static void take_root(const Register& x, Register& root) requires(width == 4) {
+        root = _mm256_sqrt_pd(x);
+    }
+    [[PLACEDPAR_AVX512]] static void take_root(const Register& x, Register& root) requires(width == 8) {
+        root = _mm512_maskz_sqrt_pd(0xff, x);
+    }
+#endif
+
+    // GCC aligns wide registers to 16 where the target has none, but counts on more where it has.
+    alignas(sizeof(double) * width) Register registers_[count / width];
+};
+
+} // namespace placedpar

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace placedpar {
+
+// One program for every processor: what gains from wide registers is compiled for each width, and the widest that the
+// processor has is taken while it runs. INVARIANT: all widths give the same bits. No width may therefore contract a
+// multiplication and an addition into one rounding: whoever compiles this needs -ffp-contract=off.
+// Rejected: Google Highway and the like, whose functions can only be called from code that is marked for their target,
+// so that nobody's plain struct could be evaluated in wide registers.
+
+/// Doubles that a register holds: with SSE2 or another processor's own, AVX2 and AVX-512.
+inline constexpr std::array<std::size_t, 3> vector_widths{2, 4, 8};
+
+/// What a register of that width holds. Not one template: GCC 12 miscompiles vectors whose size depends on a parameter.
+template <std::size_t width>
+struct Registers;
+template <>
+struct Registers<2> {
+    typedef double Doubles __attribute__((vector_size(16)));
+    typedef std::uint64_t Words __attribute__((vector_size(16)));
+};
+template <>
+struct Registers<4> {
+    typedef double Doubles __attribute__((vector_size(32)));
+    typedef std::uint64_t Words __attribute__((vector_size(32)));
+};
+template <>
+struct Registers<8> {
+    typedef double Doubles __attribute__((vector_size(64)));
+    typedef std::uint64_t Words __attribute__((vector_size(64)));
+};
+
+/// The greatest of vector_widths that this processor has.
+std::size_t widest_vector_width();
+
+/// The width in use: the widest, unless a test or a benchmark has said otherwise.
+std::size_t vector_width();
+/// Throws std::invalid_argument when it is none of vector_widths, or beyond the widest.
+void use_vector_width(std::size_t width);
+
+#ifdef __x86_64__
+#define PLACEDPAR_AVX2 gnu::target("avx2")
+#define PLACEDPAR_AVX512 gnu::target("avx512f,avx512dq,avx512vl,avx512bw")
+#else
+#define PLACEDPAR_AVX2 gnu::noinline
+#define PLACEDPAR_AVX512 gnu::noinline
+#endif
+
+/// Calls `work.operator()<width>()` compiled for the width in use, with all that can be inlined into it.
+template <class Work>
+[[gnu::flatten]] void in_vectors_of_2(const Work& work) {
+    work.template operator()<2>();
+}
+template <class Work>
+[[gnu::flatten, PLACEDPAR_AVX2]] void in_vectors_of_4(const Work& work) {
+    work.template operator()<4>();
+}
+template <class Work>
+[[gnu::flatten, PLACEDPAR_AVX512]] void in_vectors_of_8(const Work& work) {
+    work.template operator()<8>();
+}
+template <class Work>
+void in_vectors(const Work& work) {
+    switch (vector_width()) {
+    case 8: return in_vectors_of_8(work);
+    case 4: return in_vectors_of_4(work);
+    default: return in_vectors_of_2(work);
+    }
+}
+
+} // namespace placedpar
