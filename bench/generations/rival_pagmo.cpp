@@ -1,0 +1,63 @@
+// pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and differential evolution. A shared library of
+// its own, as in bench/identification.
+
+#include "bench/generations/contest.hpp"
+
+#include <pagmo/algorithms/de.hpp>
+#include <pagmo/algorithms/sga.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+PoleZeroPlant plant_of(const pagmo::vector_double& x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
+
+/// pagmo minimises. A problem is copied into every population, so that a moved window makes a new one.
+struct WindowProblem {
+    std::span<const std::vector<double>> window;
+
+    pagmo::vector_double fitness(const pagmo::vector_double& x) const { return {-Chase::fitness(plant_of(x), window)}; }
+    std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
+        return {{Chase::low.begin(), Chase::low.end()}, {Chase::high.begin(), Chase::high.end()}};
+    }
+};
+
+template <typename Algorithm>
+Answer follow(const Chase& chase, Algorithm algorithm) {
+    auto seed = static_cast<unsigned>(chase.seed);
+    algorithm.set_seed(seed);
+    pagmo::population population;
+    Answer answer;
+    for (std::size_t number = 0; number < chase.windows(); ++number) {
+        pagmo::problem problem(WindowProblem{chase.window_at(number)});
+        pagmo::population next(problem, number == 0 ? Chase::population : 0, seed);
+        for (const pagmo::vector_double& x : population.get_x())
+            next.push_back(x); // evaluated again, in the new window: the first of the sample's generations
+        population = algorithm.evolve(std::move(next));
+        PoleZeroPlant best = plant_of(population.champion_x());
+        answer.poles.push_back({best.alpha, best.beta});
+    }
+    return answer;
+}
+
+constexpr unsigned generations = Chase::trials - 1;
+
+Answer genetic(const Chase& chase) {
+    return follow(chase, pagmo::sga(generations, 0.8, 10, 0.1, 20, 2, "sbx", "polynomial", "tournament"));
+}
+
+Answer differential_evolution(const Chase& chase) {
+    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end: the same budget
+}
+
+} // namespace
+
+#pragma GCC visibility push(default)
+std::vector<Contestant> pagmo() { return {{"pagmo sga", genetic}, {"pagmo de", differential_evolution}}; }
+#pragma GCC visibility pop
+
+} // namespace placedpar
