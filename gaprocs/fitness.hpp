@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace placedpar {
 
@@ -22,8 +23,8 @@ inline constexpr double fitness_rounding_shift = 0x1.8p32;
 
 /// One sample's term of the fitness, or several individuals' (T is double or Lanes). `bias` and `error` squared are in
 /// the same unit, the problem's own. An error that is not a number, or infinite, gives the lower limit.
-template <typename T>
-T fitness_term(double bias, const T& error) {
+template <typename T = double>
+T fitness_term(double bias, const std::type_identity_t<T>& error) {
     using std::max, std::min;
     T term = bias - error * error;
     term = max(T(-fitness_term_limit), term); // in this order NaN is caught too

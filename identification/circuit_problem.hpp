@@ -51,7 +51,8 @@ public:
         boost::container::static_vector<hydraulics::LinkSample, hydraulics::all_links.size()> links;
         for (std::size_t j = 0; j < circuit_.size(); ++j)
             links.push_back(hydraulics::LinkSample::from(sample.subspan(j * hydraulics::LinkSample::channels)));
-        return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, links, flow_, form_);
+        return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, std::span(links.data(), links.size()),
+                                                      flow_, form_);
     }
 
     template <BinaryString G>
@@ -60,7 +61,8 @@ public:
     }
     template <BinaryString G>
     double error(const G& genome, std::span<const double> sample) const {
-        return error_of<double>(parameters_of(genome), sample);
+        Compliances compliances = parameters_of(genome);
+        return error_of<double>(std::span(compliances.data(), compliances.size()), sample);
     }
 
     /// "C_BUi", ... in the circuit's order.

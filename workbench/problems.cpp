@@ -49,7 +49,7 @@ void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
 struct SimulatedPlant : PlantProblem {
     double a1;
 
-    std::vector<double> true_parameters() const { return parameters_of(Plant{.a1 = a1}); }
+    std::vector<double> true_parameters() const { return placedpar::parameters_of(Plant{.a1 = a1}); }
 };
 
 /// The plant of chapter 5 without noise, that changes as Table 5.4 says.
