@@ -41,6 +41,7 @@ public:
 
     std::size_t bits() const { return coding_.bits(); }
     std::size_t channels() const { return plant_channels; }
+    const ParameterCoding& coding() const { return coding_; }
 
     template <BinaryString G>
     PoleZeroPlant plant(const G& genome) const {

@@ -54,7 +54,7 @@ class PlantSearch {
 public:
     PlantSearch(const PlantIslands& plant, std::uint64_t seed)
         : plant_(plant), problem_(make_search_problem(PlantProblem(), plant.coding)),
-          record_(plant_record(plant.plant, RandomStream(seed, "plant"))),
+          record_(plant_samples(plant.plant, seed)),
           islands_(*problem_, settings_of(plant), island_streams(seed, plant.windows.size())) {
         for (const std::string& choice : plant.choices)
             analyses_.emplace_back(*problem_, plant.windows, IslandChoice::named(choice), RandomStream(seed, choice));
@@ -128,6 +128,10 @@ private:
 };
 
 } // namespace
+
+std::vector<std::vector<double>> plant_samples(const PlantExperiment& plant, std::uint64_t seed) {
+    return plant_record(plant, RandomStream(seed, "plant"));
+}
 
 PlantSearchRun search_plant(const PlantIslands& islands, std::uint64_t seed) {
     return PlantSearch(islands, seed).run();

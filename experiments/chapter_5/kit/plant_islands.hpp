@@ -36,6 +36,9 @@ struct PlantSearchRun {
     double identical = 0; ///< share of the generations 400 to 600 in which the bests of first and last island are one
 };
 
+/// What is measured of the plant: the same for everything that is tried with a seed.
+std::vector<std::vector<double>> plant_samples(const PlantExperiment& plant, std::uint64_t seed);
+
 /// Operators as in 5.4, one elite, B = 10; the record and all searches by the seed.
 PlantSearchRun search_plant(const PlantIslands& islands, std::uint64_t seed);
 

@@ -57,6 +57,8 @@ void add_run(PlantStudy& study, std::span<const double> figures) {
 
 std::string name_of(const PlantIslands& islands) {
     std::string name = fmt::format("{}, {}", islands.name, noise_name(islands.plant.noise));
+    if (auto [c1, c2] = islands.plant.colour; c1 != 0 || c2 != 0)
+        name += fmt::format(", c1 = {}, c2 = {}", c1, c2);
     return islands.choices.empty() ? name : fmt::format("{}, answers by {}", name, fmt::join(islands.choices, ", "));
 }
 
@@ -95,6 +97,21 @@ PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands
     PlantStudy study{islands, {}, {}, {}};
     for (const Figures& run :
          run_seeds(context, name_of(islands), [&](std::uint64_t seed) { return figures_of(islands, seed); }))
+        add_run(study, run);
+    return study;
+}
+
+PlantStudy study_pole(const ReplayContext& context, std::string name, const PlantExperiment& plant,
+                      const std::function<std::vector<Pole>(std::uint64_t seed)>& follow) {
+    PlantIslands one;
+    one.name = std::move(name);
+    one.plant = plant;
+    PlantStudy study{one, {}, {}, {}};
+    for (const Figures& run : run_seeds(context, name_of(study.islands), [&](std::uint64_t seed) {
+             Figures figures{0, 0};
+             append_track(figures, follow(seed), plant.change);
+             return figures;
+         }))
         add_run(study, run);
     return study;
 }

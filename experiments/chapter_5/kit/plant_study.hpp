@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,10 @@ struct PlantStudy {
 
 /// Every seed of the replay.
 PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands);
+
+/// What something else than islands found in each generation of the record of the seed: a study of one track.
+PlantStudy study_pole(const ReplayContext& context, std::string name, const PlantExperiment& plant,
+                      const std::function<std::vector<Pole>(std::uint64_t seed)>& follow);
 
 /// Of each seed, the one less the other, or the one by the other. The seeds give both the same record.
 std::vector<double> less(const std::vector<double>& one, const std::vector<double>& other);

@@ -1,0 +1,73 @@
+// Differential evolution and CMA-ES on objectives whose optimum is known.
+
+#include "experiments/chapter_5/kit/covariance_adaptation.hpp"
+#include "experiments/chapter_5/kit/differential_evolution.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace placedpar;
+
+namespace {
+
+double sphere(const Eigen::VectorXd& x) { return (x - Eigen::VectorXd::Constant(x.size(), 0.3)).squaredNorm(); }
+
+/// A long valley that lies across the axes: axis lengths from 1 to 1000.
+double ellipse(const Eigen::VectorXd& x) {
+    Eigen::VectorXd from = x - Eigen::VectorXd::Constant(x.size(), 0.6);
+    double along = from.sum(), sum = along * along / static_cast<double>(x.size());
+    return sum * 1e-6 + (from.squaredNorm() - sum);
+}
+
+/// Its optimum lies in a corner of the cube.
+double slope(const Eigen::VectorXd& x) { return x.sum(); }
+
+} // namespace
+
+TEST_CASE("differential evolution finds the least of a sphere, and of a slope in the corner") {
+    for (auto objective : {sphere, slope}) {
+        DifferentialEvolution evolution(6, 40, RandomStream(1, "test"));
+        evolution.evaluate(objective);
+        for (int i = 0; i < 400; ++i)
+            evolution.next_generation(objective);
+        CHECK(objective(evolution.best()) < 1e-6);
+        CHECK(evolution.best().minCoeff() >= 0);
+    }
+}
+
+TEST_CASE("... and a generation never makes the best worse") {
+    DifferentialEvolution evolution(6, 10, RandomStream(2, "test"));
+    evolution.evaluate(ellipse);
+    for (double best = ellipse(evolution.best()); best > 1e-3; best = ellipse(evolution.best())) {
+        evolution.next_generation(ellipse);
+        CHECK(ellipse(evolution.best()) <= best);
+    }
+}
+
+TEST_CASE("CMA-ES finds the least of a sphere, of a valley a thousand times as long as wide, and of a corner") {
+    for (auto objective : {sphere, ellipse, slope}) {
+        CovarianceAdaptation strategy(6, 12, 0, RandomStream(1, "test"));
+        for (int i = 0; i < 400; ++i)
+            strategy.next_generation(objective);
+        CHECK(objective(strategy.mean()) < 1e-8);
+    }
+}
+
+TEST_CASE("with a least step CMA-ES follows an optimum that moves, without one it has fallen asleep") {
+    auto distance = [](double least_step) {
+        CovarianceAdaptation strategy(6, 12, least_step, RandomStream(1, "test"));
+        double at = 0.2;
+        auto moving = [&](const Eigen::VectorXd& x) {
+            return std::abs(x[0] - at) + (x.tail(5).array() - 0.5).matrix().norm();
+        };
+        for (int i = 0; i < 1000; ++i)
+            strategy.next_generation(moving);
+        at = 0.8;
+        for (int i = 0; i < 60; ++i)
+            strategy.next_generation(moving);
+        return std::abs(strategy.mean()[0] - at);
+    };
+    CHECK(distance(0.02) < 0.05);
+    CHECK(distance(0) > 0.3);
+}
