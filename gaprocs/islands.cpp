@@ -207,6 +207,21 @@ void Islands::breed(std::size_t island, std::span<Migration> arrivals) {
             arrival.individual.fitness = problem_.fitness(arrival.individual.genome, windows_[island].samples(),
                                                           settings_.islands[island].window.bias);
     accept_and_breed(searches_[island], fitness_[island], arrivals, settings_.acceptance);
+    if (observer_)
+        tell_migrations(island, arrivals);
+}
+
+void Islands::observe_by(SearchObserver& observer) {
+    observer_ = &observer;
+    names_ = island_names(searches_.size());
+    for (std::size_t i = 0; i < searches_.size(); ++i)
+        searches_[i].listen(told_to(observer, names_[i], problem_));
+}
+
+void Islands::tell_migrations(std::size_t to, std::span<const Migration> arrivals) const {
+    for (const Migration& each : arrivals)
+        observer_->observe({names_[each.from], names_[to], searches_[to].generation(), std::nullopt,
+                            each.individual.fitness, each.place.has_value()});
 }
 
 void accept_and_breed(Search& search, std::span<double> fitness, std::span<Migration> arrivals,
@@ -225,10 +240,12 @@ void accept_and_breed(Search& search, std::span<double> fitness, std::span<Migra
 }
 
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& wanted,
-                          std::vector<RandomStream> streams) {
+                          std::vector<RandomStream> streams, SearchObserver* observer) {
     IslandsSettings settings = settings_for(problem, wanted);
     settings.validate_for(record.size());
     Islands islands(problem, settings, std::move(streams));
+    if (observer)
+        islands.observe_by(*observer);
     IslandsResult result;
     result.islands.resize(settings.islands.size());
     for (std::size_t sample = 0; sample < record.size(); ++sample) {
@@ -247,14 +264,21 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
 }
 
 IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
-                          std::vector<RandomStream> streams) {
-    return run_islands(problem, empty_record(generations), settings, std::move(streams));
+                          std::vector<RandomStream> streams, SearchObserver* observer) {
+    return run_islands(problem, empty_record(generations), settings, std::move(streams), observer);
+}
+
+std::vector<std::string> island_names(std::size_t islands) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < islands; ++i)
+        names.push_back(fmt::format("island[{}]", i));
+    return names;
 }
 
 std::vector<RandomStream> island_streams(std::uint64_t seed, std::size_t islands) {
     std::vector<RandomStream> streams;
-    for (std::size_t i = 0; i < islands; ++i)
-        streams.emplace_back(seed, fmt::format("island[{}]", i));
+    for (const std::string& name : island_names(islands))
+        streams.emplace_back(seed, name);
     return streams;
 }
 

@@ -5,6 +5,7 @@
 #include "gaprocs/policies/schedule.hpp"
 #include "gaprocs/policies/topology.hpp"
 #include "gaprocs/search.hpp"
+#include "gaprocs/search_observer.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/settings.hpp"
 #include "gaprocs/traditional.hpp"
@@ -72,6 +73,9 @@ public:
     /// another number of streams.
     Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams);
 
+    /// From now on the observer is told of every generation, of the islands by their island_names(). It outlives this.
+    void observe_by(SearchObserver& observer);
+
     /// A new sample comes into the windows of all.
     void push(const Sample& sample);
     /// Enough samples for a generation on this island? One of a short window waits for those that it is in step with.
@@ -93,6 +97,7 @@ private:
     void send_by_mail(std::size_t from);
     std::vector<Migration> mail_for(std::size_t island);
     void breed(std::size_t island, std::span<Migration> arrivals);
+    void tell_migrations(std::size_t to, std::span<const Migration> arrivals) const;
 
     const SearchProblem& problem_;
     IslandsSettings settings_;
@@ -104,6 +109,8 @@ private:
     std::vector<Migration> migrations_;
     /// Asynchronous: on their way to each island, by the island from which they come.
     std::vector<std::map<std::size_t, std::vector<Migration>>> mail_;
+    SearchObserver* observer_ = nullptr;
+    std::vector<std::string> names_; ///< by which the observer knows the islands
 };
 
 struct IslandsResult {
@@ -114,12 +121,14 @@ struct IslandsResult {
 /// The islands over a record, without processes, machine or time. Throws as Islands and
 /// IslandsSettings::validate_for().
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
-                          std::vector<RandomStream> streams);
+                          std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
 /// The same for an objective problem, whose record is empty samples: an estimate of each island for each generation.
 IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
-                          std::vector<RandomStream> streams);
+                          std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
 
-/// The streams of a run: "island[0]", "island[1]", ..., as those of processes that a netlist declares by island[n].
+/// "island[0]", "island[1]", ..., as processes that a netlist declares by island[n].
+std::vector<std::string> island_names(std::size_t islands);
+/// The streams of a run, of these names.
 std::vector<RandomStream> island_streams(std::uint64_t seed, std::size_t islands);
 
 } // namespace placedpar

@@ -57,6 +57,8 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
 
 void Search::next_generation(std::span<const double> fitness) {
     require_fitness(fitness);
+    if (listener_)
+        listener_(*this, fitness);
     std::size_t best = best_index(fitness);
     best_ = Individual{population_[best], fitness[best]};
     ++generation_;

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -43,12 +44,18 @@ public:
     /// settings.population strings of one length.
     Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random);
 
+    const Representation& representation() const { return representation_; }
     const std::vector<Genome>& population() const { return population_; }
     /// Generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
     /// How often no individual had positive fitness, so that the whole population but the elite was drawn anew. The
     /// thesis is silent on this case, in which no sector of the roulette wheel has any width.
     std::uint64_t redraws() const { return redraws_; }
+
+    /// Who is told of each evaluated generation as it is about to breed, its immigrants among the population: this
+    /// search and the fitness. Nothing is computed for it where nobody listens.
+    using Listener = std::function<void(const Search&, std::span<const double> fitness)>;
+    void listen(Listener listener) { listener_ = std::move(listener); }
 
     /// Ends the evaluated generation: remembers its best, then reproduction, crossover and mutation.
     /// Throws std::invalid_argument unless there is one finite fitness for each individual.
@@ -87,6 +94,7 @@ private:
     std::optional<Individual> best_;
     std::uint64_t generation_ = 0;
     std::uint64_t redraws_ = 0;
+    Listener listener_;
 };
 
 } // namespace placedpar

@@ -17,10 +17,12 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
 }
 
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record, const SearchSettings& wanted,
-                             RandomStream random) {
+                             RandomStream random, SearchObserver* observer) {
     SearchSettings settings = settings_for(problem, wanted);
     settings.window.validate_for(record.size());
     Search search(problem.representation(), settings, std::move(random));
+    if (observer)
+        search.listen(told_to(*observer, "traditional", problem));
     SlidingWindow window(settings.window);
     SearchResult result;
     for (std::size_t i = 0; i < record.size(); ++i) {
@@ -38,8 +40,8 @@ SearchResult run_traditional(const SearchProblem& problem, std::span<const Sampl
 }
 
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
-                             RandomStream random) {
-    return run_traditional(problem, empty_record(generations), settings, std::move(random));
+                             RandomStream random, SearchObserver* observer) {
+    return run_traditional(problem, empty_record(generations), settings, std::move(random), observer);
 }
 
 const Estimate& SearchResult::best() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/search.hpp"
+#include "gaprocs/search_observer.hpp"
 #include "gaprocs/search_problem.hpp"
 
 #include <cstddef>
@@ -33,12 +34,12 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
                              std::span<const Sample> window, double bias);
 
 /// The traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1): no processes, no machine, no
-/// time. This is the reference that algorithm A must reproduce bit for bit.
+/// time. This is the reference that algorithm A must reproduce bit for bit. To an observer the search is "traditional".
 /// Throws as SearchSettings::validate() and settings_for(), and UserError for a window longer than the record.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
-                             const SearchSettings& settings, RandomStream random);
+                             const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
 /// The same for an objective problem, whose record is empty samples: an estimate for each generation.
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
-                             RandomStream random);
+                             RandomStream random, SearchObserver* observer = nullptr);
 
 } // namespace placedpar

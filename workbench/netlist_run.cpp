@@ -27,7 +27,7 @@ void Interruption::request() noexcept {
 }
 
 RunReport run_netlist(const Network& network, const ProblemRegistry& problems, const RunSettings& settings) {
-    Catalogue catalogue = known_kinds(problems);
+    Catalogue catalogue = known_kinds(problems, settings.observer);
     Machine machine(network, catalogue, settings.seed);
     if (settings.trace)
         machine.trace_to(*settings.trace);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/problem_registry.hpp"
+#include "gaprocs/search_observer.hpp"
 #include "netlist/machine.hpp"
 
 #include <atomic>
@@ -27,6 +28,7 @@ struct RunSettings {
     std::uint64_t seed = 1;
     Time until = Time::max();             ///< the run ends there if it is not over before
     TraceSink* trace = nullptr;           ///< none: no trace
+    SearchObserver* observer = nullptr;   ///< none: nobody observes the searches
     Interruption* interruption = nullptr; ///< none: nothing ends the run early. Of one run at a time
 };
 

@@ -44,6 +44,8 @@ int legend_width(const Plot& plot) {
             longest = std::max(longest, letters(series.name));
         for (const Mark& mark : panel.marks)
             longest = std::max(longest, letters(mark.name));
+        for (const Band& band : panel.bands)
+            longest = std::max(longest, letters(band.name));
     }
     return longest == 0 ? 30 : legend_sample + legend_letter * static_cast<int>(longest);
 }
@@ -66,11 +68,16 @@ std::string style_of(const Mark& mark, std::size_t place) {
                        mark.colour ? colours[static_cast<std::size_t>(*mark.colour) % colours.size()] : "#606060");
 }
 
+std::string style_of(const Band& band) {
+    return fmt::format("with filledcurves fillstyle transparent solid 0.2 noborder linecolor rgb '{}'",
+                       colours[static_cast<std::size_t>(band.colour) % colours.size()]);
+}
+
 std::string title_of(const std::string& name) { return name.empty() ? "notitle" : "title " + quoted(name); }
 
 std::string axis_commands(const char* letter, const Axis& axis) {
     auto end = [](std::optional<double> value) { return value ? fmt::format("{}", *value) : std::string("*"); };
-    return fmt::format("set {0}label {1} {5}\nset {0}range [{2}:{3}]\n{4} logscale {0}\n", letter, quoted(axis.label),
+    return fmt::format("set {0}label {1} {5}\n{4} logscale {0}\nset {0}range [{2}:{3}]\n", letter, quoted(axis.label),
                        end(axis.from), end(axis.to), axis.logarithmic ? "set" : "unset",
                        *letter == 'x' ? "offset 0,0.4" : "");
 }
@@ -81,6 +88,12 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
         out += fmt::format("$panel{}series{} << END\n", number, i);
         for (const Point& point : panel.series[i].points)
             out += fmt::format("{} {}\n", point.x, point.y);
+        out += "END\n";
+    }
+    for (std::size_t i = 0; i < panel.bands.size(); ++i) {
+        out += fmt::format("$panel{}band{} << END\n", number, i);
+        for (const BandPoint& point : panel.bands[i].points)
+            out += fmt::format("{} {} {}\n", point.x, point.low, point.high);
         out += "END\n";
     }
     return out;
@@ -103,6 +116,9 @@ std::string panel_commands(const Panel& panel, std::size_t number) {
     std::string out = "set title " + quoted(panel.title) + " offset 0,-0.4\n";
     out += axis_commands("x", panel.x) + axis_commands("y", panel.y) + data_blocks(panel, number);
     std::vector<std::string> curves;
+    for (std::size_t i = 0; i < panel.bands.size(); ++i)
+        curves.push_back(fmt::format("$panel{}band{} using 1:2:3 {} {}", number, i, title_of(panel.bands[i].name),
+                                     style_of(panel.bands[i])));
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         curves.push_back(fmt::format("$panel{}series{} using 1:2 {} {}", number, i, title_of(panel.series[i].name),
                                      style_of(panel.series[i], i)));
@@ -120,6 +136,10 @@ void check(const Plot& plot) {
             if (series.points.empty())
                 throw std::invalid_argument(
                     fmt::format("in the panel \"{}\" the series \"{}\" has no points", panel.title, series.name));
+        for (const Band& band : panel.bands)
+            if (band.points.empty())
+                throw std::invalid_argument(
+                    fmt::format("in the panel \"{}\" the band \"{}\" has no points", panel.title, band.name));
     }
 }
 

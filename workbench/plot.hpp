@@ -28,6 +28,17 @@ Series curve(Series series, int steps, PointAt point_at) {
     return series;
 }
 
+struct BandPoint {
+    double x, low, high;
+};
+
+/// The space between two curves, pale, behind all series.
+struct Band {
+    std::string name; ///< in the legend; empty: not there
+    std::vector<BandPoint> points;
+    int colour; ///< which of the eight
+};
+
 /// A horizontal line over the whole width, grey, of other dashes than the panel's other marks.
 struct Mark {
     std::string name;
@@ -47,6 +58,7 @@ struct Panel {
     Axis x = {}, y = {};
     std::vector<Series> series = {};
     std::vector<Mark> marks = {};
+    std::vector<Band> bands = {};
 };
 
 /// Panels, one below the other.
@@ -62,7 +74,7 @@ struct NamedPlot {
 };
 
 /// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series and
-/// a series without points, UserError when gnuplot is not there, std::runtime_error when it refuses the plot.
+/// a series or a band without points, UserError when gnuplot is not there, std::runtime_error when it refuses the plot.
 std::string draw_svg(const Plot&);
 
 } // namespace placedpar

@@ -108,11 +108,11 @@ ProblemRegistry known_problems(std::uint64_t seed) {
     return problems;
 }
 
-Catalogue known_kinds(const ProblemRegistry& problems) {
+Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer) {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
     add_classical_kinds(catalogue);
-    add_genetic_algorithm_kinds(catalogue, problems);
+    add_genetic_algorithm_kinds(catalogue, problems, observer);
     for (const ProcessKind& kind : own_kinds())
         add_own_kind(catalogue, kind);
     return catalogue;

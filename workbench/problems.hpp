@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/problem_registry.hpp"
+#include "gaprocs/search_observer.hpp"
 #include "netlist/kinds/catalogue.hpp"
 
 #include <cstdint>
@@ -12,8 +13,9 @@ namespace placedpar {
 /// measurements depends on the seed. A record is simulated when a process first reads it.
 ProblemRegistry known_problems(std::uint64_t seed);
 
-/// Every process kind that this program knows. `problems` must outlive every run.
-Catalogue known_kinds(const ProblemRegistry& problems);
+/// Every process kind that this program knows. Those that search tell the observer, if there is one. Both must outlive
+/// every run.
+Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
 /// From now on these are among the known kinds: those of a program that is built on PlacedPar. REQUIRES: called before
 /// anything else here, by one thread.

@@ -6,6 +6,7 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/search_log.hpp"
 
 #include <fmt/format.h>
 
@@ -46,10 +47,6 @@ std::string expression(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value))
         return fmt::format("\"{}\"", *text);
     return std::visit([](const auto& number) { return fmt::format("{}", number); }, value);
-}
-
-bool searches(const ProcessInstance& process) {
-    return process.parameters.contains("population") && process.parameters.contains("trials");
 }
 
 /// The program's kinds; a process that is not told otherwise searches by these settings.

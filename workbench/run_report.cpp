@@ -1,6 +1,7 @@
 #include "workbench/run_report.hpp"
 
 #include "text/paint.hpp"
+#include "workbench/search_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -186,7 +187,7 @@ std::string print_ending(Ending ending) {
 
 } // namespace
 
-std::string print_report(const RunReport& report, const Network& network) {
+std::string print_report(const RunReport& report, const Network& network, const GenerationLog& searches) {
     bool stopped = report.result.ending == Ending::time_limit;
     std::string out =
         fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
@@ -198,12 +199,14 @@ std::string print_report(const RunReport& report, const Network& network) {
                report.result.deadlock->text();
     if (!report.measurements.empty())
         out += print_measurements(report.measurements);
+    out += print_searches(searches);
     if (!report.processors.empty())
         out += print_processors(report);
     return out + print_links(report) + print_processes(report);
 }
 
-boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest) {
+boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest,
+                                const GenerationLog& searches) {
     boost::json::object json{{"manifest", manifest_json(manifest, network)},
                              {"outcome", name_of(report.result.ending)},
                              {"time_ps", report.result.time.count()},
@@ -212,6 +215,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
                              {"processors", array_of(report, report.processors)},
                              {"links", array_of(report, report.links)},
                              {"processes", array_of(report, report.processes)}};
+    if (!searches.searches().empty())
+        json["searches"] = searches_json(searches);
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     return json;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/generation_log.hpp"
 #include "netlist/machine.hpp"
 #include "workbench/manifest.hpp"
 
@@ -9,9 +10,11 @@
 
 namespace placedpar {
 
-/// For people: how the run ended, what the processes measured, how busy everything was.
-std::string print_report(const RunReport&, const Network&);
+/// For people: how the run ended, what the processes measured, what the generations of those that search were like, how
+/// busy everything was.
+std::string print_report(const RunReport&, const Network&, const GenerationLog& = GenerationLog({}));
 /// The same for machines, with what is needed to run it again.
-boost::json::object report_json(const RunReport&, const Network&, const Manifest&);
+boost::json::object report_json(const RunReport&, const Network&, const Manifest&,
+                                const GenerationLog& = GenerationLog({}));
 
 } // namespace placedpar

@@ -4,18 +4,29 @@
 #include "app/options/time_option.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "app/watch.hpp"
 #include "text/output_file.hpp"
+#include "text/paint.hpp"
+#include "text/user_error.hpp"
+#include "workbench/convergence.hpp"
+#include "workbench/gnuplot.hpp"
 #include "workbench/manifest.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/run_report.hpp"
+#include "workbench/search_log.hpp"
+#include "workbench/search_report.hpp"
 #include "workbench/trace/trace_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace placedpar {
 
@@ -23,45 +34,161 @@ namespace {
 
 struct RunOptions {
     NetlistOptions netlist;
-    std::string json, trace; ///< files; "": not written
+    std::string json, trace, log, convergence; ///< files; "": not written
     TraceWindow traced;
     Time until = Time::max();
     std::uint64_t seed = 1;
+    std::size_t seeds = 1; ///< from that one on
+    bool watch = false;
+
+    std::array<std::filesystem::path, 4> outputs() const { return {json, trace, log, convergence}; }
+    bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
+    Manifest manifest(const std::string& typed) const {
+        return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until};
+    }
 };
 
-void require_outputs(std::span<const std::filesystem::path> outputs, const RunOptions& options) {
+/// Of one seed.
+struct FinishedRun {
+    RunReport report;
+    SeededLog searches;
+};
+
+void require_outputs(const RunOptions& options) {
+    auto outputs = options.outputs();
+    if (options.seeds > 1 && !options.trace.empty())
+        throw UserError(fmt::format("--trace: a timeline is of one run, and --seeds asks for {}", options.seeds));
+    if (!options.trace.empty())
+        require_trace_format(options.trace);
+    if (!options.convergence.empty())
+        require_gnuplot();
     require_apart(outputs, options.netlist.file);
     for (const auto& path : outputs)
         if (!path.empty())
             require_writable(path);
 }
 
-RunReport run_network(const Network& network, const RunOptions& options, TraceSink* trace) {
+/// Throws UserError where what is asked for cannot be had of this network.
+void require_fit(const Network& network, const RunOptions& options) {
+    for (const std::string& included : network.included_paths)
+        require_apart(options.outputs(), included);
+    if (options.wants_generations())
+        require_searches(network);
+}
+
+RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
+                       Interruption& interruption, SearchObserver* observer) {
+    return run_netlist(
+        network, known_problems(seed),
+        {.seed = seed, .until = options.until, .trace = trace, .observer = observer, .interruption = &interruption});
+}
+
+FinishedRun run_seed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
+                     Interruption& interruption) {
+    SeededLog searches{seed, log_of(network)};
+    if (!options.watch)
+        return {run_observed(network, options, seed, trace, interruption, &searches.log), std::move(searches)};
+    Watch watch(searches.log, fmt::format("{}, seed {}", network.source_path, seed));
+    RunReport report = run_observed(network, options, seed, trace, interruption, &watch);
+    watch.finish();
+    return {std::move(report), std::move(searches)};
+}
+
+/// Until one is interrupted.
+std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
-    return run_netlist(network, known_problems(options.seed),
-                       {.seed = options.seed, .until = options.until, .trace = trace, .interruption = &interruption});
+    std::optional<Progress> progress; // beside a watch it would write into what is drawn
+    if (options.seeds > 1 && !options.watch)
+        progress.emplace();
+    std::vector<FinishedRun> runs;
+    for (std::size_t i = 0; i == 0 || (i < options.seeds && !interruption.requested()); ++i) {
+        if (progress)
+            progress->show(fmt::format("seed {} of {}", i + 1, options.seeds));
+        runs.push_back(run_seed(network, options, options.seed + i, trace, interruption));
+    }
+    return runs;
+}
+
+std::vector<SeededLog> logs_of(std::vector<FinishedRun>& runs) {
+    std::vector<SeededLog> logs;
+    for (FinishedRun& run : runs)
+        logs.push_back(std::move(run.searches));
+    return logs;
+}
+
+std::string print_run(std::uint64_t seed, const RunResult& result) {
+    return fmt::format("{:>20}  {:016x}  {:>16}  {}\n", seed, result.fingerprint, to_string(result.time),
+                       name_of(result.ending));
+}
+
+std::string print_runs(const Network& network, std::span<const FinishedRun> runs, std::span<const SeededLog> logs) {
+    std::string out = fmt::format("{}: {} seeds\n", network.source_path, runs.size());
+    out +=
+        painted(Paint::heading, fmt::format("\n{:>20}  {:<16}  {:>16}  {}\n", "seed", "fingerprint", "time", "ended"));
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        out += print_run(logs[i].seed, runs[i].report.result);
+    return out + print_searches(logs);
+}
+
+boost::json::object runs_json(const Network& network, std::span<const FinishedRun> runs,
+                              std::span<const SeededLog> logs, Manifest manifest) {
+    boost::json::array all;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        manifest.seed = logs[i].seed;
+        all.push_back(report_json(runs[i].report, network, manifest, logs[i].log));
+    }
+    if (all.size() == 1)
+        return all.front().as_object();
+    return {{"runs", std::move(all)}};
+}
+
+void write_files(const Network& network, std::span<const FinishedRun> runs, std::span<const SeededLog> logs,
+                 const RunOptions& options, const Manifest& manifest) {
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(runs_json(network, runs, logs, manifest)));
+    if (!options.log.empty())
+        write_whole(options.log, log_csv(logs));
+    if (!options.convergence.empty())
+        write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
+}
+
+/// Of the first run that did not end well.
+ExitCode exit_code_of(std::span<const FinishedRun> runs) {
+    for (const FinishedRun& run : runs)
+        if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)
+            return code;
+    return ExitCode::success;
 }
 
 ExitCode run(const RunOptions& options, const std::string& typed) {
-    Manifest manifest{typed, options.seed, overrides_of(options.netlist.set), read_options_of(options.netlist.read),
-                      options.until};
-    const std::filesystem::path outputs[] = {options.json, options.trace};
-    if (!options.trace.empty())
-        require_trace_format(options.trace);
-    require_outputs(outputs, options);
+    Manifest manifest = options.manifest(typed);
+    require_outputs(options);
     Network network = load_network(options.netlist);
-    for (const std::string& included : network.included_paths)
-        require_apart(outputs, included);
+    require_fit(network, options);
     std::optional<TraceFile> trace;
     if (!options.trace.empty())
         trace.emplace(options.trace, network, options.traced);
-    RunReport report = run_network(network, options, trace ? &trace->sink() : nullptr);
-    print_out(print_report(report, network));
-    if (!options.json.empty())
-        write_whole(options.json, print_pretty(report_json(report, network, manifest)));
+    std::vector<FinishedRun> runs = run_seeds(network, options, trace ? &trace->sink() : nullptr);
+    std::vector<SeededLog> logs = logs_of(runs);
+    print_out(options.seeds == 1 ? print_report(runs.front().report, network, logs.front().log)
+                                 : print_runs(network, runs, logs));
+    write_files(network, runs, logs, options, manifest);
     if (trace)
-        print_warnings(trace->finish(report.result));
-    return exit_code_of(report.result.ending);
+        print_warnings(trace->finish(runs.front().report.result));
+    return exit_code_of(runs);
+}
+
+void add_searches(CLI::App& command, RunOptions& options) {
+    command.add_option("--seeds", options.seeds, "runs with so many seeds, from --seed on, and compares the searches")
+        ->type_name("N")
+        ->check(not_a_whole_number)
+        ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""))
+        ->capture_default_str();
+    add_file(command, "--log", options.log, "writes every generation of every search: comma-separated, in long form");
+    add_file(command, "--convergence", options.convergence,
+             "draws best, mean and diversity over the generations, SVG; with --seeds medians and quartiles");
+    command.add_flag("--watch", options.watch,
+                     "shows the same while it runs, on a terminal; lines where there is none");
 }
 
 void add_trace(CLI::App& command, RunOptions& options) {
@@ -81,6 +208,7 @@ Action declare_run(CLI::App& command, const std::string& typed) {
     add_seed(command, options->seed);
     add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the report for machines");
+    add_searches(command, *options);
     add_trace(command, *options);
     return [options, typed] { return run(*options, typed); };
 }

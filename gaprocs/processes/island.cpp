@@ -53,7 +53,7 @@ ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems
 
 } // namespace
 
-ProcessKind island_kind(const ProblemRegistry& problems) {
+ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver* observer) {
     return with_exchange(
         searching({.name = "ga.island",
                    .about = "An island of algorithm B: a genetic algorithm of its own that exchanges individuals with "
@@ -62,7 +62,7 @@ ProcessKind island_kind(const ProblemRegistry& problems) {
                    .parameters = search_parameters() + farm_parameters() + exchange_parameters(),
                    .measurements = search_measurements(),
                    .together = {{"to_slaves", "from_slaves"}}},
-                  problems),
+                  problems, observer),
         problems);
 }
 

@@ -63,6 +63,7 @@ IslandExchange::IslandExchange(const ProcessEnvironment& environment, const Sear
         const PlacedIsland& other = archipelago.islands()[from];
         incoming_.push_back(std::make_unique<Incoming>(
             Incoming{from,
+                     network.processes[other.process].name,
                      environment.input<Emigrants>(port),
                      other.neighbours,
                      over_a_window && !same_window(process, network.processes[other.process]),
@@ -132,6 +133,10 @@ void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<
                 compute(static_cast<std::int64_t>(window.size()) * workload_.error_evaluation);
                 arrival.individual.fitness = problem_.fitness(arrival.individual.genome, window, bias_);
             }
+}
+
+const std::string& IslandExchange::name_of(std::size_t island) const {
+    return (*std::ranges::find(incoming_, island, [](const auto& each) { return each->from; }))->process;
 }
 
 void IslandExchange::beside_mail(const std::function<void()>& search) {

@@ -46,6 +46,8 @@ public:
     /// REQUIRES: is_due(search.generation() + 1).
     std::vector<Migration> exchange(Search&, std::span<const double> fitness, std::span<const Sample> window);
     const Acceptance& acceptance() const { return acceptance_; }
+    /// The process of an island from which immigrants come, by its number. REQUIRES: it is one.
+    const std::string& name_of(std::size_t island) const;
 
 private:
     struct Outgoing {
@@ -59,6 +61,7 @@ private:
     };
     struct Incoming {
         std::size_t from;
+        std::string process; ///< its name
         Input<Emigrants> input;
         std::vector<std::size_t> its_neighbours;
         bool other_window; ///< than this island's

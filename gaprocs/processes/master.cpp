@@ -5,7 +5,7 @@
 
 namespace placedpar {
 
-ProcessKind master_kind(const ProblemRegistry& problems) {
+ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver* observer) {
     using namespace search_description;
     return searching(
         {.name = "ga.master",
@@ -15,7 +15,7 @@ ProcessKind master_kind(const ProblemRegistry& problems) {
          .parameters = search_parameters() + farm_parameters(),
          .measurements = search_measurements(),
          .together = {{"to_slaves", "from_slaves"}}},
-        problems);
+        problems, observer);
 }
 
 } // namespace placedpar

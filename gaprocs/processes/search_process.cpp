@@ -36,14 +36,17 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem)
-        : environment_(environment), problem_(problem), settings_(read_search_settings(environment, problem)),
-          workload_(read_workload(environment, problem)), from_host_(environment.input<HostMessage>("from_host")),
-          farm_(make_farm(environment, problem, workload_)), has_slaves_(environment.connected("to_slaves")),
+    SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
+        : environment_(environment), problem_(problem), observer_(observer),
+          settings_(read_search_settings(environment, problem)), workload_(read_workload(environment, problem)),
+          from_host_(environment.input<HostMessage>("from_host")), farm_(make_farm(environment, problem, workload_)),
+          has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
         if (environment.network().processes[environment.index()].kind == "ga.island")
             exchange_.emplace(environment, problem, settings_, workload_);
+        if (observer)
+            search_.listen(told_to(*observer, environment.process(), problem, now));
     }
 
     void run() {
@@ -103,6 +106,14 @@ private:
             best_ = search_.best();
         operators_.stop();
         execution_.stop();
+        if (observer_)
+            tell_migrations();
+    }
+
+    void tell_migrations() const {
+        for (const Migration& each : migrations_)
+            observer_->observe({exchange_->name_of(each.from), environment_.process(), search_.generation(), now(),
+                                each.individual.fitness, each.place.has_value()});
     }
 
     /// What is no work, and comes when all of the machine has done its own, so that it disturbs none of the work's
@@ -177,6 +188,7 @@ private:
 
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
+    SearchObserver* observer_; ///< null: nobody
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
@@ -197,17 +209,19 @@ private:
     Stopwatch execution_, operators_, rehearsal_, rate_;
 };
 
-void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems) {
+void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
     if (!recorded.problem()->objective())
         read_search_settings(environment, *recorded.problem()).window.validate_for(recorded.samples());
-    SearchProcess(environment, *recorded.problem()->coded(read_coding(environment))).run();
+    SearchProcess(environment, *recorded.problem()->coded(read_coding(environment)), observer).run();
 }
 
 } // namespace
 
-ProcessKind searching(ProcessKind described, const ProblemRegistry& problems) {
-    described.body = [&problems](ProcessEnvironment& environment) { run_search(environment, problems); };
+ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer) {
+    described.body = [&problems, observer](ProcessEnvironment& environment) {
+        run_search(environment, problems, observer);
+    };
     described.check = [&problems](const Network& network, std::size_t process) {
         return check_search(network, process, problems);
     };

@@ -5,14 +5,14 @@
 
 namespace placedpar {
 
-ProcessKind traditional_kind(const ProblemRegistry& problems) {
+ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver* observer) {
     using namespace search_description;
     return searching({.name = "ga.traditional",
                       .about = "The traditional genetic algorithm: one population, on one processor.",
                       .ports = {from_host()},
                       .parameters = search_parameters(),
                       .measurements = search_measurements()},
-                     problems);
+                     problems, observer);
 }
 
 } // namespace placedpar

@@ -85,7 +85,7 @@ private:
 
 inline constexpr std::size_t line_samples = 12;
 
-inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1) {
+inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1, SearchObserver* observer = nullptr) {
     ProblemRegistry problems;
     problems.add("line", make_search_problem(LineProblem{}), line_record(line_samples));
     problems.add("sphere", minimise(PlainSphere{}));
@@ -95,7 +95,7 @@ inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1)
     problems.add("plane", minimise(Plane{}));
     problems.add(minimised<Valley>());
     Catalogue catalogue;
-    add_genetic_algorithm_kinds(catalogue, problems);
+    add_genetic_algorithm_kinds(catalogue, problems, observer);
     ReadResult read = read_netlist_text(netlist, catalogue);
     if (!read.network)
         throw std::runtime_error(render(read.diagnostics));

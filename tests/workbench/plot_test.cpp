@@ -81,6 +81,19 @@ TEST_CASE("marks have distinct dashes, and the colour that they ask for") {
     CHECK(has(draw_svg(plot), "213,  94,   0"));
 }
 
+TEST_CASE("a band is pale, in the colour it asks for, with its name") {
+    Plot plot = small_plot();
+    std::string without = draw_svg(plot);
+    plot.panels[0].bands = {{"quartiles", {{0, 0.5, 1.5}, {2, 1, 2}}, 2}};
+    std::string svg = draw_svg(plot);
+    CHECK(count(svg, ">quartiles<") == 1);
+    CHECK(count(svg, "fill-opacity") > count(without, "fill-opacity"));
+    CHECK(has(svg, "0, 158, 115"));
+    plot.panels[0].bands[0].points.clear();
+    CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"panel\" the band \"quartiles\" has no points",
+                         std::invalid_argument);
+}
+
 TEST_CASE("what cannot be drawn is refused") {
     Plot plot = small_plot();
     plot.panels[0].series[0].points.clear();

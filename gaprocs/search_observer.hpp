@@ -1,0 +1,61 @@
+#pragma once
+
+#include "gaprocs/objective.hpp"
+#include "gaprocs/representation/genome.hpp"
+#include "gaprocs/representation/representation.hpp"
+#include "gaprocs/search.hpp"
+#include "runtime/time.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace placedpar {
+
+class SearchProblem; // gaprocs/search_problem.hpp
+
+/// A generation as it is about to breed: evaluated, its immigrants settled, but for those who come among the offspring.
+struct ObservedGeneration {
+    std::string_view search;  ///< the process; in the library "traditional" or "island[2]"
+    std::uint64_t number;     ///< from 1
+    std::optional<Time> time; ///< virtual, when its genetic operators are done; none in the library
+    const Representation& representation;
+    std::span<const Genome> population;
+    std::span<const double> fitness; ///< one for each individual
+    std::optional<Goal> goal = {};   ///< of an objective; where it is minimised, the fitness is its negative
+};
+
+/// What became of an immigrant.
+struct ObservedMigration {
+    std::string_view from, to;
+    std::uint64_t generation; ///< of `to`, from 1
+    std::optional<Time> time; ///< as above
+    double fitness;           ///< Migration::individual's (gaprocs/islands.hpp)
+    bool accepted;            ///< else turned away
+};
+
+/// Is told what happens in searches, of one run at a time. It must change nothing.
+///
+/// 1. The generations of a search come in their order, none is left out.
+/// 2. Immigrants of a generation are told of after it, before the next one of their search, in the order in which they
+///    were accepted or turned away.
+/// 3. In what order the searches of a run come is not said: processes go on when they can.
+/// 4. What is referred to may be gone after the call.
+///
+/// Where nobody observes, a search pays a comparison with null in each generation (Search::listen).
+class SearchObserver {
+public:
+    virtual void observe(const ObservedGeneration&) = 0;
+    virtual void observe(const ObservedMigration&) = 0;
+
+protected:
+    ~SearchObserver() = default;
+};
+
+/// What Search::listen() takes, for an observer: `now` gives the time, and is null in the library. REQUIRES: the
+/// observer outlives the search.
+Search::Listener told_to(SearchObserver& observer, std::string search, const SearchProblem&, Time (*now)() = nullptr);
+
+} // namespace placedpar

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gaprocs/generation_log.hpp"
+#include "gaprocs/objective.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::test {
+
+/// A generation of two strings of two bits, which differ in one of them.
+inline void tell(GenerationLog& log, std::string_view search, std::uint64_t number, std::vector<double> fitness,
+                 std::optional<Time> time = std::nullopt, std::optional<Goal> goal = std::nullopt) {
+    std::vector<Genome> population{Genome::from_string("00"), Genome::from_string("01")};
+    log.observe({search, number, time, BitString(2), population, fitness, goal});
+}
+
+} // namespace placedpar::test

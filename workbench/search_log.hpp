@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gaprocs/generation_log.hpp"
+#include "netlist/network/network.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace placedpar {
+
+/// Does it hold a population, as ga.traditional, ga.master and ga.island do?
+bool searches(const ProcessInstance&);
+
+/// Throws UserError when no process searches.
+void require_searches(const Network&);
+
+/// A log, still empty, of the processes that search, in the order of the netlist; comparable where they search for the
+/// same in the same coding.
+GenerationLog log_of(const Network&);
+
+/// What the searches of a run with this seed did.
+struct SeededLog {
+    std::uint64_t seed;
+    GenerationLog log;
+};
+
+/// The rows of the logs as comma-separated values, in long form: seed,generation,time_ms,process,from,quantity,value.
+/// Numbers in the fewest digits that read back as the same.
+std::string log_csv(std::span<const SeededLog>);
+
+} // namespace placedpar
