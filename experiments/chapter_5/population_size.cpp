@@ -1,0 +1,161 @@
+#include "experiments/chapter_5/kit/maximisation.hpp"
+#include "experiments/chapter_5/kit/plant_study.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/interval.hpp"
+#include "identification/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t population_sizes[]{25, 50, 100, 200, 400, 800};
+constexpr std::size_t evaluation_limit = 80000;
+
+/// Evaluations until the target is reached, by the size of the population.
+struct EvaluationStudy {
+    StaticTask task;
+    std::vector<std::vector<double>> evaluations; ///< of population_sizes, of each seed
+
+    EvaluationStudy(const ReplayContext& context, const StaticTask& of) : task(of) {
+        for (std::size_t population : population_sizes) {
+            evaluations.push_back(study_task(context, task, 1, population, evaluation_limit / population));
+            for (double& each : evaluations.back())
+                each *= static_cast<double>(population);
+        }
+    }
+    double reached_percent(std::size_t size) const {
+        double reached = 0;
+        for (double each : evaluations[size])
+            reached += each < evaluation_limit;
+        return 100 * reached / static_cast<double>(evaluations[size].size());
+    }
+};
+
+Comparison evaluations_table(const std::vector<EvaluationStudy>& studies) {
+    Comparison comparison{
+        .name = "evaluations until the target is reached (80000: not reached), medians, and the share of runs",
+        .against = "known"};
+    for (const EvaluationStudy& study : studies)
+        for (std::size_t i = 0; i < study.evaluations.size(); ++i) {
+            std::string row = fmt::format("{}, {} individuals", study.task.problem, population_sizes[i]);
+            comparison.add(plain_cell(row, "evaluations", "", identification::median(study.evaluations[i]), 0));
+            comparison.add(plain_cell(row, "reached [%]", "", study.reached_percent(i), 0));
+        }
+    return comparison;
+}
+
+/// "The global population size plays a significant role": a fifth more evaluations. Of a function whose target few runs
+/// reach, a median says nothing.
+std::vector<Claim> size_claims(const std::vector<EvaluationStudy>& studies) {
+    std::vector<Claim> claims;
+    for (const EvaluationStudy& study : studies)
+        if (study.reached_percent(2) > 75)
+            claims.push_back({study.task.problem + ": evaluations, 400 by 100 individuals",
+                              "",
+                              ratio(study.evaluations[4], study.evaluations[2]),
+                              1.2,
+                              {}});
+    return claims;
+}
+
+PlantIslands one_population(std::size_t population, double noise) {
+    return sized(single_ga(noise), fmt::format("{} individuals", population), {population}, {30});
+}
+
+/// "Good performance can be obtained from small global population size of 100": ten generations of lag and .01 of error
+/// are all that four times as many gain, and the pole is found.
+std::vector<Claim> plant_claims(const std::vector<PlantStudy>& studies) {
+    return {{"error after, 100 individuals", "", studies[2].of(0, Tracking::error_after), {}, found_pole},
+            {"lag, 100 less 400 individuals",
+             "generations",
+             less(studies[2].of(0, Tracking::lag), studies[4].of(0, Tracking::lag)),
+             {},
+             10},
+            {"error after, 100 less 400 individuals",
+             "",
+             less(studies[2].of(0, Tracking::error_after), studies[4].of(0, Tracking::error_after)),
+             {},
+             0.01},
+            {"lag, 25 less 100 individuals",
+             "generations",
+             less(studies[0].of(0, Tracking::lag), studies[2].of(0, Tracking::lag)),
+             10,
+             {}}};
+}
+
+std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {
+    std::vector<TrackRow> rows;
+    for (const PlantStudy& study : studies)
+        rows.push_back({study.islands.name, &study});
+    return rows;
+}
+
+/// Known: the same with 240 other seeds.
+Comparison judged_lags(const std::vector<PlantStudy>& noiseless) {
+    Comparison comparison{.name = "lag on the plant, noiseless", .against = "known"};
+    const double known[]{106, 90, 84, 82, 81, 80};
+    for (std::size_t i = 0; i < std::size(known); ++i)
+        comparison.add(judged_cell(noiseless[i].islands.name, "median", "generations", known[i],
+                                   noiseless[i].median(0, Tracking::lag), 10, 1));
+    return comparison;
+}
+
+Panel evaluations_panel(const std::vector<EvaluationStudy>& studies) {
+    Panel panel{.title = "functions that stand still: evaluations to the target",
+                .x = {"individuals", 0, 820},
+                .y = {"evaluations / 1000 (80: not reached)", 0, 82}};
+    int colour = 0;
+    for (const EvaluationStudy& study : studies) {
+        Series medians{.name = study.task.problem, .colour = colour};
+        for (std::size_t i = 0; i < study.evaluations.size(); ++i) {
+            double x = static_cast<double>(population_sizes[i]) + 3 * colour;
+            Interval interval = median_interval(study.evaluations[i]);
+            medians.points.push_back({x, identification::median(study.evaluations[i]) / 1000});
+            panel.series.push_back(
+                {.name = "", .points = {{x, interval.low / 1000}, {x, interval.high / 1000}}, .colour = colour});
+        }
+        panel.series.push_back(std::move(medians));
+        ++colour;
+    }
+    return panel;
+}
+
+Replay replay_population_size(const ReplayContext& context) {
+    std::vector<EvaluationStudy> tasks;
+    for (const StaticTask& task : static_tasks())
+        tasks.emplace_back(context, task);
+    std::vector<Comparison> comparisons(1);
+    Plot plot{"How large a population? " + median_of_seeds(context), {evaluations_panel(tasks)}};
+    for (double noise : {0.0, 0.3}) {
+        std::vector<PlantStudy> studies;
+        for (std::size_t population : population_sizes)
+            studies.push_back(study_plant(context, one_population(population, noise)));
+        if (noise == 0)
+            comparisons.front() = judged_lags(studies);
+        comparisons.push_back(tracks_comparison("medians on the plant, " + noise_name(noise), rows_of(studies)));
+        comparisons.push_back(claims_comparison("claims, identification, " + noise_name(noise), plant_claims(studies)));
+        plot.panels.push_back(pole_panel("the plant, " + noise_name(noise), rows_of(studies)));
+    }
+    comparisons.push_back(evaluations_table(tasks));
+    comparisons.push_back(claims_comparison("claims, functions that stand still", size_claims(tasks)));
+    return replay_of(std::move(comparisons), {{"population-size", plot}});
+}
+
+} // namespace
+
+extern const Experiment population_size_experiment{
+    .name = "population-size",
+    .about = "how large a population should be, in maximisation and in identification (5.2.1)",
+    .chapter = "5",
+    .number = 7,
+    .run = replay_population_size,
+    .seeds = plant_seeds,
+};
+
+} // namespace placedpar
