@@ -107,6 +107,10 @@ std::vector<Pole> follow_by_covariance(const PlantExperiment& plant, std::uint64
     });
 }
 
+std::vector<Pole> follow_by_forgetting(const PlantExperiment& plant, std::uint64_t seed, double forgetting) {
+    return follow_recursively(plant, seed, RecursiveIdentification(forgetting));
+}
+
 PlantIslands in_gray_code(PlantIslands islands) {
     islands.name += ", Gray code";
     islands.coding = Coding::gray;
@@ -137,9 +141,9 @@ std::vector<PlantStudy> estimates(const ReplayContext& context, PlantExperiment 
         studies.push_back(study_pole(context, fmt::format("least squares, window {}", window), plant,
                                      [=](std::uint64_t seed) { return follow_by_least_squares(plant, seed, window); }));
     for (double forgetting : {0.9, 0.95, 0.98})
-        studies.push_back(study_pole(
-            context, fmt::format("recursive least squares, forgetting {}", forgetting), plant,
-            [=](std::uint64_t seed) { return follow_recursively(plant, seed, RecursiveIdentification(forgetting)); }));
+        studies.push_back(
+            study_pole(context, fmt::format("recursive least squares, forgetting {}", forgetting), plant,
+                       [=](std::uint64_t seed) { return follow_by_forgetting(plant, seed, forgetting); }));
     for (double forgetting : {0.9, 0.98})
         studies.push_back(study_pole(
             context, fmt::format("extended least squares, forgetting {}", forgetting), plant, [=](std::uint64_t seed) {

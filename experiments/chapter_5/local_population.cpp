@@ -23,35 +23,23 @@ std::string islands_of(std::size_t population) {
                : fmt::format("{} islands of {}", global_population / population, population);
 }
 
-/// Share of the runs in percent that reach the target.
-double reached_percent(const std::vector<double>& generations) {
-    double reached = 0;
-    for (double each : generations)
-        reached += each < generation_limit;
-    return 100 * reached / static_cast<double>(generations.size());
-}
-
 /// Generations to the target, by the size of the islands.
-struct TaskStudy {
-    StaticTask task;
-    std::vector<std::vector<double>> generations; ///< of local_populations, of each seed
-
-    TaskStudy(const ReplayContext& context, const StaticTask& of) : task(of) {
-        for (std::size_t population : local_populations)
-            generations.push_back(
-                study_task(context, task, global_population / population, population, generation_limit));
-    }
-};
+TaskStudy study_islands(const ReplayContext& context, const StaticTask& task) {
+    TaskStudy study{task, {std::begin(local_populations), std::end(local_populations)}, generation_limit, {}};
+    for (std::size_t population : local_populations)
+        study.taken.push_back(study_task(context, task, global_population / population, population, generation_limit));
+    return study;
+}
 
 Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
     Comparison comparison{
         .name = "generations until the target is reached (500: not reached), medians, and the share of runs",
         .against = "known"};
     for (const TaskStudy& study : studies)
-        for (std::size_t i = 0; i < study.generations.size(); ++i) {
+        for (std::size_t i = 0; i < study.sizes.size(); ++i) {
             std::string row = fmt::format("{}, {}", study.task.problem, islands_of(local_populations[i]));
-            comparison.add(plain_cell(row, "generations", "", identification::median(study.generations[i]), 1));
-            comparison.add(plain_cell(row, "reached [%]", "", reached_percent(study.generations[i]), 0));
+            comparison.add(plain_cell(row, "generations", "", study.median(i), 1));
+            comparison.add(plain_cell(row, "reached [%]", "", study.reached_percent(i), 0));
         }
     return comparison;
 }
@@ -61,10 +49,10 @@ Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
 std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
-        if (reached_percent(study.generations.front()) > 75)
+        if (study.reached_percent(0) > 75)
             claims.push_back({study.task.problem + ": generations, islands of 6 by one of 96",
                               "",
-                              ratio(study.generations.back(), study.generations.front()),
+                              ratio(study.taken.back(), study.taken.front()),
                               {},
                               1.1});
     return claims;
@@ -83,20 +71,13 @@ PlantIslands islands_on_plant(std::size_t population, double noise) {
 /// "At least 20": islands of 24 follow as well as one population, and those of 6 do not.
 std::vector<Claim> identification_claims(const std::vector<PlantStudy>& studies) {
     auto more_error = [&](std::size_t than, std::size_t of) {
-        return less(studies[of].of(0, Tracking::error_after), studies[than].of(0, Tracking::error_after));
+        return less(studies[of].errors_after(), studies[than].errors_after());
     };
-    return {{"error after, islands of 24 less one of 96", "", more_error(0, 2), {}, 0.01},
-            {"error after, islands of 6 less islands of 24", "", more_error(2, 4), 0.01, {}},
-            {"lag, islands of 24 less one of 96",
-             "generations",
-             less(studies[2].of(0, Tracking::lag), studies[0].of(0, Tracking::lag)),
-             {},
-             10},
-            {"lag, islands of 6 less islands of 24",
-             "generations",
-             less(studies[4].of(0, Tracking::lag), studies[2].of(0, Tracking::lag)),
-             10,
-             {}}};
+    return {
+        {"error after, islands of 24 less one of 96", "", more_error(0, 2), {}, 0.01},
+        {"error after, islands of 6 less islands of 24", "", more_error(2, 4), 0.01, {}},
+        {"lag, islands of 24 less one of 96", "generations", less(studies[2].lags(), studies[0].lags()), {}, 10},
+        {"lag, islands of 6 less islands of 24", "generations", less(studies[4].lags(), studies[2].lags()), 10, {}}};
 }
 
 Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::string& noise) {
@@ -120,37 +101,22 @@ Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     const double known[]{31, 31, 33, 36, 45};
     for (std::size_t i = 0; i < std::size(known); ++i)
         comparison.add(judged_cell(islands_of(local_populations[i]), "median", "generations", known[i],
-                                   identification::median(tasks.front().generations[i]), 5, 1));
+                                   tasks.front().median(i), 5, 1));
     return comparison;
-}
-
-Panel task_panel(const std::vector<TaskStudy>& studies) {
-    Panel panel{.title = "functions that stand still: generations to the target",
-                .x = {"individuals of an island, of 96 in all", 0, 100},
-                .y = {"generations (500: not reached)", 0, 510}};
-    int colour = 0;
-    for (const TaskStudy& study : studies) {
-        Series medians{.name = study.task.problem, .colour = colour};
-        for (std::size_t i = 0; i < study.generations.size(); ++i) {
-            auto x = static_cast<double>(local_populations[i]) + 0.4 * colour;
-            Interval interval = median_interval(study.generations[i]);
-            medians.points.push_back({x, identification::median(study.generations[i])});
-            panel.series.push_back({.name = "", .points = {{x, interval.low}, {x, interval.high}}, .colour = colour});
-        }
-        panel.series.push_back(std::move(medians));
-        ++colour;
-    }
-    return panel;
 }
 
 Replay replay_local_population(const ReplayContext& context) {
     std::vector<TaskStudy> tasks;
     for (const StaticTask& task : static_tasks())
-        tasks.emplace_back(context, task);
+        tasks.push_back(study_islands(context, task));
     std::vector<Comparison> comparisons{
         judged_sizes(tasks), maximisation_table(tasks),
         claims_comparison("claims, functions that stand still", maximisation_claims(tasks))};
-    Plot plot{"How small may an island be? " + median_of_seeds(context), {task_panel(tasks)}};
+    Plot plot{"How small may an island be? " + median_of_seeds(context), {}};
+    const Axis sizes{"individuals of an island, of 96 in all", 0, 100};
+    plot.panels.push_back(
+        taken_panel("functions that stand still", sizes, {"generations to the target", 0, 55}, tasks));
+    plot.panels.push_back(reached_panel("functions that stand still", sizes, tasks));
     for (double noise : {0.0, 0.3}) {
         std::vector<PlantStudy> studies;
         for (std::size_t population : local_populations)

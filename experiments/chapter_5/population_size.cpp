@@ -18,33 +18,24 @@ constexpr std::size_t population_sizes[]{25, 50, 100, 200, 400, 800};
 constexpr std::size_t evaluation_limit = 80000;
 
 /// Evaluations until the target is reached, by the size of the population.
-struct EvaluationStudy {
-    StaticTask task;
-    std::vector<std::vector<double>> evaluations; ///< of population_sizes, of each seed
-
-    EvaluationStudy(const ReplayContext& context, const StaticTask& of) : task(of) {
-        for (std::size_t population : population_sizes) {
-            evaluations.push_back(study_task(context, task, 1, population, evaluation_limit / population));
-            for (double& each : evaluations.back())
-                each *= static_cast<double>(population);
-        }
+TaskStudy study_populations(const ReplayContext& context, const StaticTask& task) {
+    TaskStudy study{task, {std::begin(population_sizes), std::end(population_sizes)}, evaluation_limit, {}};
+    for (std::size_t population : population_sizes) {
+        study.taken.push_back(study_task(context, task, 1, population, evaluation_limit / population));
+        for (double& each : study.taken.back())
+            each *= static_cast<double>(population);
     }
-    double reached_percent(std::size_t size) const {
-        double reached = 0;
-        for (double each : evaluations[size])
-            reached += each < evaluation_limit;
-        return 100 * reached / static_cast<double>(evaluations[size].size());
-    }
-};
+    return study;
+}
 
-Comparison evaluations_table(const std::vector<EvaluationStudy>& studies) {
+Comparison evaluations_table(const std::vector<TaskStudy>& studies) {
     Comparison comparison{
         .name = "evaluations until the target is reached (80000: not reached), medians, and the share of runs",
         .against = "known"};
-    for (const EvaluationStudy& study : studies)
-        for (std::size_t i = 0; i < study.evaluations.size(); ++i) {
+    for (const TaskStudy& study : studies)
+        for (std::size_t i = 0; i < study.sizes.size(); ++i) {
             std::string row = fmt::format("{}, {} individuals", study.task.problem, population_sizes[i]);
-            comparison.add(plain_cell(row, "evaluations", "", identification::median(study.evaluations[i]), 0));
+            comparison.add(plain_cell(row, "evaluations", "", study.median(i), 0));
             comparison.add(plain_cell(row, "reached [%]", "", study.reached_percent(i), 0));
         }
     return comparison;
@@ -52,13 +43,13 @@ Comparison evaluations_table(const std::vector<EvaluationStudy>& studies) {
 
 /// "The global population size plays a significant role": a fifth more evaluations. Of a function whose target few runs
 /// reach, a median says nothing.
-std::vector<Claim> size_claims(const std::vector<EvaluationStudy>& studies) {
+std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
-    for (const EvaluationStudy& study : studies)
+    for (const TaskStudy& study : studies)
         if (study.reached_percent(2) > 75)
             claims.push_back({study.task.problem + ": evaluations, 400 by 100 individuals",
                               "",
-                              ratio(study.evaluations[4], study.evaluations[2]),
+                              ratio(study.taken[4], study.taken[2]),
                               1.2,
                               {}});
     return claims;
@@ -71,22 +62,14 @@ PlantIslands one_population(std::size_t population, double noise) {
 /// "Good performance can be obtained from small global population size of 100": ten generations of lag and .01 of error
 /// are all that four times as many gain, and the pole is found.
 std::vector<Claim> plant_claims(const std::vector<PlantStudy>& studies) {
-    return {{"error after, 100 individuals", "", studies[2].of(0, Tracking::error_after), {}, found_pole},
-            {"lag, 100 less 400 individuals",
-             "generations",
-             less(studies[2].of(0, Tracking::lag), studies[4].of(0, Tracking::lag)),
-             {},
-             10},
+    return {{"error after, 100 individuals", "", studies[2].errors_after(), {}, found_pole},
+            {"lag, 100 less 400 individuals", "generations", less(studies[2].lags(), studies[4].lags()), {}, 10},
             {"error after, 100 less 400 individuals",
              "",
-             less(studies[2].of(0, Tracking::error_after), studies[4].of(0, Tracking::error_after)),
+             less(studies[2].errors_after(), studies[4].errors_after()),
              {},
              0.01},
-            {"lag, 25 less 100 individuals",
-             "generations",
-             less(studies[0].of(0, Tracking::lag), studies[2].of(0, Tracking::lag)),
-             10,
-             {}}};
+            {"lag, 25 less 100 individuals", "generations", less(studies[0].lags(), studies[2].lags()), 10, {}}};
 }
 
 std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {
@@ -106,32 +89,16 @@ Comparison judged_lags(const std::vector<PlantStudy>& noiseless) {
     return comparison;
 }
 
-Panel evaluations_panel(const std::vector<EvaluationStudy>& studies) {
-    Panel panel{.title = "functions that stand still: evaluations to the target",
-                .x = {"individuals", 0, 820},
-                .y = {"evaluations / 1000 (80: not reached)", 0, 82}};
-    int colour = 0;
-    for (const EvaluationStudy& study : studies) {
-        Series medians{.name = study.task.problem, .colour = colour};
-        for (std::size_t i = 0; i < study.evaluations.size(); ++i) {
-            double x = static_cast<double>(population_sizes[i]) + 3 * colour;
-            Interval interval = median_interval(study.evaluations[i]);
-            medians.points.push_back({x, identification::median(study.evaluations[i]) / 1000});
-            panel.series.push_back(
-                {.name = "", .points = {{x, interval.low / 1000}, {x, interval.high / 1000}}, .colour = colour});
-        }
-        panel.series.push_back(std::move(medians));
-        ++colour;
-    }
-    return panel;
-}
-
 Replay replay_population_size(const ReplayContext& context) {
-    std::vector<EvaluationStudy> tasks;
+    std::vector<TaskStudy> tasks;
     for (const StaticTask& task : static_tasks())
-        tasks.emplace_back(context, task);
+        tasks.push_back(study_populations(context, task));
     std::vector<Comparison> comparisons(1);
-    Plot plot{"How large a population? " + median_of_seeds(context), {evaluations_panel(tasks)}};
+    Plot plot{"How large a population? " + median_of_seeds(context), {}};
+    const Axis sizes{"individuals", 0, 850};
+    plot.panels.push_back(
+        taken_panel("functions that stand still", sizes, {"evaluations to the target", 0, 20000}, tasks));
+    plot.panels.push_back(reached_panel("functions that stand still", sizes, tasks));
     for (double noise : {0.0, 0.3}) {
         std::vector<PlantStudy> studies;
         for (std::size_t population : population_sizes)

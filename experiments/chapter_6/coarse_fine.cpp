@@ -127,7 +127,7 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
             double at = static_cast<double>(coarse_rows[i].population) + 0.25 * colour;
             Interval interval = success_interval(tallies[i].converged, tallies[i].runs);
             shares.points.push_back({at, tallies[i].converged_percent()});
-            bars.push_back({.name = "", .points = {{at, interval.low}, {at, interval.high}}, .colour = colour});
+            bars.push_back(interval_bar(at, interval, colour));
         }
         panel.series.push_back(std::move(shares));
         panel.series.insert(panel.series.end(), bars.begin(), bars.end());

@@ -87,10 +87,6 @@ void add_group(std::vector<Comparison>& comparisons, const EncodingGroup& group,
     comparisons.push_back(std::move(gains));
 }
 
-Series interval_bar(double x, Interval interval, int colour) {
-    return {.name = "", .points = {{x, interval.low}, {x, interval.high}}, .colour = colour};
-}
-
 Panel encoding_panel(const Comparison& shares) {
     Panel panel{.title = shares.name,
                 .x = {"coding, in the order of the legend", 0, 7},

@@ -53,4 +53,8 @@ Interval difference_interval(std::size_t first, std::size_t first_runs, std::siz
             100 * (q - p + std::hypot(other.high - q, p - one.low))};
 }
 
+Series interval_bar(double x, Interval interval, int colour) {
+    return {.name = "", .points = {{x, interval.low}, {x, interval.high}}, .colour = colour};
+}
+
 } // namespace placedpar

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "workbench/plot.hpp"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,5 +26,8 @@ Interval success_interval(std::size_t successes, std::size_t runs);
 /// Of the difference of two probabilities of success, in percent: the second minus the first, by R. Newcombe's method
 /// (1998, from E. Wilson's intervals). An interval that contains 0 shows no effect.
 Interval difference_interval(std::size_t first, std::size_t first_runs, std::size_t second, std::size_t second_runs);
+
+/// As a bar at x in a plot.
+Series interval_bar(double x, Interval interval, int colour);
 
 } // namespace placedpar

@@ -16,6 +16,13 @@ double paid_outside(const Objective01& minimised, const Eigen::VectorXd& point) 
     return minimised(inside) + (point - inside).squaredNorm();
 }
 
+Eigen::VectorXd normal_vector(Eigen::Index size, RandomStream& random) {
+    Eigen::VectorXd vector(size);
+    for (double& each : vector)
+        each = random.normal();
+    return vector;
+}
+
 /// Logarithmic weights of the better half.
 Eigen::VectorXd recombination(std::size_t population) {
     auto parents = static_cast<Eigen::Index>(population / 2);
@@ -48,10 +55,7 @@ void CovarianceAdaptation::next_generation(const Objective01& minimised) {
     Eigen::MatrixXd root = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
     std::vector<std::pair<double, Eigen::VectorXd>> steps;
     for (std::size_t i = 0; i < population_; ++i) {
-        Eigen::VectorXd normal(mean_.size());
-        for (double& each : normal)
-            each = random_.normal();
-        Eigen::VectorXd step = root * normal;
+        Eigen::VectorXd step = root * normal_vector(mean_.size(), random_);
         double value = paid_outside(minimised, mean_ + step_ * step);
         steps.emplace_back(value, std::move(step));
     }

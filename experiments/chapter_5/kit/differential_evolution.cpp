@@ -14,6 +14,13 @@ double reflected(double x) {
     return x > 1 ? 2 - x : x;
 }
 
+Eigen::VectorXd random_point(std::size_t dimensions, RandomStream& random) {
+    Eigen::VectorXd point(static_cast<Eigen::Index>(dimensions));
+    for (double& x : point)
+        x = random.uniform();
+    return point;
+}
+
 std::array<std::size_t, 3> three_others(std::size_t than, std::size_t of, RandomStream& random) {
     std::array<std::size_t, 3> others{than, than, than};
     for (std::size_t i = 0; i < others.size();) {
@@ -27,11 +34,9 @@ std::array<std::size_t, 3> three_others(std::size_t than, std::size_t of, Random
 } // namespace
 
 DifferentialEvolution::DifferentialEvolution(std::size_t dimensions, std::size_t population, RandomStream random)
-    : random_(std::move(random)), points_(population, Eigen::VectorXd(static_cast<Eigen::Index>(dimensions))),
-      values_(population) {
-    for (Eigen::VectorXd& point : points_)
-        for (double& x : point)
-            x = random_.uniform();
+    : random_(std::move(random)), values_(population) {
+    for (std::size_t i = 0; i < population; ++i)
+        points_.push_back(random_point(dimensions, random_));
 }
 
 void DifferentialEvolution::evaluate(const Objective01& minimised) {

@@ -1,13 +1,16 @@
 #include "experiments/chapter_5/kit/maximisation.hpp"
 
+#include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/usual_settings.hpp"
+#include "identification/statistics.hpp"
 #include "problems/benchmark/benchmark.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace placedpar {
 
@@ -43,6 +46,30 @@ double best_fitness(const IslandsResult& result, std::size_t generation) {
     return best;
 }
 
+/// A line through the points, with a bar for the interval of each.
+void add_with_bars(Panel& panel, const std::string& name, const std::vector<Point>& points,
+                   const std::vector<Interval>& intervals, int colour) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        panel.series.push_back(interval_bar(points[i].x, intervals[i], colour));
+    if (!points.empty())
+        panel.series.push_back({.name = name, .points = points, .colour = colour});
+}
+
+/// `add(points, intervals, study, size, x)` for each size of each study, moved aside a little by study.
+template <class Add>
+Panel panel_by_size(Panel panel, const std::vector<TaskStudy>& studies, Add add) {
+    int colour = 0;
+    for (const TaskStudy& study : studies) {
+        std::vector<Point> points;
+        std::vector<Interval> intervals;
+        double aside = panel.x.to.value_or(0) / 250 * colour;
+        for (std::size_t i = 0; i < study.sizes.size(); ++i)
+            add(points, intervals, study, i, static_cast<double>(study.sizes[i]) + aside);
+        add_with_bars(panel, study.task.problem, points, intervals, colour++);
+    }
+    return panel;
+}
+
 } // namespace
 
 const std::vector<StaticTask>& static_tasks() {
@@ -65,6 +92,16 @@ std::size_t generations_to_target(const StaticTask& task, std::size_t islands, s
     return limit;
 }
 
+std::size_t TaskStudy::reached(std::size_t size) const {
+    return static_cast<std::size_t>(std::ranges::count_if(taken[size], [&](double each) { return each < limit; }));
+}
+
+double TaskStudy::reached_percent(std::size_t size) const {
+    return 100 * static_cast<double>(reached(size)) / static_cast<double>(taken[size].size());
+}
+
+double TaskStudy::median(std::size_t size) const { return identification::median(taken[size]); }
+
 std::vector<double> study_task(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                std::size_t population, std::size_t limit) {
     std::string what = fmt::format("{}, {} islands of {}, {} generations", task.problem, islands, population, limit);
@@ -74,6 +111,26 @@ std::vector<double> study_task(const ReplayContext& context, const StaticTask& t
                                     static_cast<double>(generations_to_target(task, islands, population, limit, seed))};
                             }),
                   0);
+}
+
+Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies) {
+    Panel panel{.title = std::move(title), .x = std::move(x), .y = std::move(y)};
+    return panel_by_size(std::move(panel), studies,
+                         [](auto& points, auto& intervals, const TaskStudy& study, std::size_t size, double at) {
+                             if (study.reached_percent(size) <= 90)
+                                 return;
+                             points.push_back({at, study.median(size)});
+                             intervals.push_back(median_interval(study.taken[size]));
+                         });
+}
+
+Panel reached_panel(std::string title, Axis x, const std::vector<TaskStudy>& studies) {
+    Panel panel{.title = std::move(title), .x = std::move(x), .y = {"runs that reach the target [%]", 0, 105}};
+    return panel_by_size(std::move(panel), studies,
+                         [](auto& points, auto& intervals, const TaskStudy& study, std::size_t size, double at) {
+                             points.push_back({at, study.reached_percent(size)});
+                             intervals.push_back(success_interval(study.reached(size), study.taken[size].size()));
+                         });
 }
 
 } // namespace placedpar

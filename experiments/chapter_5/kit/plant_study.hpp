@@ -31,6 +31,9 @@ struct PlantStudy {
 
     std::vector<double> of(std::size_t track, Tracking) const;
     double median(std::size_t track, Tracking) const;
+    /// Of the first track.
+    std::vector<double> lags() const { return of(0, Tracking::lag); }
+    std::vector<double> errors_after() const { return of(0, Tracking::error_after); }
     /// Share of the runs in percent whose pole is found in the end.
     double found_percent(std::size_t track) const;
     /// The track of a choice.
