@@ -70,14 +70,19 @@ boost::json::array numbers_json(const std::optional<PolicyDescription>& family) 
     return array;
 }
 
+/// A name too long for its column has a line of its own.
+std::string in_two_columns(const std::string& name, const std::string& about) {
+    constexpr std::size_t width = 42;
+    return fmt::format("  {:<{}}{}{}\n", name, width + 1, name.size() > width ? fmt::format("\n{:45}", "") : "", about);
+}
+
 } // namespace
 
 std::string print_problems(const ProblemRegistry& problems) {
     std::string out = painted(Paint::heading, "problems\n");
     for (const std::string& name : problems.names()) {
         auto family = family_named(problems, name);
-        out += fmt::format("  {:<42} {}\n", family ? family->text() : name,
-                           family ? family->about : record_of(problems.find(name)));
+        out += in_two_columns(family ? family->text() : name, family ? family->about : record_of(problems.find(name)));
     }
     return out;
 }

@@ -116,7 +116,7 @@ class Kinds(unittest.TestCase):
     def test_problems_are_named_with_their_numbers(self):
         listed = said("problems").splitlines()
         self.assertEqual(listed[0], "problems")
-        names = [line.split()[0].split("(")[0] for line in listed[1:]]
+        names = [line.split()[0].split("(")[0] for line in listed[1:] if line[2] != " "]
         self.assertEqual(names, [each["name"] for each in json.loads(said("problems", "--json"))["problems"]])
         for name in ("boom", "rastrigin", "trap", "nk", "tour-circle"):
             self.assertIn(name, names)
@@ -124,6 +124,14 @@ class Kinds(unittest.TestCase):
         self.assertIn("string: 60 bits", said("rastrigin(dimensions = 6, bits = 10)"))
         self.assertEqual(json.loads(said("one-max(4096)", "--json"))["problems"][0]["optimum"], 4096)
         self.assertIn("dimensions = 0 is out of range", refusal("kinds", "rastrigin(0)"))
+
+    def test_what_problems_are_about_stands_in_one_column(self):
+        lines = said("problems").splitlines()[1:]
+        alone = "  quartic(dimensions = 30, bits = 8, noise = 1, seed = 1)"
+        self.assertIn(alone, [line.rstrip() for line in lines])
+        for line in lines:
+            if line.rstrip() != alone:
+                self.assertEqual((line[44], line[45] != " "), (" ", True), line)
 
     def test_a_misspelt_name_gets_the_nearest(self):
         for wrong, right in (("mastr", "ga.master"), ("master", "ga.master"), ("ga.mastr", "ga.master"), ("cps", "csp"),
