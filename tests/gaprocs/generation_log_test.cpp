@@ -110,7 +110,7 @@ GenerationLog searched(const SearchProblem& problem, std::size_t generations) {
     return log;
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double beyond_all = std::numeric_limits<double>::infinity();
 
 } // namespace
 
@@ -288,16 +288,16 @@ TEST_CASE("an objective that is no finite number is infinitely bad, and not in t
     say("west", {worst_fitness, worst_fitness, worst_fitness});
     CHECK(log.of(0)[0].best == 3);
     CHECK(log.of(0)[0].mean == 4);
-    CHECK(log.of(1)[0].best == infinite);
-    CHECK(log.of(1)[0].mean == infinite);
+    CHECK(log.of(1)[0].best == beyond_all);
+    CHECK(log.of(1)[0].mean == beyond_all);
     CHECK(log.of_all()[0].best == 3);
     CHECK(log.of_all()[0].mean == 4);
     GenerationLog maximised({"east"}), nowhere = searched(*minimise(Nowhere{}), 5);
     auto population = test::strings({"00", "01"});
     std::vector<double> fitness{worst_fitness, worst_fitness};
     maximised.observe({"east", 1, std::nullopt, BitString(2), population, fitness, Goal::maximise});
-    CHECK(maximised.of(0)[0].best == -infinite);
-    CHECK(nowhere.of(0).back().best_so_far == infinite);
+    CHECK(maximised.of(0)[0].best == -beyond_all);
+    CHECK(nowhere.of(0).back().best_so_far == beyond_all);
 }
 
 TEST_CASE("the diversity of a log is that of the representation") {
