@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-using namespace placedpar::picture;
+namespace picture = placedpar::picture;
+using namespace picture;
 
 namespace {
 
@@ -15,8 +16,8 @@ TEST_CASE("a way leads around a box, with as few bends as it takes") {
     auto way = raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}});
     REQUIRE(way);
     CHECK(way->size() == 6); // four bends
-    CHECK(way->front() == Point{0, 80});
-    CHECK(way->back() == Point{160, 80});
+    CHECK(way->front() == picture::Point{0, 80});
+    CHECK(way->back() == picture::Point{160, 80});
     for (std::size_t i = 0; i + 1 < way->size(); ++i)
         CHECK_FALSE(crosses({{80, 80}, 32, 80}, (*way)[i], (*way)[i + 1]));
 }

@@ -7,11 +7,12 @@
 #include <set>
 #include <utility>
 
-using namespace placedpar::picture;
+namespace picture = placedpar::picture;
+using namespace picture;
 
 namespace {
 
-double apart(Point a, Point b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
+double apart(picture::Point a, picture::Point b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
 
 /// Between any two of them.
 double least_apart(const Shape& shape) {
@@ -41,7 +42,7 @@ TEST_CASE("in every figure nodes are a cell apart") {
 
 TEST_CASE("a star has room in its centre") {
     for (std::size_t count = 3; count <= 40; ++count)
-        for (Point each : star(count))
+        for (picture::Point each : star(count))
             CHECK(apart(each, {}) >= 1);
 }
 
@@ -62,7 +63,7 @@ TEST_CASE("a hypercube of four dimensions is a torus: corners a bit apart are ne
 
 TEST_CASE("a node of a tree stands above the middle of what hangs from it") {
     Shape shape = tree({no_node, 0, 0, 1, 1, 2, 2});
-    CHECK(shape[0] == Point{1.5, 0});
-    CHECK(shape[1] == Point{0.5, 1});
-    CHECK(shape[6] == Point{3, 2});
+    CHECK(shape[0] == picture::Point{1.5, 0});
+    CHECK(shape[1] == picture::Point{0.5, 1});
+    CHECK(shape[6] == picture::Point{3, 2});
 }
