@@ -121,8 +121,15 @@ std::string print_run(std::uint64_t seed, const RunResult& result) {
                        name_of(result.ending));
 }
 
-std::string print_runs(const Network& network, std::span<const FinishedRun> runs, std::span<const SeededLog> logs) {
-    std::string out = fmt::format("{}: {} seeds\n", network.source_path, runs.size());
+/// So many as were asked for, or as were begun before the interruption.
+std::string print_seeds(std::size_t begun, std::size_t asked) {
+    return begun == asked ? fmt::format("{} seeds", asked)
+                          : fmt::format("{} of {} seeds, then interrupted", begun, asked);
+}
+
+std::string print_runs(const Network& network, std::span<const FinishedRun> runs, std::span<const SeededLog> logs,
+                       std::size_t asked) {
+    std::string out = fmt::format("{}: {}\n", network.source_path, print_seeds(runs.size(), asked));
     out +=
         painted(Paint::heading, fmt::format("\n{:>20}  {:<16}  {:>16}  {}\n", "seed", "fingerprint", "time", "ended"));
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -152,12 +159,12 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-/// Of the first run that did not end well.
-ExitCode exit_code_of(std::span<const FinishedRun> runs) {
+/// Of the first run that did not end well. An interruption between two runs is none's ending, but leaves some out.
+ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)
             return code;
-    return ExitCode::success;
+    return runs.size() == asked ? ExitCode::success : ExitCode::interrupted;
 }
 
 ExitCode run(const RunOptions& options, const std::string& typed) {
@@ -171,11 +178,11 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
     std::vector<FinishedRun> runs = run_seeds(network, options, trace ? &trace->sink() : nullptr);
     std::vector<SeededLog> logs = logs_of(runs);
     print_out(options.seeds == 1 ? print_report(runs.front().report, network, logs.front().log)
-                                 : print_runs(network, runs, logs));
+                                 : print_runs(network, runs, logs, options.seeds));
     write_files(network, runs, logs, options, manifest);
     if (trace)
         print_warnings(trace->finish(runs.front().report.result));
-    return exit_code_of(runs);
+    return exit_code_of(runs, options.seeds);
 }
 
 void add_searches(CLI::App& command, RunOptions& options) {

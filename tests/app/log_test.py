@@ -137,15 +137,17 @@ class Log(unittest.TestCase):
         self.assertTrue(5 < generations < 80)
         self.assertLessEqual(max(float(row["time_ms"]) for row in rows), 300)
         path = self.folder / "interrupted.csv"
-        with subprocess.Popen([PROGRAM, "run", CLUSTER, "--seeds", "100000", "--log", path], stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, text=True) as run:
-            time.sleep(1)
-            self.assertFalse(path.exists())
-            run.send_signal(signal.SIGINT)
-            output, errors = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, 130, errors)
-        self.assertIn("interrupted", output)
-        self.assertTrue(rows_of(path.read_text(encoding="ascii")))
+        for moment in range(12): # some within a run, some between two
+            with subprocess.Popen([PROGRAM, "run", CLUSTER, "--seeds", "100000", "--log", path],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+                time.sleep(0.5 + 0.007 * moment)
+                self.assertFalse(path.exists())
+                run.send_signal(signal.SIGINT)
+                output, errors = run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 130, errors)
+            self.assertRegex(output.splitlines()[0], r": \d+ of 100000 seeds, then interrupted$")
+            self.assertTrue(rows_of(path.read_text(encoding="ascii")))
+            path.unlink()
 
 
 if __name__ == "__main__":
