@@ -56,7 +56,7 @@ void draw_curve(const ConvergenceCurve& curve, Panel& panel) {
     }
     if (!middle.points.empty())
         panel.series.push_back(std::move(middle));
-    if (curve.runs.size() > 1 && !around.points.empty())
+    if (curve.runs.size() > 1 && curve.stroke != Stroke::points && !around.points.empty())
         panel.bands.push_back(std::move(around));
 }
 
@@ -136,8 +136,8 @@ struct DrawnLogs {
     }
 };
 
-/// Over a record the mean leaps with the worst individuals, which have any fitness: its points would hide the best if
-/// they were joined.
+/// Over a record the mean leaps with the worst individuals, which have any fitness: joined, and with its quartiles, it
+/// would hide the best.
 Panel fitness_panel(const DrawnLogs& drawn) {
     Curves curves{drawn.curve("mean", &LoggedGeneration::mean, 1, Stroke::points),
                   drawn.curve("best", &LoggedGeneration::best, 0)};

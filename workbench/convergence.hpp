@@ -14,7 +14,7 @@ struct ConvergenceCurve {
     std::string name;                      ///< in the legend
     std::vector<std::vector<double>> runs; ///< each from generation 1 on
     int colour;                            ///< which of a plot's eight
-    Stroke stroke = Stroke::line;
+    Stroke stroke = Stroke::line;          ///< points have no quartiles
 };
 
 /// Over the generations that all runs made, for each curve the median of the runs; around it, where there are two runs

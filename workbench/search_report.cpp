@@ -87,12 +87,13 @@ std::string print_middle(const std::vector<std::vector<SearchSummary>>& runs, st
 
 std::string print_middles(const std::vector<std::vector<SearchSummary>>& runs) {
     std::size_t width = width_of_names(runs.front());
-    std::string out =
-        painted(Paint::heading, fmt::format("\n{:<{}}  {:>28}  {:>28}  {:>20}  {:>24}\n", "search", width, "best, last",
-                                            "mean, last", "99 % at generation", "diversity, last"));
+    std::string out = painted(Paint::heading,
+                              fmt::format("\n{:<{}}  {:>28}  {:>28}  {:>28}  {:>20}  {:>24}\n", "search", width,
+                                          "best, last", "ever", "mean, last", "99 % at generation", "diversity, last"));
     for (std::size_t i = 0; i < runs.front().size(); ++i)
-        out += fmt::format("{:<{}}  {:>28}  {:>28}  {:>20}  {:>24}\n", runs.front()[i].process, width,
+        out += fmt::format("{:<{}}  {:>28}  {:>28}  {:>28}  {:>20}  {:>24}\n", runs.front()[i].process, width,
                            print_middle(runs, i, [](const SearchSummary& s) { return s.last.best; }),
+                           print_middle(runs, i, [](const SearchSummary& s) { return s.last.best_so_far; }),
                            print_middle(runs, i, [](const SearchSummary& s) { return s.last.mean; }),
                            print_middle(runs, i, [](const SearchSummary& s) { return s.nearly_there; }),
                            print_middle(runs, i, [](const SearchSummary& s) { return s.last.diversity; }));

@@ -105,6 +105,18 @@ Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     return comparison;
 }
 
+/// One-max as it is climbed, by islands of three sizes.
+Panel climb_panel(const ReplayContext& context) {
+    const StaticTask& task = static_tasks().front();
+    std::vector<ConvergenceCurve> curves;
+    for (std::size_t population : {96u, 24u, 6u}) {
+        curves.push_back(study_convergence(context, task, global_population / population, population, 60));
+        curves.back().name = islands_of(population);
+        curves.back().colour = static_cast<int>(curves.size()) - 1;
+    }
+    return convergence_panel(task.problem + ", the best so far, medians and quartiles", "ones", curves);
+}
+
 Replay replay_local_population(const ReplayContext& context) {
     std::vector<TaskStudy> tasks;
     for (const StaticTask& task : static_tasks())
@@ -117,6 +129,7 @@ Replay replay_local_population(const ReplayContext& context) {
     plot.panels.push_back(
         taken_panel("functions that stand still", sizes, {"generations to the target", 0, 55}, tasks));
     plot.panels.push_back(reached_panel("functions that stand still", sizes, tasks));
+    plot.panels.push_back(climb_panel(context));
     for (double noise : {0.0, 0.3}) {
         std::vector<PlantStudy> studies;
         for (std::size_t population : local_populations)

@@ -292,11 +292,11 @@ TEST_CASE("an objective that is no finite number is infinitely bad, and not in t
     CHECK(log.of(1)[0].mean == beyond_all);
     CHECK(log.of_all()[0].best == 3);
     CHECK(log.of_all()[0].mean == 4);
-    GenerationLog maximised({"east"}), nowhere = searched(*minimise(Nowhere{}), 5);
+    GenerationLog sought({"east"}), nowhere = searched(*minimise(Nowhere{}), 5);
     auto population = test::strings({"00", "01"});
     std::vector<double> fitness{worst_fitness, worst_fitness};
-    maximised.observe({"east", 1, std::nullopt, BitString(2), population, fitness, Goal::maximise});
-    CHECK(maximised.of(0)[0].best == -beyond_all);
+    sought.observe({"east", 1, std::nullopt, BitString(2), population, fitness, Goal::maximise});
+    CHECK(sought.of(0)[0].best == -beyond_all);
     CHECK(nowhere.of(0).back().best_so_far == beyond_all);
 }
 

@@ -54,6 +54,8 @@ TEST_CASE("a plot of searches that are compared is of all of them, with the dive
     CHECK(plot.panels[0].title == "fitness, medians and quartiles of 2 seeds");
     CHECK(plot.panels[0].series.size() == 2);
     CHECK(plot.panels[1].series.size() == 2);
+    CHECK(plot.panels[0].bands.size() == 1); // the mean has none
+    CHECK(plot.panels[0].series[0].stroke == Stroke::points);
     CHECK(plot.panels[1].bands.size() == 2);
     CHECK(draw_svg(plot).find("between them") != std::string::npos);
 }
@@ -78,6 +80,7 @@ TEST_CASE("an objective that is minimised is drawn over a logarithmic axis as lo
     Plot plot = convergence_plot("", {&seeded, 1});
     CHECK(plot.panels[0].y.logarithmic);
     CHECK(plot.panels[0].y.label == "objective");
+    CHECK(plot.panels[0].series[0].name == "best so far");
     CHECK(plot.panels[0].series[0].points[0].y == 2);
     seeded.log.observe({"east", 2, std::nullopt, BitString(2), population, solved, Goal::minimise});
     CHECK_FALSE(convergence_plot("", {&seeded, 1}).panels[0].y.logarithmic);

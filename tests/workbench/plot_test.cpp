@@ -109,6 +109,17 @@ TEST_CASE("what cannot be drawn is refused") {
     CHECK_THROWS_WITH_AS(draw_svg(plot), doctest::Contains("empty x range"), std::runtime_error);
 }
 
+TEST_CASE("an axis from 0 begins there below a logarithmic one too") {
+    Plot plot = small_plot();
+    plot.panels.push_back(plot.panels[0]);
+    for (Panel& panel : plot.panels)
+        panel.x = {"x", 1, 3};
+    plot.panels[0].y = {"y", std::nullopt, std::nullopt, true};
+    plot.panels[1].y = {"y", 0};
+    plot.panels[1].series = {{"line", {{1, 8}, {3, 9}}}};
+    CHECK(count(draw_svg(plot), "> 0<") == 1);
+}
+
 TEST_CASE("a gap in a series is a gap in its line") {
     Plot plot = small_plot();
     std::string whole = draw_svg(plot);

@@ -60,10 +60,12 @@ TEST_CASE("a report of several seeds gives medians and quartiles") {
     std::vector<SeededLog> logs;
     for (double best : {1, 5, 2, 4}) {
         logs.push_back({1, GenerationLog({"east"})});
-        test::tell(logs.back().log, "east", 1, {best, 0});
+        test::tell(logs.back().log, "east", 1, {10 * best, 0});
+        test::tell(logs.back().log, "east", 2, {best, 0});
     }
     std::string text = print_searches(logs);
     CHECK(text.find("3 [1, 4]") != std::string::npos);
+    CHECK(text.find("30 [10, 40]") != std::string::npos); // ever
     CHECK(text.find("1.5 [0.5, 2]") != std::string::npos);
 }
 

@@ -2,6 +2,7 @@
 
 #include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "gaprocs/generation_log.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "identification/statistics.hpp"
@@ -37,6 +38,23 @@ IslandsSettings hypercube(const SearchProblem& problem, std::size_t islands, std
     settings.schedule = Schedule::named("sequential(every = 3)");
     settings.acceptance = Acceptance::named("offspring");
     return settings;
+}
+
+IslandsResult run_hypercube(const SearchProblem& problem, std::size_t islands, std::size_t population,
+                            std::size_t generations, std::uint64_t seed, SearchObserver* observer = nullptr) {
+    return run_islands(problem, generations, hypercube(problem, islands, population), island_streams(seed, islands),
+                       observer);
+}
+
+/// Of all islands, in each generation.
+Figures best_so_far(const SearchProblem& problem, std::size_t islands, std::size_t population, std::size_t generations,
+                    std::uint64_t seed) {
+    GenerationLog log(island_names(islands));
+    run_hypercube(problem, islands, population, generations, seed, &log);
+    Figures best;
+    for (const LoggedGeneration& each : log.compares() ? log.of_all() : log.of(0))
+        best.push_back(each.best_so_far);
+    return best;
 }
 
 double best_fitness(const IslandsResult& result, std::size_t generation) {
@@ -84,7 +102,7 @@ const std::vector<StaticTask>& static_tasks() {
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed) {
     const SearchProblem& problem = static_problem(task.problem);
-    auto result = run_islands(problem, limit, hypercube(problem, islands, population), island_streams(seed, islands));
+    auto result = run_hypercube(problem, islands, population, limit, seed);
     double target = problem.objective()->fitness(task.target);
     for (std::size_t generation = 0; generation < limit; ++generation)
         if (best_fitness(result, generation) >= target)
@@ -111,6 +129,17 @@ std::vector<double> study_task(const ReplayContext& context, const StaticTask& t
                                     static_cast<double>(generations_to_target(task, islands, population, limit, seed))};
                             }),
                   0);
+}
+
+ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTask& task, std::size_t islands,
+                                   std::size_t population, std::size_t generations) {
+    const SearchProblem& problem = static_problem(task.problem);
+    std::string what = fmt::format("{}, {} islands of {}, best so far, {} generations", task.problem, islands,
+                                   population, generations);
+    auto runs = run_seeds(context, what, [&](std::uint64_t seed) {
+        return best_so_far(problem, islands, population, generations, seed);
+    });
+    return {.name = {}, .runs = std::move(runs), .colour = 0};
 }
 
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies) {

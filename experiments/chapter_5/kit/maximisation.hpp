@@ -2,6 +2,7 @@
 
 #include "experiments/kit/experiment.hpp"
 #include "gaprocs/islands.hpp"
+#include "workbench/convergence.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +41,10 @@ struct TaskStudy {
 /// generations_to_target of every seed of the replay.
 std::vector<double> study_task(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                std::size_t population, std::size_t limit);
+
+/// The best objective of all islands so far, generation by generation, of the same runs.
+ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTask& task, std::size_t islands,
+                                   std::size_t population, std::size_t generations);
 
 /// Medians by size with their 95 % intervals; of sizes with which more than nine in ten runs reach the target.
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies);
