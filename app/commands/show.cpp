@@ -3,6 +3,7 @@
 #include "app/options/netlist_options.hpp"
 #include "netlist/print/print.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 #include "workbench/picture/svg.hpp"
 
 #include <CLI/CLI.hpp>
@@ -18,10 +19,12 @@ namespace {
 struct ShowOptions {
     NetlistOptions netlist;
     std::string format = "cfs", out;
+    bool software = false;
 };
 
-std::string text_of(const Network& network, const std::string& format) {
-    return format == "cfs"   ? print_cfs(network)
+std::string text_of(const Network& network, const std::string& format, bool software) {
+    return software          ? print_software_svg(network)
+           : format == "cfs" ? print_cfs(network)
            : format == "svg" ? print_svg(network)
            : format == "dot" ? print_dot(network)
                              : print_json(network);
@@ -34,9 +37,15 @@ void require_apart_from_inputs(const std::filesystem::path& output, const Networ
         require_apart({&output, 1}, included);
 }
 
+void require_drawing(const ShowOptions& options) {
+    if (options.software && options.format != "svg")
+        throw UserError("--software is for the drawing: --format svg --software");
+}
+
 ExitCode show(const ShowOptions& options) {
+    require_drawing(options);
     Network network = load_network(options.netlist);
-    std::string text = text_of(network, options.format);
+    std::string text = text_of(network, options.format, options.software);
     if (options.out.empty()) {
         print_out(text);
     } else {
@@ -53,6 +62,8 @@ Action declare_show(CLI::App& command, const std::string&) {
         ->check(CLI::IsMember({"cfs", "svg", "dot", "json"}).description(""))
         ->type_name("cfs|svg|dot|json")
         ->capture_default_str();
+    command.add_flag("--software", options->software,
+                     "with --format svg: draws processes and channels, not processors and wires");
     add_file(command, "-o,--out", options->out, "writes it there, not to standard output");
     return [options] { return show(*options); };
 }

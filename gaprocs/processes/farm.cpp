@@ -1,14 +1,16 @@
 #include "gaprocs/processes/farm.hpp"
 
+#include "runtime/alternation.hpp"
 #include "runtime/executive.hpp"
 
 #include <utility>
 
 namespace placedpar {
 
-Farm::Farm(const SearchProblem& problem, const Workload& workload, const Settings& settings, Output<Task> to_slaves,
-           Input<Fitnesses> from_slaves)
-    : problem_(problem), workload_(workload), settings_(settings), to_slaves_(to_slaves), from_slaves_(from_slaves) {}
+Farm::Farm(const SearchProblem& problem, const Workload& workload, const Settings& settings,
+           std::vector<Output<Task>> to_slaves, std::vector<Input<Fitnesses>> from_slaves)
+    : problem_(problem), workload_(workload), settings_(settings), to_slaves_(std::move(to_slaves), settings.sending),
+      from_slaves_(std::move(from_slaves)), in_turn_(settings.routes.in_turn(settings.slaves)) {}
 
 void Farm::measure(Window window) {
     window_ = std::move(window);
@@ -34,8 +36,7 @@ void Farm::evaluate_dealt_out(std::span<const Genome> population, std::vector<do
     own_evaluation.start();
     evaluate_own(shares.back(), population, fitness);
     own_evaluation.stop();
-    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
-        take(from_slaves_.input(), fitness);
+    take_from_all(fitness);
 }
 
 void Farm::rehearse(std::span<const Genome> population) {
@@ -44,22 +45,58 @@ void Farm::rehearse(std::span<const Genome> population) {
         return rehearse_on_demand(population, fitness);
     auto shares = deal(population.size(), window_->size(), settings_.slaves + 1, settings_.split);
     send_to_all(Task::Kind::rehearse, shares, population, true);
-    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
-        take(from_slaves_.input(), fitness);
+    take_from_all(fitness);
 }
 
 void Farm::end() {
     if (settings_.slaves == 0)
         return;
-    to_slaves_.output(Task{});
-    while (!from_slaves_.input().end) {
-    }
+    to_slaves_.during([this] {
+        for (std::size_t channel = 0; channel < to_slaves_.count(); ++channel)
+            to_slaves_.send(channel, Task{});
+    });
+    for (const Input<Fitnesses>& from : from_slaves_)
+        while (!from.input().end) {
+        }
+}
+
+void Farm::send(Task task) {
+    auto [channel, address] = settings_.routes.to(task.slave);
+    task.address = address;
+    to_slaves_.send(channel, std::move(task));
 }
 
 void Farm::send_to_all(Task::Kind kind, std::span<const Share> shares, std::span<const Genome> population,
                        bool measurements) {
-    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
-        to_slaves_.output(make_task(kind, slave, shares[slave], population, measurements));
+    to_slaves_.during([&] {
+        for (std::size_t slave : in_turn_)
+            send(make_task(kind, slave, shares[slave], population, measurements));
+    });
+}
+
+/// The next result, of whichever slave.
+Fitnesses Farm::receive() {
+    if (from_slaves_.size() == 1)
+        return from_slaves_.front().input();
+    Fitnesses next;
+    alt(std::span<const Input<Fitnesses>>(from_slaves_),
+        [&](std::size_t, Fitnesses result) { next = std::move(result); });
+    return next;
+}
+
+/// In order, the round of a channel ends with the result of the slave at its other end.
+void Farm::take_from_all(std::vector<double>& fitness) {
+    if (!settings_.results_in_order || from_slaves_.size() == 1) {
+        for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
+            take(receive(), fitness);
+        return;
+    }
+    for (const Input<Fitnesses>& from : from_slaves_)
+        for (bool last = false; !last;) {
+            Fitnesses result = from.input();
+            last = result.hops == 0;
+            take(result, fitness);
+        }
 }
 
 /// Packs a message: the measurements converted word by word, the strings copied.
@@ -67,13 +104,14 @@ Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std
                      bool measurements) {
     Task task;
     task.kind = kind;
-    task.slave = task.hops_left = slave;
+    task.slave = slave;
     task.share = share;
     auto strings = population.subspan(share.first_individual(), share.individuals());
     task.strings.assign(strings.begin(), strings.end());
     task.bias = settings_.bias;
     task.coding = problem_.coding();
     task.results_in_order = settings_.results_in_order;
+    task.tasks_under_way = settings_.tasks_under_way;
     task.bytes = message_bytes(strings.size(), workload_.string_bytes);
     compute(block_move(task.bytes));
     if (measurements) {

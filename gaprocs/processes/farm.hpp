@@ -1,7 +1,9 @@
 #pragma once
 
 #include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/slave_routes.hpp"
 #include "gaprocs/processes/stopwatch.hpp"
+#include "gaprocs/processes/task_outlets.hpp"
 #include "gaprocs/processes/workload.hpp"
 #include "runtime/channel.hpp"
 
@@ -10,23 +12,27 @@
 
 namespace placedpar {
 
-/// Evaluates a population by a master and its slaves (algorithm A). The master has one link to its slaves, which form a
-/// chain and pass on each other's messages. It sends to the nearest slave first, evaluates a share itself, then
-/// receives the results. Without slaves it evaluates everything.
+/// Evaluates a population by a master and its slaves (algorithm A). The slaves behind each of the master's channels
+/// form a tree and pass on each other's messages: one channel to a chain, a channel to each slave of a star, or
+/// anything between. The master sends to the nearest slaves first, evaluates a share itself, then receives the results.
+/// Without slaves it evaluates everything.
 ///
-/// The fitness depends neither on the number of slaves nor on which of them evaluated what: see fitness.hpp.
+/// The fitness depends neither on the slaves' number and form nor on which of them evaluated what: see fitness.hpp.
 class Farm {
 public:
     struct Settings {
         std::size_t slaves = 0;
+        SlaveRoutes routes = {};
         Split split = Split::individuals;
+        Sending sending = Sending::in_turn;
+        std::size_t tasks_under_way = 1; ///< sent to a slave before the first of them is answered; for Split::demand
         bool measurements_every_generation = false; ///< else only when they are new
-        bool results_in_order = false;              ///< the farthest slave's first; else as they become ready
+        bool results_in_order = false; ///< channel by channel, the farthest slave's first; else as they become ready
         double bias = 0;
     };
 
-    /// Without slaves the channel ends are not used.
-    Farm(const SearchProblem&, const Workload&, const Settings&, Output<Task> to_slaves, Input<Fitnesses> from_slaves);
+    Farm(const SearchProblem&, const Workload&, const Settings&, std::vector<Output<Task>> to_slaves,
+         std::vector<Input<Fitnesses>> from_slaves);
 
     /// New measurements: each slave is sent them with its next task.
     void measure(Window);
@@ -47,19 +53,25 @@ private:
     class Dealer;
 
     Task make_task(Task::Kind, std::size_t slave, const Share&, std::span<const Genome> population, bool measurements);
+    void send(Task);
     void send_to_all(Task::Kind, std::span<const Share>, std::span<const Genome> population, bool measurements);
+    Fitnesses receive();
+    void take_from_all(std::vector<double>& fitness);
     void take(const Fitnesses&, std::vector<double>& fitness);
     void evaluate_own(const Share&, std::span<const Genome> population, std::vector<double>& fitness);
     void evaluate_dealt_out(std::span<const Genome> population, std::vector<double>& fitness);
     void evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness);
+    void deal_to_all(Dealer&, std::span<const Genome> population, std::vector<double>& fitness);
     void rehearse_on_demand(std::span<const Genome> population, std::vector<double>& fitness);
+    void deal_to_slaves(Dealer&, Task::Kind, std::span<const Genome> population);
     void deal_to_slave(std::size_t slave, Dealer&, Task::Kind, std::span<const Genome> population);
 
     const SearchProblem& problem_;
     Workload workload_;
     Settings settings_;
-    Output<Task> to_slaves_;
-    Input<Fitnesses> from_slaves_;
+    TaskOutlets to_slaves_;
+    std::vector<Input<Fitnesses>> from_slaves_;
+    std::vector<std::size_t> in_turn_; ///< the slaves, in the order in which they are sent tasks
     Window window_;
     bool measurements_are_new_ = false;
 };

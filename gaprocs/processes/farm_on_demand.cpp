@@ -44,30 +44,38 @@ struct Done {};
 
 void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
     Dealer dealer(population.size(), window_->size(), settings_.slaves, measurements_are_new_);
+    to_slaves_.during([&] { deal_to_all(dealer, population, fitness); });
+}
+
+void Farm::deal_to_all(Dealer& dealer, std::span<const Genome> population, std::vector<double>& fitness) {
     std::string self = Kernel::current()->running().path();
     Channel<Share> work("share of " + self);
     Channel<Done> done("share of " + self + " done");
-    auto send_to = [&](std::size_t slave) { deal_to_slave(slave, dealer, Task::Kind::evaluate, population); };
     auto deal_out = [&] {
-        for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
-            send_to(slave);
+        deal_to_slaves(dealer, Task::Kind::evaluate, population);
         bool own_evaluator_works = true;
         auto deal_to_self = [&] {
             own_evaluator_works = dealer.anything_left();
             work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends it
         };
         deal_to_self();
-        while (!dealer.everything_in())
-            alt(on(from_slaves_,
-                   [&](const Fitnesses& result) {
-                       take(result, fitness);
-                       dealer.received();
-                       send_to(result.slave);
-                   }),
-                when(own_evaluator_works, on(done.in(), [&](Done) {
-                         dealer.received();
-                         deal_to_self();
-                     })));
+        std::vector<Guard> guards;
+        for (const Input<Fitnesses>& from : from_slaves_)
+            guards.push_back({Guard::input, &from.channel()});
+        guards.push_back({Guard::input, &done.in().channel()});
+        while (!dealer.everything_in()) {
+            guards.back().kind = own_evaluator_works ? Guard::input : Guard::never;
+            if (auto ready = select(guards); ready < from_slaves_.size()) {
+                Fitnesses result = from_slaves_[ready].input();
+                take(result, fitness);
+                dealer.received();
+                deal_to_slave(result.slave, dealer, Task::Kind::evaluate, population);
+            } else {
+                done.in().input();
+                dealer.received();
+                deal_to_self();
+            }
+        }
     };
     auto evaluate_own_share = [&] {
         own_evaluation.start();
@@ -83,14 +91,22 @@ void Farm::evaluate_on_demand(std::span<const Genome> population, std::vector<do
 void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<double>& fitness) {
     std::size_t own = population.size() / (settings_.slaves + 1);
     Dealer dealer(population.size() - own, window_->size(), settings_.slaves, true);
-    for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
-        deal_to_slave(slave, dealer, Task::Kind::rehearse, population);
-    while (!dealer.everything_in()) {
-        Fitnesses result = from_slaves_.input();
-        take(result, fitness);
-        dealer.received();
-        deal_to_slave(result.slave, dealer, Task::Kind::rehearse, population);
-    }
+    to_slaves_.during([&] {
+        deal_to_slaves(dealer, Task::Kind::rehearse, population);
+        while (!dealer.everything_in()) {
+            Fitnesses result = receive();
+            take(result, fitness);
+            dealer.received();
+            deal_to_slave(result.slave, dealer, Task::Kind::rehearse, population);
+        }
+    });
+}
+
+/// As many to each as it may have under way.
+void Farm::deal_to_slaves(Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
+    for (std::size_t task = 0; task < settings_.tasks_under_way; ++task)
+        for (std::size_t slave : in_turn_)
+            deal_to_slave(slave, dealer, kind, population);
 }
 
 /// Nothing when all are dealt out.
@@ -98,7 +114,7 @@ void Farm::deal_to_slave(std::size_t slave, Dealer& dealer, Task::Kind kind, std
     if (!dealer.anything_left())
         return;
     Share next = dealer.next();
-    to_slaves_.output(make_task(kind, slave, next, population, dealer.owes_measurements(slave)));
+    send(make_task(kind, slave, next, population, dealer.owes_measurements(slave)));
 }
 
 } // namespace placedpar

@@ -31,14 +31,19 @@ Parameters exchange_parameters() {
 }
 
 PortDescription to_neighbours() {
-    return description::optional(description::output<Emigrants>(
-        "to_neighbours", "emigrants",
-        "an array: one end for each island to which emigrants go, in the order of a sequential schedule"));
+    using namespace description;
+    return optional(formerly(
+        "ring_out",
+        output<Emigrants>(
+            "to_neighbours", "emigrants",
+            "an array: one end for each island to which emigrants go, in the order of a sequential schedule")));
 }
 
 PortDescription from_neighbours() {
-    return description::optional(description::input<Emigrants>(
-        "from_neighbours", "emigrants", "an array: one end for each island from which immigrants come, in any order"));
+    using namespace description;
+    return optional(formerly(
+        "ring_in", input<Emigrants>("from_neighbours", "emigrants",
+                                    "an array: one end for each island from which immigrants come, in any order")));
 }
 
 ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {

@@ -4,7 +4,7 @@
 #include "gaprocs/policies/emigration.hpp"
 #include "gaprocs/processes/archipelago.hpp"
 #include "gaprocs/processes/messages.hpp"
-#include "gaprocs/processes/slave_chain.hpp"
+#include "gaprocs/processes/slave_tree.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>

@@ -3,8 +3,9 @@
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/processes/search_description.hpp"
-#include "gaprocs/processes/slave_chain.hpp"
+#include "gaprocs/processes/slave_tree.hpp"
 #include "gaprocs/usual_settings.hpp"
+#include "netlist/network/names.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -62,6 +63,18 @@ public:
             check_slaves();
     }
 
+    void slave() {
+        for (const char* port : {"from_master", "to_master"})
+            check_single(port);
+        auto circle = circle_of(network_, process_);
+        if (circle.empty() || *std::ranges::min_element(circle) != process_) // said once
+            return;
+        std::string names;
+        for (auto each = circle.rbegin(); each != circle.rend(); ++each)
+            names += (names.empty() ? "\"" : ", \"") + name(*each) + "\"";
+        refuse("from_master", fmt::format("the tasks of {} go round in a circle, which no master reaches", names));
+    }
+
     std::vector<Complaint> take() { return std::move(complaints_); }
 
 private:
@@ -93,6 +106,16 @@ private:
     }
     void refuse_of(std::size_t process, std::string about, std::string message, std::string hint = "") {
         complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
+    }
+
+    /// Of a channel that cannot be an array.
+    void check_single(const char* port) {
+        for (const PortBinding& binding : network_.processes[process_].ports)
+            if (base_name(binding.port) == port && binding.port != port)
+                return refuse(
+                    binding.port,
+                    fmt::format("\"{}.{}\" is one channel: a slave has one process before it", name(process_), port),
+                    fmt::format("connect ... {}.{};", name(process_), port));
     }
 
     void refuse_given(std::initializer_list<const char*> parameters, const std::string& hint) {
@@ -187,11 +210,11 @@ private:
 
     void check_slaves() {
         std::int64_t population = integer("population"), slaves = integer("slaves");
-        SlaveChain chain = follow_slaves(network_, process_);
-        complaints_.insert(complaints_.end(), chain.complaints.begin(), chain.complaints.end());
-        if (chain.known && std::cmp_not_equal(chain.slaves.size(), slaves))
-            refuse("slaves", fmt::format("slaves = {}, but the chain at \"{}.to_slaves\" has {}", slaves,
-                                         name(process_), chain.slaves.size()));
+        SlaveTree tree = follow_slaves(network_, process_);
+        complaints_.insert(complaints_.end(), tree.complaints.begin(), tree.complaints.end());
+        if (tree.complaints.empty() && tree.others == 0 && std::cmp_not_equal(tree.slaves.size(), slaves))
+            refuse("slaves", fmt::format("slaves = {}, but \"{}.to_slaves\" leads to {}", slaves, name(process_),
+                                         tree.slaves.size()));
         else if (slaves >= population)
             refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, the "
                                          "master being an evaluator too",
@@ -199,7 +222,12 @@ private:
         std::size_t individuals = most_individuals(static_cast<std::size_t>(population),
                                                    static_cast<std::size_t>(slaves) + 1, split_named(text("split")));
         check_message(process_, individuals, "string_bytes", integer("measurement_bytes"));
-        for (std::size_t slave : chain.slaves) {
+        if (integer("tasks_under_way") > 1 && text("split") != "demand")
+            refuse("tasks_under_way",
+                   fmt::format("tasks_under_way = {}, but with the split \"{}\" each slave is sent one task",
+                               integer("tasks_under_way"), text("split")),
+                   "split = \"demand\" sends several");
+        for (std::size_t slave : tree.slaves) {
             check_problem(slave, process_);
             check_message(slave, individuals, "fitness_bytes", 0);
         }
@@ -231,7 +259,9 @@ std::vector<Complaint> check_host(const Network& network, std::size_t process, c
 }
 
 std::vector<Complaint> check_slave(const Network& network, std::size_t process, const ProblemRegistry& problems) {
-    return Check(network, process, problems).take();
+    Check check(network, process, problems);
+    check.slave();
+    return check.take();
 }
 
 std::vector<Complaint> check_search(const Network& network, std::size_t process, const ProblemRegistry& problems) {

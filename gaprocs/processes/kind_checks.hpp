@@ -13,10 +13,10 @@ namespace placedpar {
 
 /// The problem is known, and its record has the samples that are to be sent.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
-/// The problem is known.
+/// The problem is known; one process is before it, and not in a circle.
 std::vector<Complaint> check_slave(const Network&, std::size_t process, const ProblemRegistry&);
-/// The settings of the search agree with each other and with the problem's record. With slaves: the chain has as many
-/// as stated, there is work for each, they search the same problem, and their messages are not too long.
+/// The settings of the search agree with each other and with the problem's record. With slaves: they form a tree of as
+/// many as stated, there is work for each, they search the same problem, and their messages are not too long.
 std::vector<Complaint> check_search(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

@@ -36,14 +36,15 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 /// From a master to one of its slaves: evaluate these strings.
 struct Task : Parcel {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
-    std::size_t slave = 0;     ///< the addressee, counted from the master
-    std::size_t hops_left = 0; ///< slaves that have yet to pass it on
+    std::size_t slave = 0;   ///< the addressee, counted from the master
+    std::size_t address = 0; ///< 0: the slave that receives it; else one beyond, in the order of SlaveRoutes
     Share share;
     std::vector<Genome> strings; ///< the individuals that the share touches
     Window window;               ///< the measurements where they are new; null where the slave has them
     double bias = 0;
     Coding coding = Coding::natural; ///< how the strings are to be read
     bool results_in_order = false;   ///< the farthest slave's first in each round; else as they become ready
+    std::size_t tasks_under_way = 1; ///< that the master may have sent the addressee before the first is answered
 };
 
 /// From a slave to its master: what the share adds to the fitness of each individual that it touches.

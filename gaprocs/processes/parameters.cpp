@@ -78,7 +78,10 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     if (!environment.connected("to_slaves"))
         return settings;
     settings.slaves = size(environment, "slaves");
+    settings.routes = read_routes(environment);
     settings.split = split_named(environment.text("split"));
+    settings.sending = environment.text("sending") == "at once" ? Sending::at_once : Sending::in_turn;
+    settings.tasks_under_way = size(environment, "tasks_under_way");
     settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))

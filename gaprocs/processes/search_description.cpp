@@ -128,15 +128,21 @@ Parameters farm_parameters() {
     using namespace description;
     return {
         integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
-                "slaves in the chain, where one is connected: as many as there are"),
+                "slaves in all, where any are connected: as many as there are"),
         text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
              "how the evaluations are dealt out: whole individuals, individuals one by one to the next idle "
              "evaluator, or single error evaluations"),
         text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
              "when the slaves are sent the measurements: with each new sample, or in every generation"),
+        integer("tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
+                "with the split demand: tasks that a slave is sent before it has answered the first; with 2, the next "
+                "is there when one is done"),
+        text("sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
+             "how the master sends tasks: one after the other, or each channel by a process of its own, so that all "
+             "links are busy at once"),
         text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
-             "how results come back: in the order of the chain, the farthest first, or as they are ready; on demand "
-             "always as they are ready"),
+             "how results come back: in the order of the chain, the farthest first, and chain by chain where there are "
+             "several; or as they are ready; on demand always as they are ready"),
         integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
                 "rounds of communication with nothing to evaluate, to measure C_time2: after the work, in none of its "
                 "totals; 0 for no measurement"),
@@ -144,12 +150,13 @@ Parameters farm_parameters() {
 }
 
 PortDescription to_slaves() {
-    return description::optional(description::output<Task>("to_slaves", "task", "to the first slave of the chain"));
+    return description::optional(
+        description::output<Task>("to_slaves", "task", "to a slave, or an array: one end for each"));
 }
 
 PortDescription from_slaves() {
     return description::optional(
-        description::input<Fitnesses>("from_slaves", "fitnesses", "from the first slave of the chain"));
+        description::input<Fitnesses>("from_slaves", "fitnesses", "from a slave, or an array: one end for each"));
 }
 
 } // namespace placedpar::search_description

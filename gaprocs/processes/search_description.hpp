@@ -57,8 +57,9 @@ Parameters search_parameters();
 std::vector<MeasurementDescription> search_measurements();
 PortDescription from_host();
 
-/// Of every process that may have slaves.
+/// Of every master.
 Parameters farm_parameters();
+/// Of every process that may have slaves behind it.
 PortDescription to_slaves();
 PortDescription from_slaves();
 

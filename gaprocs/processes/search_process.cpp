@@ -22,16 +22,9 @@ namespace placedpar {
 
 namespace {
 
-/// The ends of the farm's channels; unused ones when there are no slaves.
 Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& problem, const Workload& workload) {
-    Farm::Settings settings = read_farm_settings(environment);
-    Output<Task> to_slaves;
-    Input<Fitnesses> from_slaves;
-    if (settings.slaves > 0) {
-        to_slaves = environment.output<Task>("to_slaves");
-        from_slaves = environment.input<Fitnesses>("from_slaves");
-    }
-    return Farm(problem, workload, settings, to_slaves, from_slaves);
+    return Farm(problem, workload, read_farm_settings(environment), environment.outputs<Task>("to_slaves"),
+                environment.inputs<Fitnesses>("from_slaves"));
 }
 
 class SearchProcess {

@@ -4,6 +4,7 @@
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/processes/search_description.hpp"
+#include "gaprocs/processes/slave_routes.hpp"
 #include "gaprocs/processes/workload.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
@@ -11,34 +12,44 @@
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"
 
+#include <deque>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace placedpar {
 
 namespace {
 
+struct NextTask {};
+
 /// A slave of algorithm A: three processes on one processor. Two of high priority pass messages on, tasks
-/// away from the master and results towards it; one of low priority evaluates.
+/// away from the master and results towards it; one of low priority evaluates. Where several tasks may be under way to
+/// it, a fourth keeps those that wait for the evaluator, so that what is for the slaves beyond never waits for it.
 class Slave {
 public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
         : problem_(std::move(problem)), workload_(read_slave_workload(environment)),
-          has_next_(environment.connected("to_next")), from_master_(environment.input<Task>("from_master")),
-          to_master_(environment.output<Fitnesses>("to_master")), own_tasks_("task of " + environment.process()),
-          own_results_("result of " + environment.process()) {
-        if (has_next_) {
-            to_next_ = environment.output<Task>("to_next");
-            from_next_ = environment.input<Fitnesses>("from_next");
-        }
-    }
+          from_master_(environment.input<Task>("from_master")), to_master_(environment.output<Fitnesses>("to_master")),
+          to_slaves_(environment.outputs<Task>("to_slaves")),
+          from_slaves_(environment.inputs<Fitnesses>("from_slaves")), routes_(read_routes(environment)),
+          own_tasks_("task of " + environment.process()), kept_tasks_("kept task of " + environment.process()),
+          next_task_("next task of " + environment.process()), own_results_("result of " + environment.process()) {}
 
-    /// The first task says in which order results are to be passed on.
+    /// The first task says in which order results are to be passed on, and how many tasks may be under way.
     void run() {
         Task first = from_master_.input();
         results_in_order_ = first.results_in_order;
-        pri_par([&] { par([&] { pass_tasks_on(std::move(first)); }, [this] { pass_results_on(); }); },
-                [this] { evaluate(); });
+        keeps_tasks_ = first.tasks_under_way > 1;
+        auto pass_tasks = [&] { pass_tasks_on(std::move(first)); };
+        auto pass_results = [this] { pass_results_on(); };
+        auto pass_on = [&] {
+            if (keeps_tasks_)
+                par(pass_tasks, pass_results, [this] { keep_tasks(); });
+            else
+                par(pass_tasks, pass_results);
+        };
+        pri_par(pass_on, [this] { evaluate(); });
     }
 
 private:
@@ -47,50 +58,75 @@ private:
             task = from_master_.input();
     }
 
-    /// To the next slave, to this slave's evaluator, or to both. False at the end.
+    /// To a slave beyond, to this slave's evaluator, or at the end to all of them. False at the end.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
-        if (has_next_ && (ended || task.hops_left > 0)) {
-            Task next = task;
-            --next.hops_left;
-            to_next_.output(std::move(next));
+        if (ended)
+            for (const Output<Task>& to : to_slaves_)
+                to.output(task);
+        else if (task.address > 0) {
+            auto [channel, address] = routes_.to(task.address - 1);
+            task.address = address;
+            to_slaves_[channel].output(std::move(task));
+            return true;
         }
-        if (ended || task.hops_left == 0)
-            own_tasks_.out().output({std::move(task)});
+        (keeps_tasks_ ? kept_tasks_ : own_tasks_).out().output({std::move(task)});
         return !ended;
     }
 
+    /// First come, first evaluated.
+    void keep_tasks() {
+        std::deque<Task> kept;
+        bool ended = false;
+        while (!ended || !kept.empty())
+            alt(when(!ended, on(kept_tasks_.in(),
+                                [&](InPlace<Task> task) {
+                                    ended = task.message.kind == Task::Kind::end;
+                                    kept.push_back(std::move(task.message));
+                                })),
+                when(!kept.empty(), on(next_task_.in(), [&](NextTask) {
+                    own_tasks_.out().output({std::move(kept.front())});
+                    kept.pop_front();
+                })));
+    }
+
     void pass_results_on() {
-        if (results_in_order_ && has_next_)
+        if (results_in_order_ && !from_slaves_.empty())
             while (pass_round_on()) {
             }
         else
-            while (pass_next_result_on()) {
-            }
+            pass_results_on_as_they_are_ready();
         to_master_.output(end_of_results());
     }
 
-    /// The results of all slaves beyond, the farthest first, and then this slave's. False at the end.
+    /// The results of all slaves beyond, channel by channel and the farthest first, and then this slave's. False at the
+    /// end.
     bool pass_round_on() {
-        for (bool last = false; !last;) {
-            Fitnesses result = from_next_.input();
-            last = result.end || result.hops == 0; // a round ends with the next slave's own result
-            pass_on(std::move(result));
-        }
+        for (const Input<Fitnesses>& from : from_slaves_)
+            for (bool last = false; !last;) {
+                Fitnesses result = from.input();
+                last = result.end || result.hops == 0; // a round ends with the next slave's own result
+                pass_on(std::move(result));
+            }
         return send(own_results_.in().input().message);
     }
 
-    /// One result, as soon as any is ready. False when all have ended.
-    bool pass_next_result_on() {
-        auto own = when(own_open_,
-                        on(own_results_.in(), [&](InPlace<Fitnesses> r) { own_open_ = send(std::move(r.message)); }));
-        if (has_next_)
-            alt(when(next_open_, on(from_next_, [&](Fitnesses r) { next_open_ = pass_on(std::move(r)); })), own);
-        else
-            alt(own);
-        return own_open_ || next_open_;
+    void pass_results_on_as_they_are_ready() {
+        std::vector<Guard> open;
+        for (const Input<Fitnesses>& from : from_slaves_)
+            open.push_back({Guard::input, &from.channel()});
+        open.push_back({Guard::input, &own_results_.in().channel()});
+        for (std::size_t left = open.size(); left > 0;) {
+            std::size_t ready = select(open);
+            bool own = ready == from_slaves_.size();
+            if (own ? send(own_results_.in().input().message) : pass_on(from_slaves_[ready].input()))
+                continue;
+            open[ready].kind = Guard::never;
+            --left;
+        }
     }
 
+    /// False when all results of its channel have been passed on.
     bool pass_on(Fitnesses result) {
         ++result.hops;
         return send(std::move(result));
@@ -103,9 +139,14 @@ private:
         return true;
     }
 
+    Task next_task() {
+        if (keeps_tasks_)
+            next_task_.out().output({});
+        return own_tasks_.in().input().message;
+    }
+
     void evaluate() {
-        for (Task task = own_tasks_.in().input().message; task.kind != Task::Kind::end;
-             task = own_tasks_.in().input().message)
+        for (Task task = next_task(); task.kind != Task::Kind::end; task = next_task())
             own_results_.out().output({answer(task)});
         own_results_.out().output({end_of_results()});
     }
@@ -136,14 +177,14 @@ private:
 
     std::shared_ptr<const SearchProblem> problem_;
     Workload workload_;
-    bool has_next_;
     Input<Task> from_master_;
     Output<Fitnesses> to_master_;
-    Output<Task> to_next_;
-    Input<Fitnesses> from_next_;
-    bool results_in_order_ = false;
-    bool own_open_ = true, next_open_ = has_next_;
-    Channel<InPlace<Task>> own_tasks_;
+    std::vector<Output<Task>> to_slaves_;
+    std::vector<Input<Fitnesses>> from_slaves_;
+    SlaveRoutes routes_;
+    bool results_in_order_ = false, keeps_tasks_ = false;
+    Channel<InPlace<Task>> own_tasks_, kept_tasks_;
+    Channel<NextTask> next_task_;
     Channel<InPlace<Fitnesses>> own_results_;
     Window window_;
 };
@@ -158,15 +199,14 @@ ProcessKind slave_kind(const ProblemRegistry& problems) {
     using namespace search_description;
     using namespace description;
     return {.name = "ga.slave",
-            .about = "A slave of algorithm A, one of a chain: evaluates its share and passes on what is for the slaves "
-                     "beyond it.",
+            .about = "A slave of algorithm A: evaluates its share and passes on what is for the slaves beyond it. The "
+                     "connections make a chain, a star or any other tree of a master and its slaves.",
             .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
                       output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
-                      optional(output<Task>("to_next", "task", "to the slave beyond")),
-                      optional(input<Fitnesses>("from_next", "fitnesses", "from the slave beyond"))},
+                      formerly("to_next", to_slaves()), formerly("from_next", from_slaves())},
             .parameters = {problem(), cycles_per_error(), fitness_bytes()},
             .body = [&problems](ProcessEnvironment& environment) { run_slave(environment, problems); },
-            .together = {{"to_next", "from_next"}},
+            .together = {{"to_slaves", "from_slaves"}},
             .check = [&problems](const Network& network,
                                  std::size_t process) { return check_slave(network, process, problems); }};
 }

@@ -1,6 +1,5 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/network/names.hpp"
-#include "text/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +65,7 @@ private:
         c_.reporter.error(end.at,
                           fmt::format("the kind \"{}\" of \"{}\" has no channel \"{}\"", kind->name, process.name,
                                       base_name(end.port)),
-                          did_you_mean(base_name(end.port), names_in(kind->ports)));
+                          kind->hint_at_port(base_name(end.port)));
     }
 
     void add(std::size_t index) {

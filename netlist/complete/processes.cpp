@@ -49,7 +49,7 @@ void check_port(Completion& c, const DraftProcess& process, const PortDeclaratio
     const auto* known = kind.port(port.name);
     if (known == nullptr) {
         c.reporter.error(port.at, fmt::format("the kind \"{}\" has no channel \"{}\"", kind.name, port.name),
-                         did_you_mean(port.name, names_in(kind.ports)), {used_here(c, process)});
+                         kind.hint_at_port(port.name), {used_here(c, process)});
     } else if (known->direction != port.direction) {
         c.reporter.error(port.at,
                          fmt::format("the channel \"{}\" of the kind \"{}\" is an {}, not an {}", port.name, kind.name,

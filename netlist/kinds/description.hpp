@@ -68,4 +68,10 @@ inline PortDescription optional(PortDescription port) {
     return port;
 }
 
+/// The same port, which older netlists know by another name.
+inline PortDescription formerly(std::string name, PortDescription port) {
+    port.formerly = std::move(name);
+    return port;
+}
+
 } // namespace placedpar::description

@@ -1,6 +1,7 @@
 #include "netlist/kinds/environment.hpp"
 
 #include "netlist/network/network.hpp"
+#include "text/user_error.hpp"
 
 namespace placedpar {
 
@@ -20,10 +21,14 @@ AnyChannel* ProcessEnvironment::find(std::string_view port) const {
 AnyChannel& ProcessEnvironment::require(std::string_view port) const {
     if (AnyChannel* channel = find(port))
         return *channel;
+    if (connected(port))
+        throw UserError(fmt::format("\"{}\" is one channel of this kind, and no array", port));
     throw std::logic_error(fmt::format("process {} has no port {}", process_, port));
 }
 
 std::vector<AnyChannel*> ProcessEnvironment::all(std::string_view port) const {
+    if (AnyChannel* channel = find(port))
+        return {channel};
     std::vector<AnyChannel*> channels;
     for (std::size_t i = 0; AnyChannel* channel = find(fmt::format("{}[{}]", port, i)); ++i)
         channels.push_back(channel);

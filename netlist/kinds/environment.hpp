@@ -54,7 +54,8 @@ public:
     double real(std::string_view parameter) const { return get<double>(parameter); }
     const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
 
-    bool connected(std::string_view port) const { return find(port) != nullptr; }
+    /// The port, or the first of it if it is an array.
+    bool connected(std::string_view port) const { return !all(port).empty(); }
     template <class T>
     Input<T> input(std::string_view port) const {
         return channel<T>(require(port)).in();
@@ -63,7 +64,7 @@ public:
     Output<T> output(std::string_view port) const {
         return channel<T>(require(port)).out();
     }
-    /// All the ends of a port that is an array, in the order of their subscripts.
+    /// All the ends of a port that may be an array, in the order of their subscripts; one without a subscript alone.
     template <class T>
     std::vector<Output<T>> outputs(std::string_view port) const {
         return ends<Output<T>>(port, [this](AnyChannel& each) { return channel<T>(each).out(); });

@@ -1,6 +1,11 @@
 #include "netlist/kinds/process_kind.hpp"
 
 #include "netlist/network/names.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace placedpar {
 
@@ -8,6 +13,12 @@ const PortDescription* ProcessKind::port(std::string_view wanted) const { return
 
 const ParameterDescription* ProcessKind::parameter(std::string_view wanted) const {
     return find_named(parameters, wanted);
+}
+
+std::string ProcessKind::hint_at_port(std::string_view wanted) const {
+    auto renamed = std::ranges::find(ports, wanted, &PortDescription::formerly);
+    return renamed == ports.end() ? did_you_mean(wanted, names_in(ports))
+                                  : fmt::format("it is called \"{}\" now", renamed->name);
 }
 
 } // namespace placedpar

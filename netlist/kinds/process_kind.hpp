@@ -25,7 +25,8 @@ struct PortDescription {
     std::string protocol; ///< the protocol's name, for people
     std::type_index type; ///< the C++ type that the channel carries; both ends must agree
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
-    std::string about; ///< one line
+    std::string about;         ///< one line
+    std::string formerly = ""; ///< the name that older netlists know it by; "" where it has always had this one
 };
 
 /// One quantity that a process of this kind measures itself and reports at the end of a run.
@@ -59,6 +60,9 @@ struct ProcessKind {
     /// Null where there is none.
     const PortDescription* port(std::string_view name) const;
     const ParameterDescription* parameter(std::string_view name) const;
+    /// For someone who names a port that it does not have: what that port is called now, or the nearest name; "" where
+    /// none is near.
+    std::string hint_at_port(std::string_view wanted) const;
 };
 
 } // namespace placedpar

@@ -199,6 +199,13 @@ class Drawing:
         return found
 
 
+FARM = EXAMPLES / "36-farms" / "farm.cfs"
+
+
+def xml(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
 class Pictures(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -346,6 +353,31 @@ class Pictures(unittest.TestCase):
         for i in range(3):
             self.assertEqual(boxes[f"w[{i}]"].centre[1], boxes[f"t[{i}][0]"].centre[1])
             self.assertLess(boxes[f"w[{i}]"].right, boxes[f"t[{i}][0]"].left)
+
+    def test_the_software_is_processes_and_channels(self):
+        star = ["--set", "links=3"]
+        netlists = [(FARM, star), (FARM, []), (FARM, ["--set", "slaves=15", "--set", "links=3", "--set", "branches=3"]),
+                    (EXAMPLES / "04-figure-e2" / "figure-e2.cfs", [])]
+        for path, settings in netlists:
+            done = placedpar("show", path, "--format", "svg", "--software", *settings)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            drawing = Drawing(done.stdout)
+            network = json.loads(placedpar("show", path, "--format", "json", *settings).stdout)
+            self.assertEqual([name for name, _, _ in drawing.nodes], [each["name"] for each in network["processes"]])
+            self.check_boxes(drawing)
+            for channel in network["channels"]:
+                self.assertIn(xml(channel["name"]), done.stdout)
+
+    def test_an_arrow_points_to_each_receiver(self):
+        done = placedpar("show", FARM, "--format", "svg", "--software")
+        root = ElementTree.fromstring(done.stdout)
+        heads = [each for each in root.findall(f"{SVG}path") if each.get("class") == "head"]
+        self.assertEqual(len(heads), 7)  # to each of three slaves and back, and from the host
+
+    def test_the_software_is_a_drawing_only(self):
+        done = placedpar("show", FARM, "--software")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, "placedpar: --software is for the drawing: --format svg --software\n")
 
     def test_graphviz_draws_its_own_form(self):
         done = subprocess.run(["dot", "-Tsvg"], input=self.shown(EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "dot"),

@@ -115,6 +115,25 @@ class Replay(unittest.TestCase):
                   if c["tolerance_percent"] and abs(c["error_percent"]) > c["tolerance_percent"]]
         self.assertEqual(missed, [("C_BOi", "B"), ("C_BOi", "A + B")])
 
+    def test_the_forms_of_a_farm(self):
+        run, document = replay("farms", self.folder)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        cell = lambda row: self.cell(document, row, "C_time2")["simulated"]  # noqa: E731
+        chain, star = cell("the chain, measured"), cell("a star, with the chain's software")
+        self.assertAlmostEqual(chain, 1.89, delta=0.06)
+        self.assertAlmostEqual(cell("what the thesis computed: 628 bytes over a link"), 0.4, delta=0.05)
+        self.assertLess(star, 0.8 * chain)
+        self.assertGreater(star, 2 * 0.4)  # a link each does not make it .4 ms
+        sweep = next(each for each in document["other_readings"] if each["reading"].startswith("C_time2"))
+        times = {(c["row"], c["column"]): c["simulated"] for c in sweep["cells"]}
+        for slaves in (4, 5, 6, 8, 10, 12, 15):
+            row = f"{slaves} slaves"
+            self.assertLess(times[row, "tree"], times[row, "chain"])
+        under_way = document["other_readings"][-1]["cells"]
+        busy = {(c["row"], c["column"]): c["simulated"] for c in under_way}
+        self.assertGreater(busy["chain of 3, the least busy", "2 under way"],
+                           busy["chain of 3, the least busy", "1 under way"] + 5)
+
     def test_chapter_2_is_within_its_tolerances(self):
         for experiment in ("table-2-6", "figure-2-3", "figures-2-8-2-9"):
             run, document = replay(experiment, self.folder)

@@ -73,13 +73,14 @@ private:
     std::string slave(int island, int i) const {
         std::string before = i == 0 ? fmt::format("master{}", island) : fmt::format("slave{}_{}", island, i - 1);
         return processor(island, i + 1) +
-               fmt::format("process (interface (input from_master, output to_master, output to_next, input from_next)) "
-                           "slave{0}_{1};\nuse \"ga.slave\" for slave{0}_{1};\nplace slave{0}_{1} on t{0}_{2};\n"
-                           "connect t{0}_{1}.link[3] to t{0}_{2}.link[1];\n"
-                           "slave{0}_{1} (problem = \"{6}\");\n"
-                           "connect {3}.{4} to slave{0}_{1}.from_master;\nconnect slave{0}_{1}.to_master to {3}.{5};\n",
-                           island, i, i + 1, before, i == 0 ? "to_slaves" : "to_next",
-                           i == 0 ? "from_slaves" : "from_next", problem);
+               fmt::format(
+                   "process (interface (input from_master, output to_master, output to_slaves, input from_slaves)) "
+                   "slave{0}_{1};\nuse \"ga.slave\" for slave{0}_{1};\nplace slave{0}_{1} on t{0}_{2};\n"
+                   "connect t{0}_{1}.link[3] to t{0}_{2}.link[1];\n"
+                   "slave{0}_{1} (problem = \"{4}\");\n"
+                   "connect {3}.to_slaves to slave{0}_{1}.from_master;\n"
+                   "connect slave{0}_{1}.to_master to {3}.from_slaves;\n",
+                   island, i, i + 1, before, problem);
     }
 };
 

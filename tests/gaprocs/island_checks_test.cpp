@@ -78,6 +78,12 @@ std::string and_of_the_last(const std::string& first, const std::string& last) {
 
 } // namespace
 
+TEST_CASE("the names that older netlists know an island's ports by are told the new ones") {
+    auto text = said_of(islands_netlist(2, all(""), {}) + "connect island[0].ring_out to island[1].ring_in;\n");
+    check_says(text, "hint: it is called \"to_neighbours\" now");
+    check_says(text, "hint: it is called \"from_neighbours\" now");
+}
+
 TEST_CASE("rings, one-way connections and islands that are all alone are good") {
     CHECK(said_of(3, all(""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"ring\""), ring(3)).empty());

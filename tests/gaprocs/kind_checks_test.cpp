@@ -28,8 +28,8 @@ std::map<std::string, std::string> statements() {
             {"slave 1", "slave[1] (problem = \"line\");"},
             {"to slaves", "connect master.to_slaves to slave[0].from_master;"},
             {"from slaves", "connect slave[0].to_master to master.from_slaves;"},
-            {"to next", "connect slave[0].to_next to slave[1].from_master;"},
-            {"from next", "connect slave[1].to_master to slave[0].from_next;"}};
+            {"to next", "connect slave[0].to_slaves to slave[1].from_master;"},
+            {"from next", "connect slave[1].to_master to slave[0].from_slaves;"}};
 }
 
 /// Lines 1 to 8 are those above in alphabetical order of their names, the rest is what every one needs.
@@ -63,6 +63,11 @@ std::string refusal(const std::string& name, const std::string& statement) {
     return render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
 }
 
+std::string refusal_of(const std::map<std::string, std::string>& lines) {
+    Kinds kinds;
+    return render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
+}
+
 bool says(const std::string& text, const std::string& part) {
     INFO(text);
     bool found = text.find(part) != std::string::npos;
@@ -79,20 +84,21 @@ TEST_CASE("the netlist that the refused ones differ from is good") {
 
 TEST_CASE("half-connected pairs are refused where the connected half is") {
     auto lines = statements();
-    lines.at("from slaves") = "connect slave[0].to_master to slave[0].from_next;";
-    lines.at("from next") = "connect slave[1].to_master to slave[1].from_next;";
+    lines.at("from slaves") = "connect slave[0].to_master to slave[0].from_slaves;";
+    lines.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
     Kinds kinds;
     auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
     says(text, "farm.cfs:9:1: error: the channel \"master.to_slaves\" is connected, but \"master.from_slaves\" is "
                "not\n    connect master.to_slaves");
     says(text, "hint: the kind \"ga.master\" takes both or neither: connect master.from_slaves to ...;");
-    says(text, "farm.cfs:2:1: error: the channel \"slave[1].from_next\" is connected, but \"slave[1].to_next\" is not");
+    says(text,
+         "farm.cfs:2:1: error: the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
 }
 
 TEST_CASE("results that do not come back the way of the tasks are refused") {
     auto lines = statements();
     lines.at("from slaves") = "connect slave[1].to_master to master.from_slaves;";
-    lines.at("from next") = "connect slave[0].to_master to slave[0].from_next;";
+    lines.at("from next") = "connect slave[0].to_master to slave[0].from_slaves;";
     Kinds kinds;
     auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
     says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but \"master.from_slaves\" "
@@ -100,13 +106,107 @@ TEST_CASE("results that do not come back the way of the tasks are refused") {
     says(text, "hint: connect slave[0].to_master to master.from_slaves;");
 }
 
+TEST_CASE("the names that older netlists know the ports by are told the new ones") {
+    auto text = refusal("to next", "connect slave[0].to_next to slave[1].from_master;");
+    says(text, "error: the kind \"ga.slave\" of \"slave[0]\" has no channel \"to_next\"");
+    says(text, "hint: it is called \"to_slaves\" now");
+    says(refusal("from next", "connect slave[1].to_master to slave[0].from_next;"),
+         "hint: it is called \"from_slaves\" now");
+    const std::string interface = "process (interface (input from_master, output to_master, output to_next, input "
+                                  "from_next)) older; use \"ga.slave\" for older; place older on t;";
+    says(refusal("host", interface), "hint: it is called \"to_slaves\" now");
+}
+
 TEST_CASE("as many slaves as the chain has, and no more than there is work for") {
     for (int slaves : {1, 3})
         says(refusal("master", fmt::format("master (problem = \"line\",\nslaves = {});", slaves)),
-             fmt::format("farm.cfs:6:1: error: slaves = {}, but the chain at \"master.to_slaves\" has 2", slaves));
+             fmt::format("farm.cfs:6:1: error: slaves = {}, but \"master.to_slaves\" leads to 2", slaves));
     says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
          "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slave at the most");
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
+}
+
+TEST_CASE("a slave is reached once") {
+    auto lines = statements();
+    lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master[0];\n"
+                            "connect master.to_slaves[1] to slave[0].from_master[1];";
+    lines.at("from slaves") = "connect slave[0].to_master[0] to master.from_slaves[0];\n"
+                              "connect slave[0].to_master[1] to master.from_slaves[1];";
+    auto text = refusal_of(lines);
+    says(text, "farm.cfs:11:1: error: \"master.to_slaves[1]\" leads to the slave \"slave[0]\", which is reached by "
+               "\"master.to_slaves[0]\" already");
+    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" is one channel: a slave has one process before it");
+    says(text, "hint: connect ... slave[0].from_master;");
+}
+
+TEST_CASE("slaves in a circle, which no master reaches, are refused once") {
+    auto lines = statements();
+    lines.at("master") = "master (problem = \"line\");";
+    lines.at("to slaves") = "connect slave[1].to_slaves to slave[0].from_master;";
+    lines.at("from slaves") = "connect slave[0].to_master to slave[1].from_slaves;";
+    auto text = refusal_of(lines);
+    says(text, "farm.cfs:9:1: error: the tasks of \"slave[1]\", \"slave[0]\" go round in a circle, which no master "
+               "reaches\n    connect slave[1].to_slaves");
+    CHECK(text.find("circle", text.find("circle") + 1) == std::string::npos);
+}
+
+TEST_CASE("a tree has no loose ends") {
+    auto lines = statements();
+    lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
+    lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master;";
+    lines.at("from slaves") = "connect slave[0].to_master to master.from_slaves[0];";
+    lines.at("from next") = "connect slave[1].to_master to master.from_slaves[1];";
+    CHECK(refusal_of(lines).empty());
+
+    auto crossed = lines;
+    crossed.at("from slaves") = "connect slave[0].to_master to master.from_slaves[1];";
+    crossed.at("from next") = "connect slave[1].to_master to master.from_slaves[0];";
+    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but "
+                              "\"master.from_slaves[0]\" comes from \"slave[1].to_master\"");
+
+    auto elsewhere = lines;
+    elsewhere.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
+    says(refusal_of(elsewhere), "the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
+
+    auto gap = lines; // what an interface declares may stay unconnected
+    gap.at("to next") = "connect master.to_slaves[2] to slave[1].from_master;";
+    gap.at("from next") = "connect slave[1].to_master to master.from_slaves[2];";
+    std::string text = netlist(gap), declared = "process master;";
+    text.replace(text.find(declared), declared.size(),
+                 "process (interface (input from_host, output to_slaves[3], input from_slaves[3])) master;");
+    Kinds kinds;
+    auto said = render(read_netlist_text(text, kinds.catalogue, {}, "farm.cfs").diagnostics);
+    says(said, "farm.cfs:8:1: error: \"master.to_slaves[2]\" is connected, but \"master.to_slaves[1]\" is not");
+    says(said, "hint: the channels to_slaves[...] of a process are numbered 0, 1, 2 ...");
+}
+
+TEST_CASE("as many slaves as a tree has") {
+    auto lines = statements();
+    lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
+    lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master;";
+    lines.at("from slaves") = "connect slave[0].to_master to master.from_slaves[0];";
+    lines.at("from next") = "connect slave[1].to_master to master.from_slaves[1];";
+    lines.at("master") = "master (problem = \"line\", slaves = 3);";
+    says(refusal_of(lines), "farm.cfs:5:27: error: slaves = 3, but \"master.to_slaves\" leads to 2");
+}
+
+TEST_CASE("several tasks under way are of the split demand") {
+    says(refusal("master", "master (problem = \"line\", slaves = 2, tasks_under_way = 2);"),
+         "farm.cfs:5:39: error: tasks_under_way = 2, but with the split \"individuals\" each slave is sent one task");
+    CHECK(
+        refusal("master", "master (problem = \"line\", slaves = 2, tasks_under_way = 2, split = \"demand\");").empty());
+}
+
+TEST_CASE("a channel that is no array of its kind is refused with its process, not called a defect") {
+    Kinds kinds;
+    std::string text = netlist(statements()), end = "to master.from_host;";
+    text.replace(text.find(end), end.size(), "to master.from_host[0];");
+    auto read = read_netlist_text(text, kinds.catalogue, {}, "farm.cfs");
+    REQUIRE(read.network);
+    CHECK_THROWS_WITH_AS(
+        Machine(*read.network, kinds.catalogue, 1).run(),
+        doctest::Contains("process master (ga.master): \"from_host\" is one channel of this kind, and no array"),
+        UserError);
 }
 
 TEST_CASE("settings that do not fit together are refused at the parameter") {

@@ -4,10 +4,9 @@
 
 namespace placedpar::picture {
 
-Picture draw(const Network& network) {
-    auto spans = spans_of(network);
+Picture draw(const Network& network, const std::vector<Span>& spans, const std::vector<Point>& places) {
     Picture picture;
-    picture.nodes = draw_nodes(network, spans, arrange(network, Wiring(network)));
+    picture.nodes = draw_nodes(network, spans, places.empty() ? arrange(network, Wiring(network)) : places);
     picture.wires = draw_wires(network, spans, picture.nodes);
     return picture;
 }

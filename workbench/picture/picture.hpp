@@ -14,8 +14,9 @@ struct Picture {
     std::vector<DrawnWire> wires; ///< in the order of the network's connections
 };
 
-/// The same network gives the same picture. No two boxes or labels overlap.
-Picture draw(const Network&);
+/// The same network gives the same picture. No two boxes or labels overlap. The spans are those of its wires.
+/// Without places for its nodes, in cells, they are arranged.
+Picture draw(const Network&, const std::vector<Span>&, const std::vector<Point>& places = {});
 
 /// What all of it takes. REQUIRES: there is a node.
 Box extent_of(const Picture&);

@@ -215,24 +215,23 @@ private:
             if (due(i))
                 now.push_back(i);
         for (auto index : now)
-            label_links(index);
+            label_ends(index);
         auto counts = channels_carried();
         for (auto index : now)
             label_channels(index, counts[spans_[index].connection]);
     }
 
-    void label_links(std::size_t index) {
+    void label_ends(std::size_t index) {
         const Span& span = spans_[index];
         Path path = paths_[index];
-        label_link(span.connection, span.from, path);
+        label_end(span.connection, span.from_label, path);
         std::ranges::reverse(path);
-        label_link(span.connection, span.to, path);
+        label_end(span.connection, span.to_label, path);
     }
 
-    void label_link(std::size_t wire, const LinkEnd& end, const Path& path) {
-        if (end.at_edge())
+    void label_end(std::size_t wire, const std::string& text, const Path& path) {
+        if (text.empty())
             return;
-        std::string text = fmt::format("{}", end.link);
         if (auto box = room_.beside_start(wire, path, width_of(text, number_size) + 1, number_size)) {
             wires_[wire].links.push_back({*box, text});
             labels_.push_back(*box);

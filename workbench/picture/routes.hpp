@@ -11,7 +11,7 @@
 
 namespace placedpar::picture {
 
-/// The number of a link, at the end of its wire.
+/// What stands at the end of a wire, as the number of its link.
 struct LinkLabel {
     Box box;
     std::string text;

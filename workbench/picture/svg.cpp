@@ -4,6 +4,7 @@
 #include "text/counted.hpp"
 #include "text/utf8.hpp"
 #include "workbench/picture/picture.hpp"
+#include "workbench/picture/software.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,7 @@ constexpr const char* style =
 .wire { fill: none; stroke: #3b5b7a; stroke-width: 1.6; }
 .idle { stroke: #8898a8; stroke-dasharray: 2 3; }
 .channels rect { fill: #ffffff; stroke: #3b5b7a; stroke-width: 0.8; }
-.channels path { fill: #3b5b7a; }
+.channels path, .head { fill: #3b5b7a; }
 )";
 
 /// To a tenth of a pixel.
@@ -100,6 +101,13 @@ std::string curved(const Path& path) {
     return data + " L" + pair(path.back());
 }
 
+/// Of an arrow, where a line ends.
+std::string arrow_head(Point before, Point tip) {
+    Point along = 1 / distance(before, tip) * (tip - before), aside{-along.y, along.x};
+    return fmt::format("<path class=\"head\" d=\"M{} L{} L{} Z\"/>", pair(tip), pair(tip + -9 * along + 4 * aside),
+                       pair(tip + -9 * along + -4 * aside));
+}
+
 /// Points to the right, below, to the left or above; about 7 pixels long.
 std::string arrow(Point centre, bool upright, bool onward) {
     Point along = upright ? Point{0, 1} : Point{1, 0}, aside{along.y, along.x};
@@ -107,9 +115,13 @@ std::string arrow(Point centre, bool upright, bool onward) {
     return fmt::format("<path d=\"M{} L{} L{} Z\"/>", pair(tip), pair(back + 3.2 * aside), pair(back - 3.2 * aside));
 }
 
+/// What of a network is drawn: processors and wires, or processes and channels.
+enum class View { hardware, software };
+
 class SvgPrinter {
 public:
-    explicit SvgPrinter(const Network& network) : n_(network), picture_(draw(network)), carried_(channels_on_wires()) {}
+    SvgPrinter(const Network& network, Picture picture, View view)
+        : n_(network), view_(view), picture_(std::move(picture)), carried_(channels_on_wires()) {}
 
     std::string print() {
         Box drawing = n_.nodes.empty() ? Box{} : extent_of(picture_);
@@ -133,17 +145,27 @@ public:
             print_wire(i);
         for (std::size_t i = 0; i < n_.nodes.size(); ++i)
             print_texts(i);
-        for (const DrawnWire& wire : picture_.wires)
-            print_labels(wire);
+        for (std::size_t i = 0; i < n_.connections.size(); ++i)
+            print_labels(i);
         return std::move(text_) + legend + "</svg>\n";
     }
 
 private:
     std::string title_of() const {
+        if (view_ == View::software)
+            return fmt::format("{}: {}, {}", std::filesystem::path(n_.source_path).filename().string(),
+                               counted(count_processes(), "process", "processes"),
+                               counted(n_.channels.size(), "channel", "channels"));
         return fmt::format(
             "{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
             counted(count_processors(n_), "processor", "processors"), counted(n_.connections.size(), "wire", "wires"),
             counted(n_.processes.size(), "process", "processes"), counted(n_.channels.size(), "channel", "channels"));
+    }
+
+    /// Of the software's nodes; the others are edges.
+    std::size_t count_processes() const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(n_.nodes, [](const Node& node) { return node.kind->runs_processes; }));
     }
 
     /// The names of the channels on each wire.
@@ -167,10 +189,27 @@ private:
     void print_wire(std::size_t index) {
         const LinkConnection& wire = n_.connections[index];
         std::string ends = link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
-        std::string about = fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
+        std::string about = view_ == View::software
+                                ? ends
+                                : fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
         text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">",
                              carried_[index].empty() ? " idle" : "", as_markup(ends), data_of(picture_.wires[index])) +
                  tooltip_lines(about + carried_[index]) + "</path>\n";
+        if (view_ == View::software)
+            print_heads(index);
+    }
+
+    /// An arrow at each end that channels lead to.
+    void print_heads(std::size_t index) {
+        const Path& path = picture_.wires[index].spans.front();
+        bool onward = false, back = false;
+        for (const NetworkChannel& channel : n_.channels)
+            if (channel.placement.kind != ChannelPlacement::Kind::soft && channel.placement.connection == index)
+                (channel.placement.from_a_to_b ? onward : back) = true;
+        if (onward)
+            text_ += arrow_head(path[path.size() - 2], path.back()) + "\n";
+        if (back)
+            text_ += arrow_head(path[1], path.front()) + "\n";
     }
 
     static std::string tooltip_lines(const std::string& text) {
@@ -217,10 +256,12 @@ private:
                         text_at(line.at, "process", line.name), text_at({line.kind_at, line.at.y}, "kind", line.kind));
     }
 
-    void print_labels(const DrawnWire& wire) {
+    void print_labels(std::size_t index) {
+        const DrawnWire& wire = picture_.wires[index];
         for (const LinkLabel& link : wire.links)
             text_ += text_at({link.box.centre.x, link.box.bottom() - 1.5}, "link over", link.text) + "\n";
-        if (wire.channels)
+        bool said = view_ == View::software && wire.channels && wire.channels->onward <= 1 && wire.channels->back <= 1;
+        if (wire.channels && !said) // one channel each way is said by the arrows
             text_ += print_count(*wire.channels) + "\n";
     }
 
@@ -253,13 +294,16 @@ private:
                 add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend,
                               class_of(*node.kind));
         add_wires_to_legend();
-        if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority))
+        if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority) ||
+            std::ranges::any_of(n_.nodes, [](const Node& node) { return node.name.ends_with(" !"); }))
             add_to_legend(12, text_at({2, 4}, "process", "!"), "process of high priority");
         legend_bottom_ = legend_at_.y + 8;
         return std::move(legend_);
     }
 
     void add_wires_to_legend() {
+        if (view_ == View::software)
+            return add_channels_to_legend();
         auto idle = [](const std::string& channels) { return channels.empty(); };
         if (!std::ranges::all_of(carried_, idle)) {
             add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>", "wire that carries channels");
@@ -269,6 +313,16 @@ private:
             add_to_legend(40, "<path class=\"wire idle\" d=\"M0 0 L36 0\"/>", "wire without a channel");
         if (!carried_.empty())
             add_to_legend(12, text_at({5, 3}, "link", "0"), "number of a link");
+    }
+
+    void add_channels_to_legend() {
+        if (carried_.empty())
+            return;
+        add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>" + arrow_head({0, 0}, {36, 0}), "channel");
+        add_to_legend(
+            40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>" + arrow_head({0, 0}, {36, 0}) + arrow_head({36, 0}, {0, 0}),
+            "a channel each way");
+        add_to_legend(36, text_at({16, 3}, "link", "name"), "of the sender's port");
     }
 
     void add_to_legend(double room, const std::string& sign, const std::string& about, const std::string& kind = "") {
@@ -282,6 +336,7 @@ private:
     }
 
     const Network& n_;
+    View view_;
     Picture picture_;
     std::vector<std::string> carried_; ///< by each wire; "" where there is none
     std::string text_, legend_;
@@ -295,6 +350,15 @@ private:
 
 namespace placedpar {
 
-std::string print_svg(const Network& network) { return picture::SvgPrinter(network).print(); }
+std::string print_svg(const Network& network) {
+    return picture::SvgPrinter(network, picture::draw(network, picture::spans_of(network)), picture::View::hardware)
+        .print();
+}
+
+std::string print_software_svg(const Network& network) {
+    picture::Software software = picture::software_of(network);
+    auto drawn = picture::draw(software.network, software.spans, software.places);
+    return picture::SvgPrinter(software.network, std::move(drawn), picture::View::software).print();
+}
 
 } // namespace placedpar

@@ -10,4 +10,8 @@ namespace placedpar {
 /// their links and the channels that they carry; a legend. The same network gives the same bytes.
 std::string print_svg(const Network& network);
 
+/// The network's software drawn likewise: processes, wherever they are placed, and the channels between them, each with
+/// the name by which its sender knows it.
+std::string print_software_svg(const Network& network);
+
 } // namespace placedpar

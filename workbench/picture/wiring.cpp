@@ -1,16 +1,23 @@
 #include "workbench/picture/wiring.hpp"
 
+#include <fmt/format.h>
+
 namespace placedpar::picture {
 
 namespace {
 
+Span span_between(std::size_t index, const LinkEnd& from, const LinkEnd& to) {
+    auto label = [](const LinkEnd& end) { return end.at_edge() ? "" : fmt::format("{}", end.link); };
+    return {index, from, to, label(from), label(to)};
+}
+
 void add_spans(std::size_t index, const LinkConnection& wire, std::vector<Span>& spans) {
     LinkEnd from = wire.a;
     for (const SwitchCrossing& crossing : wire.crossings) {
-        spans.push_back({index, from, {crossing.node, crossing.from_link}});
+        spans.push_back(span_between(index, from, {crossing.node, crossing.from_link}));
         from = {crossing.node, crossing.to_link};
     }
-    spans.push_back({index, from, wire.b});
+    spans.push_back(span_between(index, from, wire.b));
 }
 
 } // namespace

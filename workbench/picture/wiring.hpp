@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace placedpar::picture {
 struct Span {
     std::size_t connection = 0;
     LinkEnd from, to;
+    std::string from_label, to_label; ///< what is written at its ends: the numbers of links
 };
 
 /// Of all wires: from each wire's a to its b.
