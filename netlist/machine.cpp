@@ -146,9 +146,10 @@ void Machine::make_processes(const Catalogue& catalogue) {
 }
 
 void Machine::expect_partners() {
-    for (std::size_t i = 0; i < channels_.size(); ++i)
-        channels_[i]->expect(processes_[network_.channels[i].from.process],
-                             processes_[network_.channels[i].to.process]);
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+        channels_[i]->expect_outputter(*processes_[network_.channels[i].from.process]);
+        channels_[i]->expect_inputter(*processes_[network_.channels[i].to.process]);
+    }
 }
 
 Process& Machine::make_process(std::size_t index, const ProcessKind& kind) {

@@ -69,10 +69,9 @@ void AnyChannel::put_on(Carrier& carrier) {
     carrier_ = &carrier;
 }
 
-void AnyChannel::expect(const Process* outputter, const Process* inputter) {
-    outputter_ = outputter ? user(*outputter) : User{};
-    inputter_ = inputter ? user(*inputter) : User{};
-}
+void AnyChannel::expect_outputter(const Process& process) { own(outputter_, process, "outputs to", *this); }
+
+void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 
 void AnyChannel::own_input(const Process& process) { own(inputter_, process, "inputs from", *this); }
 

@@ -53,9 +53,10 @@ public:
     /// The same, for when it may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
-    /// Says beforehand which processes will use the ends, so that a deadlock before their first communication can name
-    /// them. REQUIRES: they exist until the end of the simulation, or are null.
-    void expect(const Process* outputter, const Process* inputter);
+    /// Says beforehand which process will use an end, so that a deadlock before its first communication can name it.
+    /// Throws std::logic_error when it is another's already. REQUIRES: it exists until the end of the simulation.
+    void expect_outputter(const Process&);
+    void expect_inputter(const Process&);
 
     // For alternations.
     /// Whether an input would find a message.
@@ -134,6 +135,21 @@ private:
     explicit Input(Channel<T>& channel) : channel_(&channel) {}
     Channel<T>& own() const { return channel_ ? *channel_ : (refuse_end_without_channel(), *channel_); }
     Channel<T>* channel_ = nullptr;
+};
+
+/// An end of a channel of any protocol, as a process declares that it will use it.
+class DeclaredEnd {
+public:
+    template <class T>
+    DeclaredEnd(const Output<T>& end) : channel_(end.channel()), expect_(&AnyChannel::expect_outputter) {}
+    template <class T>
+    DeclaredEnd(const Input<T>& end) : channel_(end.channel()), expect_(&AnyChannel::expect_inputter) {}
+
+    void expect(const Process& process) const { (channel_.*expect_)(process); }
+
+private:
+    AnyChannel& channel_;
+    void (AnyChannel::*expect_)(const Process&);
 };
 
 /// occam's `CHAN OF T`.

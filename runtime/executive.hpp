@@ -18,8 +18,8 @@ struct OperationCosts {
     Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second
     std::int64_t bytes_in_a_word = 4;
 
-    Cycles start_component{}; ///< of a PAR
-    Cycles end_component{};
+    Cycles start_component{}; ///< of a PAR, for each but the last, which its process runs itself
+    Cycles end_component{};   ///< paid by the component when it ends
 
     Cycles timer_read{};
     Cycles timer_wait{};      ///< for a time that is still to come
@@ -47,10 +47,10 @@ struct OperationCosts {
 /// What an implementation must keep to:
 /// 1. make_ready(p) tells it that p's program can go on. It answers with one Kernel::enqueue(p), at once or when p's
 ///    turn comes. From that call on p has the executive; p's program runs at that same moment of virtual time.
-/// 2. p keeps the executive until p waits (release) or ends (end). While it has it, p may compute.
+/// 2. p keeps the executive until it leaves it, to wait or because it has ended. While it has it, p may compute.
 /// 3. compute() begins with Kernel::throw_if_unwinding(), lets others run by Kernel::give_way() and calls
 ///    Kernel::enqueue(p) when the work is done; it may take the executive from p in the meantime.
-/// 4. make_ready, release and end neither wait nor throw: events call them, and processes that are ending.
+/// 4. make_ready and leave neither wait nor throw: events call them, and processes that are ending.
 /// 5. A program may poll, by SKIP guards or by waiting for a past time. The operations that it repeats must take
 ///    time, or virtual time stands still for as long as it polls.
 class Executive {
@@ -70,11 +70,10 @@ public:
 
     // For the kernel.
     virtual void make_ready(Process&) = 0;
-    /// The process, which has the executive, waits.
-    virtual void release(Process&) = 0;
-    /// The process, which has the executive, ends. `parent` is the process that waited in a PAR for it as the last
-    /// component, and is now to be made ready; else null.
-    virtual void end(Process&, Process* parent) = 0;
+    /// The process, which has the executive, waits or has ended. `successor` is to be made ready now, if it is not
+    /// null: the component of its PAR that a process runs in its own place, or the process that waited in a PAR for
+    /// the one that has ended as the last component.
+    virtual void leave(Process&, Process* successor) = 0;
 
 protected:
     Executive(std::string name, const OperationCosts& costs) : name_(std::move(name)), costs_(costs) {}

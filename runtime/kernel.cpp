@@ -211,10 +211,10 @@ bool Kernel::employ(Process& p) {
     return true;
 }
 
-void Kernel::wait() {
+void Kernel::wait(Process* successor) {
     Process& self = *running_;
     if (self.executive_ && !unwinding_)
-        self.executive_->release(self);
+        self.executive_->leave(self, successor);
     give_way();
 }
 
@@ -251,7 +251,7 @@ void Kernel::finish(Process& p) noexcept {
         trace_->ended(p, now_);
     Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
     if (p.executive_)
-        p.executive_->end(p, parent);
+        p.executive_->leave(p, parent);
     else if (parent)
         make_ready(*parent);
 }

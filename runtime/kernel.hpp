@@ -89,9 +89,9 @@ public:
     void make_ready(Process&);
     /// Puts the process at the back of the ready queue. For executives; all others call make_ready.
     void enqueue(Process& p) { ready_.push_back(p); }
-    /// Takes the running process off its executive and runs others until it is made ready. Throws Unwinding when the
-    /// simulation is over.
-    void wait();
+    /// Takes the running process off its executive and runs others until it is made ready. A successor, which needs an
+    /// executive, is made ready. Throws Unwinding when the simulation is over.
+    void wait(Process* successor = nullptr);
     /// The same, but the process keeps its executive. For executives, while the process computes.
     void give_way();
     /// Throws Unwinding when the simulation is over. Ends the program with a message when the running process has

@@ -16,8 +16,9 @@ struct Component {
     Priority priority;
 };
 
-/// Runs the components as processes on the running process's executive and waits until all have ended. What a
-/// component throws ends the simulation, and its run rethrows it.
+/// Runs the components as processes on the running process's executive and waits until all have ended. As in occam, a
+/// process that has an executive starts all but the last, which it runs itself before the others get their turn. What
+/// a component throws ends the simulation, and its run rethrows it.
 void run_in_parallel(std::vector<Component>, const SourceLocation&);
 
 /// The priority of the running process, which its components inherit.

@@ -53,6 +53,13 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     wait(activity);
 }
 
+void Process::wait_for_components(Process& last, const SourceLocation& where) {
+    awaited_.clear();
+    awaits_timer_ = false;
+    where_ = where;
+    wait(Activity::joining, executive_ ? &last : nullptr);
+}
+
 std::optional<Time> Process::waits_since() const {
     return ended() || going_on_ > 0 ? std::nullopt : std::optional(still_since_);
 }
@@ -72,7 +79,7 @@ void Process::stands_still() {
         outermost_->still_since_ = kernel_.now();
 }
 
-void Process::wait(Activity activity) {
+void Process::wait(Activity activity, Process* successor) {
     // Ends the standstill also when the run ends during the wait.
     struct Standstill {
         explicit Standstill(Process& p) : process(p) { process.stands_still(); }
@@ -84,7 +91,7 @@ void Process::wait(Activity activity) {
         trace->waits(*this, kernel_.now());
     {
         Standstill standstill(*this);
-        kernel_.wait();
+        kernel_.wait(successor);
     }
     if (TraceSink* trace = kernel_.trace())
         trace->goes_on(*this, kernel_.now());

@@ -84,6 +84,9 @@ public:
     /// Waits until made ready, and notes for reports why and where. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
+    /// Waits for the components of its PAR. It runs the last one itself where it has an executive for this: that one is
+    /// not ready yet then.
+    void wait_for_components(Process& last, const SourceLocation&);
     /// Notes a delay that took no wait, since the kernel could pass the time (Kernel::pass_time). REQUIRES: this
     /// process is running.
     void was_delayed(Time since, const SourceLocation&);
@@ -94,7 +97,7 @@ private:
     friend class Worker;
     friend class ProcessQueue;
 
-    void wait(Activity);
+    void wait(Activity, Process* successor = nullptr);
     void goes_on();
     void stands_still();
 

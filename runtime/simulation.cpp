@@ -14,6 +14,14 @@ Process& Simulation::process(std::string name, Process::Body body, Executive* on
     return process;
 }
 
+Process& Simulation::process(std::string name, const std::vector<DeclaredEnd>& ends, Process::Body body, Executive* on,
+                             Priority priority) {
+    Process& process = this->process(std::move(name), std::move(body), on, priority);
+    for (const DeclaredEnd& end : ends)
+        end.expect(process);
+    return process;
+}
+
 RunResult Simulation::run(Time limit, const std::function<void()>& work_over) {
     RunResult result;
     Kernel::Observer observer;

@@ -59,6 +59,11 @@ public:
     }
     /// A process that starts when the simulation does. Without an executive its program takes no time.
     Process& process(std::string name, Process::Body, Executive* on = nullptr, Priority = Priority::low);
+    /// The same, of which is known from the beginning what ends it will use, as of a process of a netlist:
+    /// `simulation.process("ping", {there.out(), back.in()}, ...)`. Else a deadlock before the first communication
+    /// cannot say who waits for whom. Throws std::logic_error when an end is another process's already.
+    Process& process(std::string name, const std::vector<DeclaredEnd>&, Process::Body, Executive* on = nullptr,
+                     Priority = Priority::low);
     /// In the order in which they were made.
     const std::list<Process>& processes() const { return processes_; }
 

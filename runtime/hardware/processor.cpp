@@ -13,9 +13,10 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// occam's costs, and on hard channels what the program's communication library adds.
+/// occam's costs, and what the program's communication library adds.
 OperationCosts costs_with(Cycles channel_call) {
     OperationCosts costs = instructions::t800;
+    costs.soft_communication = channel_call + costs.soft_communication;
     costs.hard_communication = channel_call + costs.hard_communication;
     return costs;
 }
@@ -44,22 +45,23 @@ void Processor::make_ready(Process& p) {
     }
 }
 
-void Processor::release([[maybe_unused]] Process& p) {
+void Processor::leave(Process& p, Process* successor) {
     assert(current_ == &p);
+    if (successor && successor->priority() == p.priority())
+        return go_on(*successor);
     current_ = nullptr;
     dispatch();
+    if (successor)
+        make_ready(*successor);
 }
 
-void Processor::end(Process& p, Process* parent) {
-    assert(current_ == &p);
-    if (parent && parent->priority() == p.priority()) {
-        current_ = parent;
-        kernel_.enqueue(*parent);
-        return;
-    }
-    release(p);
-    if (parent)
-        make_ready(*parent);
+/// In the place of the current process.
+void Processor::go_on(Process& successor) {
+    current_ = &successor;
+    if (successor.priority() == Priority::low && !high_.empty())
+        preempt();
+    else
+        kernel_.enqueue(successor);
 }
 
 void Processor::dispatch() {

@@ -31,8 +31,8 @@ public:
     static constexpr Time high_tick = std::chrono::microseconds{1};
     static constexpr Time low_tick = std::chrono::microseconds{64};
 
-    /// `channel_call`: cycles that the program's communication library adds to each operation on a hard channel; none
-    /// for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0.
+    /// `channel_call`: cycles that the program's communication library adds to each input and output, on soft and hard
+    /// channels alike; none for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0.
     Processor(Kernel&, std::string name, std::int64_t clock_hz = 20'000'000, Cycles channel_call = Cycles{0});
 
     std::int64_t clock_hz() const { return clock_hz_; }
@@ -42,9 +42,8 @@ public:
     Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
     void compute(Cycles) override;
     void make_ready(Process&) override;
-    void release(Process&) override;
-    /// A parent of the same priority goes on in the component's place, as by the instruction endp.
-    void end(Process&, Process* parent) override;
+    /// A successor of the same priority goes on in the process's place, as after startp and by endp.
+    void leave(Process&, Process* successor) override;
 
 private:
     /// A stretch of time in which one process computes.
@@ -56,6 +55,7 @@ private:
 
     Time duration(Cycles) const;
     void dispatch();
+    void go_on(Process&);
     void begin_turn();
     void stop_turn();
     void end_turn();

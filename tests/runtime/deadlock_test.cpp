@@ -104,10 +104,8 @@ TEST_CASE("the cycle is found through the PARs of its processes") {
         par([] {}, [&] { mine.out().output(1); });
         other.in().input();
     };
-    simulation.process("left", [&] { exchange(there, back); });
-    simulation.process("right", [&] { exchange(back, there); });
-    there.expect(&simulation.processes().front(), &simulation.processes().back());
-    back.expect(&simulation.processes().back(), &simulation.processes().front());
+    simulation.process("left", {there.out(), back.in()}, [&] { exchange(there, back); });
+    simulation.process("right", {back.out(), there.in()}, [&] { exchange(back, there); });
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->cycle == std::vector<std::string>{"left", "left/1", "right", "right/1"});
@@ -175,16 +173,14 @@ TEST_CASE("a ring of ten thousand that all output first is reported, in order") 
     constexpr std::size_t n = 10'000;
     Simulation simulation;
     std::vector<std::unique_ptr<Channel<int>>> ring;
-    std::vector<const Process*> members;
     for (std::size_t i = 0; i < n; ++i)
         ring.push_back(std::make_unique<Channel<int>>("ring[" + std::to_string(i) + "]"));
-    for (std::size_t i = 0; i < n; ++i)
-        members.push_back(&simulation.process("member[" + std::to_string(i) + "]", [&, i] {
-            ring[i]->out().output(1);
-            ring[(i + n - 1) % n]->in().input();
-        }));
-    for (std::size_t i = 0; i < n; ++i)
-        ring[i]->expect(members[i], members[(i + 1) % n]);
+    for (std::size_t i = 0; i < n; ++i) {
+        auto next = ring[i]->out();
+        auto previous = ring[(i + n - 1) % n]->in();
+        simulation.process("member[" + std::to_string(i) + "]", {next, previous},
+                           [=] { next.output(1), previous.input(); });
+    }
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     REQUIRE(result.deadlock->cycle.size() == n);

@@ -40,11 +40,10 @@ public:
         if (!current_)
             take_next();
     }
-    void release(Process&) override { take_next(); }
-    void end(Process& p, Process* parent) override {
-        if (parent)
-            waiting_.push_back(*parent);
-        release(p);
+    void leave(Process&, Process* successor) override {
+        if (successor)
+            waiting_.push_back(*successor);
+        take_next();
     }
 
     /// The cycles of each computation, in order.
@@ -121,7 +120,7 @@ TEST_CASE("an executive shares itself out by its own rules, in cycles of its own
 
 TEST_CASE("each operation costs what the executive says") {
     CHECK(spent_by([] { compute(Cycles{42}); }) == Spent{42});
-    CHECK(spent_by([] { par([] {}, [] {}); }) == Spent{2 * (3 + 4)});
+    CHECK(spent_by([] { par([] {}, [] {}); }) == Spent{3, 4, 4});
     CHECK(spent_by([] { Timer().read(); }) == Spent{5});
     CHECK(spent_by([] { Timer().wait_after(0); }) == Spent{6});
     CHECK(spent_by([] { wait_until(Time{0}); }) == Spent{7});
@@ -133,7 +132,8 @@ TEST_CASE("both ends of a soft channel pay, and the second to arrive for the cop
         char bytes[5];
     };
     Channel<FiveBytes> c("c");
-    CHECK(spent_by([&] { par([&] { c.out().output({}); }, [&] { c.in().input(); }); }) == Spent{14, 1, 1, 3 * 100});
+    CHECK(spent_by([&] { par([&] { c.out().output({}); }, [&] { c.in().input(); }); }) ==
+          Spent{3, 1, 1, 3 * 100, 4, 4});
 }
 
 TEST_CASE("its clock is its own") {

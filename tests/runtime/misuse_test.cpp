@@ -115,6 +115,18 @@ TEST_CASE("a soft channel does not join processors") {
 TEST_CASE("each end of a channel has one owner") {
     Simulation simulation;
     Channel<int> c("c"), go("go");
+    SUBCASE("an end that two processes declare") {
+        simulation.process("first", {c.out()}, [] {});
+        CHECK_THROWS_WITH_AS(simulation.process("second", {c.in(), c.out()}, [] {}),
+                             "process second outputs to channel c, as process first does: a channel joins two "
+                             "processes only",
+                             std::logic_error);
+    }
+    SUBCASE("an end that another process has declared") {
+        simulation.process("first", {c.in()}, [] {});
+        simulation.process("second", [&] { c.in().input(); });
+        CHECK_THROWS_AS(simulation.run(), std::logic_error);
+    }
     SUBCASE("two outputters in turn") {
         simulation.process("first", [&] { c.out().output(1), go.out().output(1); });
         simulation.process("second", [&] { go.in().input(), c.out().output(2); });

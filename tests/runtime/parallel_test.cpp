@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include <malloc.h>
 
@@ -68,10 +69,35 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
         },
         &t800);
     simulation.run();
-    Time start_up = 2 * (12 + 13) * cycle; // startp and endp of two components
+    Time start_up = (12 + 19) * cycle; // startp of the high one, which interrupts its parent, now the low one
     CHECK(high_done == start_up + microseconds{100});
-    CHECK(high_again == start_up + microseconds{160} + 19 * cycle); // it interrupts the low one
-    CHECK(low_done == start_up + microseconds{210} + 19 * cycle);
+    CHECK(high_again == start_up + microseconds{160} + 19 * cycle);      // it interrupts the low one
+    CHECK(low_done == start_up + microseconds{210} + (19 + 13) * cycle); // and has ended by endp
+}
+
+TEST_CASE("on a processor a PAR starts all but the last, runs that one first, and each pays for its end when it ends") {
+    Simulation simulation;
+    Processor& t800 = simulation.add<Processor>("t800");
+    std::string order;
+    std::vector<Time> began, ended;
+    auto component = [&](char name) {
+        return [&, name] { order += name, began.push_back(now()), compute(Cycles{100}); };
+    };
+    simulation.process(
+        "parent", [&] { par(component('a'), component('b'), component('c')), ended.push_back(now()); }, &t800);
+    simulation.process(
+        "other", [&] { order += "o", began.push_back(now()); }, &t800);
+    simulation.run();
+    CHECK(order == "coab"); // the other one was ready before a and b
+    CHECK(began == std::vector<Time>{24 * cycle, 137 * cycle, 137 * cycle, 250 * cycle});
+    CHECK(ended == std::vector<Time>{363 * cycle});
+}
+
+TEST_CASE("a PAR of one on a processor costs its end alone") {
+    Simulation simulation;
+    simulation.process(
+        "parent", [&] { par([] {}); }, &simulation.add<Processor>("t800"));
+    CHECK(simulation.run().time == 13 * cycle);
 }
 
 TEST_CASE("the last component of a PAR goes on as its parent, before others that are ready") {

@@ -27,10 +27,8 @@ TEST_CASE("a message passes from one process to the other") {
 TEST_CASE("two processes that both output first are reported as a cycle") {
     Simulation simulation;
     Channel<int> there("there"), back("back");
-    simulation.process("ping", [&] { there.out().output(1), back.in().input(); });
-    simulation.process("pong", [&] { back.out().output(1), there.in().input(); });
-    there.expect(&simulation.processes().front(), &simulation.processes().back());
-    back.expect(&simulation.processes().back(), &simulation.processes().front());
+    simulation.process("ping", {there.out(), back.in()}, [&] { there.out().output(1), back.in().input(); });
+    simulation.process("pong", {back.out(), there.in()}, [&] { back.out().output(1), there.in().input(); });
     RunResult result = simulation.run();
     CHECK(result.ending == Ending::stuck);
     REQUIRE(result.deadlock);

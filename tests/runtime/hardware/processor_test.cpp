@@ -1,5 +1,6 @@
 // How a processor shares itself out, in cases worked by hand. At random against a model: processor_model_test.cpp.
 
+#include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
@@ -148,4 +149,15 @@ TEST_CASE("misuse is refused") {
         "backwards", [] { compute(Cycles{-1}); }, &t800);
     CHECK_THROWS_WITH_AS(simulation.run(), "process backwards computes for a negative number of cycles",
                          std::logic_error);
+}
+
+TEST_CASE("a library is called for soft channels too") {
+    Simulation simulation;
+    Processor& t800 = simulation.add<Processor>("t800", 20'000'000, instructions::toolset_channel_call);
+    Channel<int> c("c");
+    simulation.process(
+        "a", [&] { c.out().output(1); }, &t800);
+    simulation.process(
+        "b", [&] { c.in().input(); }, &t800);
+    CHECK(simulation.run().time == (2 * (201 + 19) + 2) * cycle); // and 2 for the copy of a word
 }

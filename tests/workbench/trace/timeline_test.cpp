@@ -181,7 +181,6 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
     SUBCASE("deadlock") {
         Traced traced({"p"});
         Channel<int> c("c");
-        c.expect(nullptr, nullptr);
         traced.simulation.process("p", [&] { c.in().input(); });
         CHECK(traced.run().lines == Lines{"p: inputs 0 to the end, c with ", "0 to 0: deadlock"});
     }
