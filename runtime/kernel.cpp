@@ -21,9 +21,6 @@ namespace placedpar {
 
 namespace {
 
-/// How many workers have guarded stacks: with more a program would exceed the 65530 mappings that Linux allows it.
-constexpr std::size_t guarded_workers = 16'000;
-
 /// Names the first process that computes or waits for its timer, as a hint: what comes too late is its own
 /// computation or delay, or follows from it.
 std::string beyond_the_end_of_time(const std::vector<const Process*>& living) {
@@ -198,7 +195,7 @@ void Kernel::switch_to(Process* p) {
 bool Kernel::employ(Process& p) {
     try {
         if (idle_.empty()) {
-            workers_.push_back(std::make_unique<Worker>(*this, workers_.size() < guarded_workers));
+            workers_.push_back(std::make_unique<Worker>(*this, stacks_.allocate()));
             idle_.push_back(workers_.back().get());
         }
     } catch (...) {
@@ -221,11 +218,34 @@ void Kernel::wait(Process* successor) {
 void Kernel::give_way() {
     Process& self = *running_;
     if (!unwinding_) {
+        require_own_stack(self);
         Process* next = next_with_worker();
         if (next != &self)
             switch_to(next);
     }
     throw_if_unwinding();
+}
+
+namespace {
+
+StackUser stack_user(const Process& process) { return {process.outermost().name(), process.parent() != nullptr}; }
+
+} // namespace
+
+std::optional<StackUser> Kernel::who_overflowed(const void* address) {
+    const Process* running = current_ ? current_->running_ : nullptr;
+    if (!running || !running->worker_ || !running->worker_->memory.zone_contains(address))
+        return std::nullopt;
+    return stack_user(*running);
+}
+
+/// Ends the program when the process has written beyond its stack, where nobody watches that at once.
+void Kernel::require_own_stack(const Process& process) {
+    const Stack& stack = process.worker_->memory;
+    if (stack.guarded || !stack.has_overflowed())
+        return;
+    report_stack_overflow(stack_user(process));
+    std::abort();
 }
 
 /// The process that ran on the worker throws. Only the first failure counts.
@@ -238,6 +258,7 @@ void Kernel::fail(const Process& p) noexcept {
 
 /// The process that ran on the worker has ended. If it was the last component of a PAR, its parent can go on.
 void Kernel::finish(Process& p) noexcept {
+    require_own_stack(p);
     p.activity_ = Activity::ended;
     p.stands_still();
     program_processes_ -= !p.serves_machine();
@@ -265,6 +286,7 @@ Ending Kernel::run(Time limit, Observer observer) {
     observer_ = std::move(observer);
     boost::fibers::use_scheduling_algorithm<FiberScheduler>(boost::fibers::context::active(), scheduler_);
     current_ = this;
+    StackOverflowWatch watch(who_overflowed);
     stack_in_use_ = &host_stack_;
     introduce_to_trace();
     if (Process* first = next_with_worker())

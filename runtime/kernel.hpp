@@ -4,6 +4,8 @@
 #include "runtime/fingerprint.hpp"
 #include "runtime/process.hpp"
 #include "runtime/random.hpp"
+#include "runtime/stack_arena.hpp"
+#include "runtime/stack_overflow.hpp"
 #include "runtime/switched_stack.hpp"
 #include "runtime/time.hpp"
 
@@ -156,6 +158,8 @@ private:
     void tell(const std::function<void()>&);
     Process* next_with_worker();
     void switch_to(Process*);
+    static std::optional<StackUser> who_overflowed(const void* address);
+    static void require_own_stack(const Process&);
     bool employ(Process&);
     void fail(const Process&) noexcept;
     void finish(Process&) noexcept;
@@ -176,6 +180,7 @@ private:
     std::uint32_t next_ordinal_ = 0;
     std::uint64_t ranks_ = 0; ///< how many were given out
 
+    StackArena stacks_;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> idle_; ///< workers without a process
     FiberScheduler* scheduler_ = nullptr;

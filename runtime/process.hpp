@@ -50,6 +50,8 @@ public:
 
     /// "cluster[0].master", or for a component of a PAR "cluster[0].master/1".
     std::string path() const;
+    /// As it was given; empty for a component of a PAR.
+    const std::string& name() const { return name_; }
     /// Counts the processes of a simulation in the order of their creation.
     std::uint32_t ordinal() const { return ordinal_; }
     /// The process whose PAR this one is a component of; null at the outermost level.

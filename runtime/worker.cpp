@@ -4,49 +4,36 @@
 #include "runtime/kernel.hpp"
 
 #include <boost/fiber/fiber.hpp>
-#include <boost/fiber/fixedsize_stack.hpp>
-#include <boost/fiber/protected_fixedsize_stack.hpp>
 
-#include <functional>
+#include <cstddef>
+#include <memory>
 
 namespace placedpar {
 
 namespace {
 
-/// Only the pages that a process touches take memory. AddressSanitizer's red zones make stack frames several times
-/// larger.
-constexpr std::size_t stack_bytes = (SwitchedStack::watched ? 1024 : 256) * 1024;
+/// The memory of a stack in the form in which Boost asks for it.
+struct InArena {
+    std::byte* bottom;
 
-/// Boost's allocator of stacks, which also notes where the stack lies.
-template <class Allocator>
-struct Noting {
-    Allocator allocator{stack_bytes};
-    SwitchedStack* stack;
-
-    boost::context::stack_context allocate() {
-        auto context = allocator.allocate();
-        stack->lies_at(static_cast<char*>(context.sp) - context.size, context.size);
+    boost::context::stack_context allocate() const {
+        boost::context::stack_context context;
+        context.size = Stack::bytes;
+        context.sp = bottom + Stack::bytes;
         return context;
     }
-    void deallocate(boost::context::stack_context& context) noexcept { allocator.deallocate(context); }
+    void deallocate(boost::context::stack_context&) const noexcept {}
 };
-
-template <class Allocator>
-void launch(SwitchedStack& stack, std::function<void()> work) {
-    using boost::fibers::fiber;
-    fiber(boost::fibers::launch::post, std::allocator_arg, Noting<Allocator>{.stack = &stack}, std::move(work))
-        .detach();
-}
 
 } // namespace
 
-Worker::Worker(Kernel& kernel, bool guarded) {
+Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory) {
+    using boost::fibers::fiber;
     kernel.scheduler_->expect_worker();
-    auto body = [this, &kernel] { work(kernel); };
-    if (guarded && !SwitchedStack::watched)
-        launch<boost::fibers::protected_fixedsize_stack>(stack, body);
-    else
-        launch<boost::fibers::fixedsize_stack>(stack, body);
+    stack.lies_at(memory.bottom, Stack::bytes);
+    fiber(boost::fibers::launch::post, std::allocator_arg, InArena{memory.bottom}, [this, &kernel] {
+        work(kernel);
+    }).detach();
     context_ = kernel.scheduler_->newest_worker();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/stack_arena.hpp"
 #include "runtime/switched_stack.hpp"
 
 #include <boost/fiber/context.hpp>
@@ -12,13 +13,13 @@ class Process;
 /// A fiber that runs the bodies of processes, one after the other.
 class Worker {
 public:
-    /// `guarded`: an overflow of the stack faults at once. This costs two of the memory mappings that the operating
-    /// system allows a program.
-    Worker(Kernel&, bool guarded);
+    /// The memory must outlast the run.
+    Worker(Kernel&, const Stack& memory);
     void resume() { context_->resume(); }
 
     Process* process = nullptr; ///< whose body it runs, or will run next
     bool dismissed = false;     ///< it ends when it is resumed next
+    const Stack memory;
     SwitchedStack stack;
 
 private:

@@ -12,8 +12,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 using namespace placedpar;
@@ -34,6 +36,51 @@ std::string refusal_of(Process::Body body) {
         return refused.what();
     }
     return "";
+}
+
+/// How a program ended that ran in a process of the operating system of its own.
+struct Death {
+    int signal = 0; ///< 0 if none
+    std::string errors;
+};
+
+template <class Program>
+Death die(Program program) {
+    std::array<int, 2> errors{};
+    REQUIRE(pipe(errors.data()) == 0);
+    pid_t child = fork();
+    if (child == 0) {
+        std::signal(SIGABRT, SIG_DFL);
+        std::signal(SIGSEGV, SIG_DFL);
+        dup2(errors[1], STDERR_FILENO);
+        close(errors[0]);
+        alarm(20);
+        program();
+        _exit(0);
+    }
+    close(errors[1]);
+    Death death;
+    std::array<char, 1000> text{};
+    for (ssize_t count; (count = read(errors[0], text.data(), text.size())) > 0;)
+        death.errors.append(text.data(), static_cast<std::size_t>(count));
+    close(errors[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    death.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    return death;
+}
+
+/// Without end.
+int recurse(int depth) { // NOLINT(misc-no-recursion)
+    volatile int here = depth;
+    return depth < 0 ? 0 : recurse(depth + 1) + here;
+}
+
+/// A little more than the stack.
+void overflow_a_little() {
+    std::array<volatile char, Stack::bytes> large;
+    for (std::size_t i = 0; i < large.size(); ++i)
+        large[i] = 1;
 }
 
 } // namespace
@@ -205,11 +252,7 @@ TEST_CASE("computing in no time can be interrupted") {
 }
 
 TEST_CASE("a process that catches everything does not hang the end") {
-    pid_t child = fork();
-    if (child == 0) {
-        std::signal(SIGABRT, SIG_DFL);
-        close(STDERR_FILENO);
-        alarm(20);
+    Death death = die([] {
         Simulation simulation;
         Channel<int> c("c");
         simulation.process("p", [&] {
@@ -220,12 +263,56 @@ TEST_CASE("a process that catches everything does not hang the end") {
                 }
         });
         simulation.run();
-        _exit(0);
+    });
+    CHECK(death.signal == SIGABRT);
+    CHECK(death.errors == "process p catches every exception, also the one that ends it: let Unwinding pass\n");
+}
+
+TEST_CASE("who overflows the stack is named") {
+    constexpr const char* why =
+        " has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, "
+        "which belong on the heap (std::vector)\n";
+    if (SwitchedStack::watched)
+        return; // AddressSanitizer has its own report
+    SUBCASE("a process") {
+        Death death = die([] {
+            Simulation simulation;
+            simulation.process("recursive", [] { recurse(0); });
+            simulation.run();
+        });
+        CHECK(death.signal == SIGSEGV);
+        CHECK(death.errors == std::string("process recursive") + why);
     }
-    int status = 0;
-    waitpid(child, &status, 0);
-    CHECK(WIFSIGNALED(status));
-    CHECK(WTERMSIG(status) == SIGABRT);
+    SUBCASE("a component of a PAR") {
+        Death death = die([] {
+            Simulation simulation;
+            simulation.process("recursive", [] { par([] {}, [] { recurse(0); }); });
+            simulation.run();
+        });
+        CHECK(death.signal == SIGSEGV);
+        CHECK(death.errors == std::string("a component of process recursive") + why);
+    }
+    SUBCASE("one of so many that not all stacks can be guarded") {
+        Death death = die([] {
+            Simulation simulation;
+            Channel<int> never("never");
+            for (int i = 0; i < 16'000; ++i)
+                simulation.process("waits", [] { wait_for(microseconds{9}); });
+            simulation.process("recursive", [&] { overflow_a_little(), never.in().input(); });
+            simulation.run();
+        });
+        CHECK(death.signal == SIGABRT);
+        CHECK(death.errors == std::string("process recursive") + why);
+    }
+    SUBCASE("another fault is none") {
+        Death death = die([] {
+            Simulation simulation;
+            simulation.process("careless", [] { *static_cast<volatile int*>(nullptr) = 1; });
+            simulation.run();
+        });
+        CHECK(death.signal == SIGSEGV);
+        CHECK(death.errors == "");
+    }
 }
 
 TEST_CASE("who failed, when and where") {

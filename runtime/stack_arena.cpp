@@ -1,0 +1,48 @@
+#include "runtime/stack_arena.hpp"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <new>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t slice_bytes = Stack::zone_bytes + Stack::bytes;
+constexpr std::size_t stacks_in_a_piece = 256;
+constexpr std::size_t piece_bytes = stacks_in_a_piece * slice_bytes;
+constexpr std::size_t guarded_stacks = SwitchedStack::watched ? 0 : 16'000;
+
+} // namespace
+
+bool Stack::has_overflowed() const {
+    return std::any_of(bottom - 64, bottom, [](std::byte each) { return each != std::byte{0}; });
+}
+
+StackArena::~StackArena() {
+    for (std::byte* piece : pieces_)
+        munmap(piece, piece_bytes);
+}
+
+Stack StackArena::allocate() {
+    if (allocated_ % stacks_in_a_piece == 0)
+        add_piece();
+    std::byte* zone = pieces_.back() + allocated_ % stacks_in_a_piece * slice_bytes;
+    bool guarded = allocated_ < guarded_stacks && mprotect(zone, Stack::zone_bytes, PROT_NONE) == 0;
+    ++allocated_;
+    return {zone + Stack::zone_bytes, guarded};
+}
+
+/// Without huge pages, of which each would be several stacks in full.
+void StackArena::add_piece() {
+    pieces_.reserve(pieces_.size() + 1);
+    void* piece = mmap(nullptr, piece_bytes, PROT_READ | PROT_WRITE,
+                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
+    if (piece == MAP_FAILED)
+        throw std::bad_alloc();
+    madvise(piece, piece_bytes, MADV_NOHUGEPAGE);
+    pieces_.push_back(static_cast<std::byte*>(piece));
+}
+
+} // namespace placedpar

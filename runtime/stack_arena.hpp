@@ -1,0 +1,44 @@
+#pragma once
+
+#include "runtime/switched_stack.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar {
+
+/// A fiber's stack. Below it lies a zone that nobody may write to.
+struct Stack {
+    std::byte* bottom = nullptr; ///< the lowest address of the stack; the zone ends here
+    bool guarded = false;        ///< who writes to the zone is stopped at once
+
+    /// Only the pages that a process touches take memory. AddressSanitizer's red zones make stack frames several
+    /// times larger.
+    static constexpr std::size_t bytes = (SwitchedStack::watched ? 1024 : 256) * 1024;
+    static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than most arrays, which are not written in order
+
+    bool zone_contains(const void* address) const { return address >= bottom - zone_bytes && address < bottom; }
+    /// Whether somebody has written to the end of the zone, which was all zeros. For stacks that are not guarded.
+    bool has_overflowed() const;
+};
+
+/// The memory of many stacks, reserved in large pieces, of which the operating system gives what is touched.
+class StackArena {
+public:
+    StackArena() = default;
+    ~StackArena();
+    StackArena(const StackArena&) = delete;
+    StackArena& operator=(const StackArena&) = delete;
+
+    /// It lasts as long as the arena. The first 16,000 are guarded: with more a program would exceed the 65,530
+    /// mappings that Linux allows it. Throws std::bad_alloc.
+    Stack allocate();
+
+private:
+    void add_piece();
+
+    std::vector<std::byte*> pieces_;
+    std::size_t allocated_ = 0;
+};
+
+} // namespace placedpar
