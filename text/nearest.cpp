@@ -4,12 +4,29 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace placedpar {
 
 namespace {
 
 constexpr std::size_t longest_word = 64; // the distance takes time with the square of it
+
+/// In so many places a misspelt word may differ from what is meant: a third, rounded.
+std::size_t most_edits(std::string_view word) { return (word.size() + 1) / 3; }
+
+/// The only candidate that begins with what was typed; "" where there are several, or little was typed.
+std::string completed(std::string_view typed, const std::vector<std::string>& candidates) {
+    std::string found;
+    for (const auto& candidate : candidates)
+        if (typed.size() >= 3 && candidate.size() > typed.size() && lower_case(candidate).starts_with(typed) &&
+            candidate != found) {
+            if (!found.empty())
+                return "";
+            found = candidate;
+        }
+    return found;
+}
 
 } // namespace
 
@@ -43,17 +60,18 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
         return "";
     auto wanted_lower = lower_case(wanted);
     std::string best;
-    auto best_distance = std::max<std::size_t>(1, (wanted.size() + 2) / 3) + 1;
+    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // the second counts capitals as well
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)
             continue;
-        auto distance = edit_distance(wanted_lower, lower_case(candidate));
-        if (distance < best_distance && distance < std::max(wanted.size(), candidate.size())) {
+        std::pair distance(edit_distance(wanted_lower, lower_case(candidate)), edit_distance(wanted, candidate));
+        if (distance < best_distance && distance.first < std::max(wanted.size(), candidate.size())) {
             best_distance = distance;
             best = candidate;
         }
     }
-    return best;
+    std::string longer = best_distance.first > 1 ? completed(wanted_lower, candidates) : "";
+    return longer.empty() ? best : longer;
 }
 
 std::string did_you_mean(std::string_view wanted, const std::vector<std::string>& candidates) {

@@ -13,8 +13,9 @@ std::string lower_case(std::string_view word);
 /// words.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to a misspelt word, if any is near enough to be meant: at most a third of the
-/// word's letters away, case not counted much. "" otherwise. The first of equals wins.
+/// What a misspelt word means: the nearest candidate, at most a third of the word's letters away; case counts only
+/// between equals, of which the first wins. Where none is within a letter, rather the only one that begins with the
+/// word. "" where nothing is near enough to be meant.
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates);
 
 /// `there is no WHAT "wanted"; did you mean "name"?`, or, where no candidate is near, with `otherwise` behind the

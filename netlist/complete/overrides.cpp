@@ -151,6 +151,13 @@ private:
         return name == "seed" ? "the seed of a run is an option of its own: --seed N" : did_you_mean(name, known);
     }
 
+    static std::vector<std::string> names_of_elements(const std::vector<Settable>& elements) {
+        std::vector<std::string> names;
+        for (const Settable& each : elements)
+            names.emplace_back(base_name(each.name));
+        return names;
+    }
+
     [[noreturn]] void refuse_element(const DraftOverride& option) {
         std::string_view name = base_name(option.element);
         std::vector<Settable> all = settable_elements(c_), array;
@@ -158,7 +165,7 @@ private:
                              [&](const Settable& each) { return base_name(each.name) == name; });
         if (array.empty())
             report(option.at, fmt::format("the netlist has no node, connection or process \"{}\"", name),
-                   did_you_mean(name, names_to_set(c_)), what_can_be_set(c_));
+                   did_you_mean(name, names_of_elements(all)), what_can_be_set(c_));
         if (array.size() == 1 && array.front().name == name)
             report(option.at, fmt::format("\"{}\" is no array", name),
                    fmt::format("--set {}.{}=...", name, option.member));

@@ -2,6 +2,7 @@
 #include "netlist/complete/declared_type.hpp"
 #include "netlist/elaborate/attributes.hpp"
 #include "netlist/network/names.hpp"
+#include "text/counted.hpp"
 #include "text/nearest.hpp"
 #include "text/user_error.hpp"
 
@@ -196,9 +197,10 @@ private:
     void refuse_array(const Setting& setting, const ParameterDeclaration& declared, std::int64_t size) {
         const auto* array = setting.value.array();
         auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
-                                      : fmt::format("an array of {} elements", (*array)->size());
+                                      : fmt::format("an array of {}", counted((*array)->size(), "element"));
         c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
-                          fmt::format("it takes an array of {} elements", size), {{"declared here", declared.at}});
+                          fmt::format("it takes an array of {}", counted(static_cast<std::size_t>(size), "element")),
+                          {{"declared here", declared.at}});
     }
 
     void fill_in_defaults() {

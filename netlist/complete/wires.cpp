@@ -85,19 +85,23 @@ private:
         return false;
     }
 
-    /// Of the switch, one that a wire comes to and no crosspoint leads to.
-    std::string open_link(const LinkEnd& other) const {
+    /// Of the switch, those that a wire comes to and no crosspoint leads to, in ascending order.
+    std::vector<LinkEnd> open_links(std::size_t node) const {
+        std::vector<LinkEnd> open;
         for (const auto& [end, wire] : wire_at_)
-            if (end.first == other.node && end.second != other.link && !crosspoint_at_.contains(end))
-                return link_name(c_.draft.nodes, {end.first, end.second});
-        return "";
+            if (end.first == node && !crosspoint_at_.contains(end))
+                open.push_back({end.first, end.second});
+        return open;
     }
 
+    /// Of two wires that end at the switch it is clear which crosspoint is missing, and both errors name the same.
     bool refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
-        auto other = open_link(at);
+        auto open = open_links(at.node);
+        auto name = [&](const LinkEnd& end) { return link_name(c_.draft.nodes, end); };
         return leads_nowhere(connection, at, "the switch sets no crosspoint for it",
-                             fmt::format("connect {} to {};", link_name(c_.draft.nodes, at),
-                                         other.empty() ? c_.draft.nodes[at.node].name + ".link[...]" : other));
+                             open.size() == 2
+                                 ? fmt::format("connect {} to {};", name(open[0]), name(open[1]))
+                                 : fmt::format("connect {} to {}.link[...];", name(at), c_.draft.nodes[at.node].name));
     }
 
     void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {

@@ -1,5 +1,6 @@
 #include "netlist/elaborate/evaluator.hpp"
 
+#include "text/counted.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -92,7 +93,7 @@ void Evaluator::check_shape(const Constant& first, const Constant& element, cons
                                   type_name(element)));
     auto size = [](const Constant& row) { return (*row.array())->size(); };
     if (size(first) != size(element))
-        refuse(at, fmt::format("the array is ragged: this row has {} elements", size(element)),
+        refuse(at, fmt::format("the array is ragged: this row has {}", counted(size(element), "element")),
                fmt::format("its first row has {}", size(first)));
     refuse(at, "the array is ragged: the elements of this row differ from those of its first in size or type");
 }

@@ -1,5 +1,7 @@
 #include "netlist/elaborate/elaborator.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -79,8 +81,8 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
     auto range = elements(reference, found);
     if (reference.subscripts.size() < found.dimensions.size())
         refuse(reference.at,
-               fmt::format("\"{}\" is not completely subscripted: it has {} subscripts, here are {}", reference.name,
-                           found.dimensions.size(), reference.subscripts.size()),
+               fmt::format("\"{}\" is not completely subscripted: it has {}, here are {}", reference.name,
+                           counted(found.dimensions.size(), "subscript"), reference.subscripts.size()),
                fmt::format("such as {}", element_name(reference.name, element_subscripts(0, found.dimensions))));
     return range.first;
 }

@@ -74,10 +74,19 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
         if (tokens_.peek().is_word("interface"))
             parse_interface_once(result);
         else
-            result.attributes.push_back(parse_attribute());
+            result.attributes.push_back(parse_process_attribute());
     while (accept(","));
     expect(")", "behind the attributes");
     return result;
+}
+
+/// Channels and parameters would not be understood as attributes.
+Attribute Parser::parse_process_attribute() {
+    const auto& name = tokens_.peek();
+    bool has_parts = name.kind == TokenKind::name && tokens_.peek(1).is("(");
+    if (has_parts && !word_meant(name.text, {"interface"}).empty())
+        refuse(name.at, fmt::format("there is no attribute \"{}\"", name.text), "did you mean \"interface\"?");
+    return parse_attribute();
 }
 
 void Parser::parse_interface_once(DeclarationAttributes& attributes) {
@@ -103,12 +112,22 @@ std::vector<InterfaceEntry> Parser::parse_interface() {
         if (auto here = parse_entry_type())
             type = here;
         else if (!type || tokens_.peek(1).kind == TokenKind::name)
-            refuse(tokens_.peek().at, fmt::format("illegal token in an interface: {}", describe(tokens_.peek())),
-                   "an interface lists channels, \"input in\", and parameters, \"int n = 3\"");
+            refuse_entry();
         entries.push_back(parse_entry(*type));
     } while (accept(","));
     expect(")", "behind the interface");
     return entries;
+}
+
+void Parser::refuse_entry() {
+    static const std::vector<std::string> types{"input", "output", "int",    "char",    "short",
+                                                "long",  "float",  "double", "unsigned"};
+    const auto& token = tokens_.peek();
+    bool may_be_type = token.text.size() > 2 && tokens_.peek(1).kind == TokenKind::name; // not int, for "in"
+    std::string meant = may_be_type ? word_meant(token.text, types) : "";
+    refuse(token.at, fmt::format("illegal token in an interface: {}", describe(token)),
+           meant.empty() ? "an interface lists channels, \"input in\", and parameters, \"int n = 3\""
+                         : fmt::format("did you mean \"{}\"?", meant));
 }
 
 std::optional<EntryType> Parser::parse_entry_type() {

@@ -58,6 +58,10 @@ Statement Parser::parse_declaration() {
     Declaration declaration{type.text, type.at, parse_declaration_attributes(), {}};
     if (!process || !tokens_.peek().is(";"))
         declaration.names = parse_declarators(process ? "a process" : "a node");
+    if (tokens_.peek().is("("))
+        refuse(
+            tokens_.peek().at, "illegal token in a declaration: \"(\"",
+            fmt::format("attributes stand before the names: {} (...) {};", type.text, declaration.names.back().name));
     expect_semicolon(process ? "process" : "declaration");
     return {type.at, std::move(declaration)};
 }

@@ -57,6 +57,9 @@ Statement Parser::parse_connect() {
 Statement Parser::parse_use() {
     auto at = tokens_.take().at;
     UseStatement statement{parse_expression(), std::nullopt};
+    if (tokens_.peek().is("."))
+        refuse(statement.program->at, "the name of a program is a text",
+               "it stands in quotes: use \"NAME\" for process;");
     expect_word("for", "in use");
     if (tokens_.peek().is_word("process") || tokens_.peek().is_word("PROCESS"))
         tokens_.take();
@@ -100,6 +103,8 @@ Statement Parser::parse_rep() {
 Statement Parser::parse_if() {
     auto at = tokens_.take().at;
     IfStatement statement{parse_expression(), nullptr, nullptr};
+    if (tokens_.peek().is("="))
+        refuse(tokens_.peek().at, "illegal token in a condition: \"=\"", "== compares");
     statement.then = parse_body("if");
     if (tokens_.peek().is_word("else")) {
         tokens_.take();

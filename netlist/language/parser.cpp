@@ -27,6 +27,18 @@ const std::vector<std::string>& statement_words() {
     return words;
 }
 
+/// Of what the statements are called.
+std::string with_article(std::string_view statement) {
+    return fmt::format("{} {}", statement.starts_with('i') || statement.starts_with('o') ? "an" : "a", statement);
+}
+
+/// Where a word of the language stands that begins no statement.
+std::string_view hint_at_statement(std::string_view word) {
+    return word == "else"  ? "it belongs to an \"if\" just before it"
+           : word == "for" ? "what is repeated begins with rep: rep i = 0 for n statement"
+                           : "";
+}
+
 bool is_statement_word(const Token& token) {
     const auto& words = statement_words();
     return token.is_word("else") ||
@@ -35,11 +47,14 @@ bool is_statement_word(const Token& token) {
 
 } // namespace
 
+std::string word_meant(const std::string& word, const std::vector<std::string>& words) {
+    auto nearest = nearest_name(word, words);
+    std::size_t most = nearest.size() < 6 ? 1 : 2;
+    return edit_distance(lower_case(word), nearest) <= most ? nearest : "";
+}
+
 std::string word_meant(const std::string& word) {
-    auto small = lower_case(word);
-    auto nearest = nearest_name(word, statement_words());
-    std::size_t distance = edit_distance(small, nearest), most = nearest.size() < 6 ? 1 : 2;
-    return distance <= most && small != "processor" && word != "PROCESS" ? nearest : "";
+    return lower_case(word) == "processor" || word == "PROCESS" ? "" : word_meant(word, statement_words());
 }
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
@@ -107,9 +122,10 @@ void Parser::expect_semicolon(std::string_view statement) {
     const auto& next = tokens_.peek();
     bool illegal = next.kind == TokenKind::illegal || !(on_another_line() || statement_is_over());
     if (illegal)
-        refuse(next.at, fmt::format("illegal token in a {} statement: {}", statement, describe(next)),
+        refuse(next.at, fmt::format("illegal token in {} statement: {}", with_article(statement), describe(next)),
                "a statement ends with \";\"");
-    reporter_.error(tokens_.behind_last(), fmt::format("\";\" is missing at the end of a {} statement", statement));
+    reporter_.error(tokens_.behind_last(),
+                    fmt::format("\";\" is missing at the end of {} statement", with_article(statement)));
     if (next.kind != TokenKind::name && !statement_is_over())
         throw StatementRefused{};
 }
@@ -202,7 +218,7 @@ Statement Parser::parse_keyword_statement(const Token& word) {
     if (auto form = forms.find(word.text); form != forms.end())
         return (this->*form->second)();
     refuse(word.at, fmt::format("no statement begins with \"{}\"", word.text),
-           word.text == "else" ? "it belongs to an \"if\" just before it" : "");
+           std::string(hint_at_statement(word.text)));
 }
 
 Statement Parser::parse_block() {

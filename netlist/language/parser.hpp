@@ -52,9 +52,11 @@ private:
     std::vector<Attribute> parse_attributes();
     Attribute parse_attribute();
     DeclarationAttributes parse_declaration_attributes();
+    Attribute parse_process_attribute();
     void parse_interface_once(DeclarationAttributes& attributes);
     std::vector<InterfaceEntry> parse_interface();
     /// A channel's direction or a parameter's type, if one stands here.
+    [[noreturn]] void refuse_entry();
     std::optional<EntryType> parse_entry_type();
     InterfaceEntry parse_entry(const EntryType& type);
     bool behind_attributes_comes_name();
@@ -114,7 +116,9 @@ private:
 
 /// Words that begin or structure statements and so cannot name anything.
 bool is_reserved(std::string_view word);
-/// The word beginning a statement that this one is a letter or two away from, or is in capital letters; "" for others.
+/// The one of the words that this one is a letter or two away from, or is in capital letters; "" for others.
+std::string word_meant(const std::string& word, const std::vector<std::string>& words);
+/// Of those that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

@@ -135,7 +135,8 @@ class Kinds(unittest.TestCase):
 
     def test_a_misspelt_name_gets_the_nearest(self):
         for wrong, right in (("mastr", "ga.master"), ("master", "ga.master"), ("ga.mastr", "ga.master"), ("cps", "csp"),
-                             ("t80", "T800"), ("workstaton", "workstation"), ("device", "devices")):
+                             ("T80", "T800"), ("t80", "t800"), ("workstaton", "workstation"), ("device", "devices"),
+                             ("csp.prod", "csp.producer"), ("trad", "ga.traditional")):
             for form in ((), ("--json",)):
                 self.assertEqual(refusal("kinds", wrong, *form), "placedpar: there is no process kind and no device "
                                                                  f'"{wrong}"; did you mean "{right}"?\n')

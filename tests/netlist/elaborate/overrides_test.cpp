@@ -243,6 +243,8 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                                                "note: it has population, mutation, code, priority\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "no node, connection or process \"rot\"\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
+    // "people" is near, but a val.
+    CHECK_FALSE(says(refusal({{"peoples.clock", "3"}}), "did you mean"));
     CHECK(says(refusal({{"t[2].clock", "3"}}), "there is no \"t[2]\"\n    t[2].clock=3\n    ^\n"
                                                "hint: there is t[0] to t[1]\n"));
     CHECK(
