@@ -28,7 +28,7 @@ const std::vector<std::string>& statement_words() {
 }
 
 /// Of what the statements are called.
-std::string with_article(std::string_view statement) {
+std::string with_its_article(std::string_view statement) {
     return fmt::format("{} {}", statement.starts_with('i') || statement.starts_with('o') ? "an" : "a", statement);
 }
 
@@ -122,10 +122,10 @@ void Parser::expect_semicolon(std::string_view statement) {
     const auto& next = tokens_.peek();
     bool illegal = next.kind == TokenKind::illegal || !(on_another_line() || statement_is_over());
     if (illegal)
-        refuse(next.at, fmt::format("illegal token in {} statement: {}", with_article(statement), describe(next)),
+        refuse(next.at, fmt::format("illegal token in {} statement: {}", with_its_article(statement), describe(next)),
                "a statement ends with \";\"");
     reporter_.error(tokens_.behind_last(),
-                    fmt::format("\";\" is missing at the end of {} statement", with_article(statement)));
+                    fmt::format("\";\" is missing at the end of {} statement", with_its_article(statement)));
     if (next.kind != TokenKind::name && !statement_is_over())
         throw StatementRefused{};
 }
