@@ -10,15 +10,15 @@ namespace placedpar {
 
 namespace {
 
-/// Reads a line. What is wrong with it is shown at its beginning.
+/// Reads a line. What is wrong with it is shown where its string begins.
 Genome read_line(const Representation& representation, const std::shared_ptr<const SourceFile>& file, std::size_t line,
-                 std::string_view text) {
+                 std::size_t begin) {
     try {
-        return representation.read(text);
+        return representation.read(file->line(line));
     } catch (const UserError& wrong) {
         Diagnostic refused;
         refused.message = wrong.what();
-        refused.location = {file, line, 1};
+        refused.location = {file, line, begin + 1};
         throw RefusedInput(render(refused));
     }
 }
@@ -33,9 +33,9 @@ std::vector<Genome> load_population(const std::filesystem::path& path, const Rep
     auto lines = static_cast<std::size_t>(std::ranges::count(source.file->text(), '\n')) + 1;
     for (std::size_t line = 1; line <= lines; ++line) {
         std::string_view text = source.file->line(line);
-        bool counts = text.find_first_not_of(" \t\r") != text.npos && text.front() != '#';
-        if (counts)
-            population.push_back(read_line(representation, source.file, line, text));
+        std::size_t begin = text.find_first_not_of(" \t\r");
+        if (begin != text.npos && text[begin] != '#')
+            population.push_back(read_line(representation, source.file, line, begin));
     }
     return population;
 }

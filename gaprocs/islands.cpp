@@ -36,6 +36,11 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
 
 /// All that can be wrong whatever the record.
 void validate_islands(const IslandsSettings& settings) {
+    // As SearchSettings::validate() does.
+    Topology::named(settings.topology.text());
+    Schedule::named(settings.schedule.text());
+    Emigration::named(settings.emigration.text());
+    Acceptance::named(settings.acceptance.text());
     Neighbours neighbours = settings.topology.neighbours(settings.islands.size());
     for (const SearchSettings& island : settings.islands) {
         island.validate();
@@ -243,6 +248,7 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
                           std::vector<RandomStream> streams, SearchObserver* observer) {
     IslandsSettings settings = settings_for(problem, wanted);
     settings.validate_for(record.size());
+    require_channels(problem, record);
     Islands islands(problem, settings, std::move(streams));
     if (observer)
         islands.observe_by(*observer);

@@ -4,19 +4,28 @@
 #include "gaprocs/policies/policy.hpp"
 #include "gaprocs/search_problem.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace placedpar {
 
-/// Objective problems of one name that differ in their numbers, such as "sphere(dimensions = 3, bits = 16)": a struct
-/// as in gaprocs/objective_problem.hpp that also has the name, the line about it and the numbers of a policy; or a
-/// struct with these and a problem() that makes one.
+/// A record of measurement that costs something to make, such as a simulation.
+struct RecordToMake {
+    std::size_t samples = 0; ///< how many make() gives, known without calling it
+    std::function<std::vector<Sample>()> make = nullptr;
+};
+
+/// Problems of one name that differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". Objective problems:
+/// a struct as in gaprocs/objective_problem.hpp that also has the name, the line about it and the numbers of a policy;
+/// or a struct with these and a problem() that makes one. Problems with a record say how it is made, too.
 struct ProblemFamily {
     PolicyDescription description;
     /// REQUIRES: as many numbers as described, in their ranges. Throws as the struct's representation().
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
+    /// None of objective problems. REQUIRES: as make.
+    std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 
 /// The problem of a struct with these numbers: itself, or what its problem() makes of them.

@@ -1,5 +1,6 @@
 #include "gaprocs/problem_registry.hpp"
 
+#include "gaprocs/usual_settings.hpp"
 #include "text/nearest.hpp"
 #include "text/user_error.hpp"
 
@@ -29,10 +30,7 @@ const std::vector<Sample>& RecordedProblem::record() const {
 void RecordedProblem::take(std::vector<Sample> record) const {
     if (problem_->objective() && !record.empty())
         throw std::invalid_argument("an objective problem has no record");
-    for (std::size_t i = 0; i < record.size(); ++i)
-        if (record[i].size() != problem_->channels())
-            throw std::invalid_argument(
-                fmt::format("sample {} has {} numbers, expected {}", i, record[i].size(), problem_->channels()));
+    require_channels(*problem_, record);
     if (record.size() != samples_)
         throw std::logic_error(fmt::format("{} samples were made, {} were promised", record.size(), samples_));
     record_ = std::move(record);
@@ -89,7 +87,8 @@ const RecordedProblem& ProblemRegistry::make(const ProblemFamily& family, std::s
     if (auto found = made_.find(full); found != made_.end())
         return found->second;
     try {
-        return made_.emplace(full, RecordedProblem(family.make(numbers), std::vector<Sample>{})).first->second;
+        RecordToMake record = family.record ? family.record(numbers) : RecordToMake{};
+        return made_.emplace(full, RecordedProblem(family.make(numbers), std::move(record))).first->second;
     } catch (const std::invalid_argument& unfit) {
         throw UserError(fmt::format("search problem '{}': {}", full, unfit.what()));
     }

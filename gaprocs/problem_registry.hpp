@@ -13,12 +13,6 @@
 
 namespace placedpar {
 
-/// A record of measurement that costs something to make, such as a simulation.
-struct RecordToMake {
-    std::size_t samples; ///< how many make() gives, known without calling it
-    std::function<std::vector<Sample>()> make;
-};
-
 /// A search problem and the record of measurement it is searched over: none for an objective problem. Not thread-safe:
 /// the first record() may make it.
 class RecordedProblem {

@@ -61,6 +61,10 @@ void SearchSettings::validate() const {
             fmt::format("{} initial individuals are given for a population of {}", initial.size(), population));
     require_probability("the crossover probability", crossover_probability);
     require_probability("the mutation probability", mutation_probability);
+    // A policy that was made as a struct can have any number: it is read as a netlist's.
+    Reproduction::named(reproduction.text());
+    Crossover::named(crossover.text());
+    Mutation::named(mutation.text());
     window.validate();
 }
 

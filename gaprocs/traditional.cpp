@@ -20,6 +20,7 @@ SearchResult run_traditional(const SearchProblem& problem, std::span<const Sampl
                              RandomStream random, SearchObserver* observer) {
     SearchSettings settings = settings_for(problem, wanted);
     settings.window.validate_for(record.size());
+    require_channels(problem, record);
     Search search(problem.representation(), settings, std::move(random));
     if (observer)
         search.listen(told_to(*observer, "traditional", problem));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace placedpar {
 
 SearchSettings usual_settings(const SearchProblem& problem) {
@@ -35,6 +37,13 @@ void require_fitting_reproduction(const SearchProblem& problem, const Reproducti
         throw UserError(fmt::format("reproduction by {} discards individuals of fitness <= 0, and an objective that is "
                                     "minimised is negated: expected ranking, scaled or tournament",
                                     reproduction.text()));
+}
+
+void require_channels(const SearchProblem& problem, std::span<const Sample> record) {
+    for (std::size_t i = 0; i < record.size(); ++i)
+        if (record[i].size() != problem.channels())
+            throw std::invalid_argument(
+                fmt::format("sample {} has {} numbers, expected {}", i, record[i].size(), problem.channels()));
 }
 
 std::vector<Sample> empty_record(std::size_t generations) {

@@ -4,6 +4,7 @@
 #include "gaprocs/settings.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace placedpar {
@@ -21,6 +22,9 @@ SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
 /// Throws UserError, saying what would be right, for a reproduction by which no individual could become a parent: one
 /// that needs positive fitness, with an objective that is minimised and therefore negated.
 void require_fitting_reproduction(const SearchProblem&, const Reproduction&);
+
+/// Throws std::invalid_argument for a sample that has not as many numbers as the problem has channels.
+void require_channels(const SearchProblem&, std::span<const Sample> record);
 
 /// The record of an objective problem for so many generations: samples without a number. Throws UserError for none.
 std::vector<Sample> empty_record(std::size_t generations);

@@ -3,6 +3,7 @@
 #include "netlist/network/names.hpp"
 #include "netlist/runnable.hpp"
 #include "runtime/timer.hpp"
+#include "text/diagnostic.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -20,20 +21,26 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
     return *catalogue.find(process.kind);
 }
 
-/// Which process failed, where it was declared, and when if not at the start.
+/// Which process it was, and when if not at the start.
+std::string failing(const ProcessInstance& process) {
+    std::string when = now() == Time{0} ? "" : " at " + to_string(now());
+    return fmt::format("process {} ({}){}", process.name, process.kind, when);
+}
+
+/// The same, and where it was declared.
 std::string failure_of(const ProcessInstance& process, const char* why) {
     std::string place = process.declared.text();
-    std::string when = now() == Time{0} ? "" : " at " + to_string(now());
-    return fmt::format("{}{}process {} ({}){}: {}", place, place.empty() ? "" : ": ", process.name, process.kind, when,
-                       why);
+    return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", failing(process), why);
 }
 
 /// Runs a process's program. What it refuses to work with, and what is wrong with the program itself, is reported with
-/// the process; what the system refuses is not the process's fault.
+/// the process, after a file's own places; what the system refuses is not the process's fault.
 void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
               ProcessEnvironment& environment) {
     try {
         body(environment);
+    } catch (const RefusedInput& refused) {
+        throw RefusedInput(refused.what() + render(SecondPlace{"read by " + failing(process), process.declared}));
     } catch (const UserError& refused) {
         throw UserError(failure_of(process, refused.what()));
     } catch (const std::system_error&) {

@@ -74,6 +74,11 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
     return std::ranges::any_of(diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
+std::string render(const SecondPlace& other) {
+    return fmt::format("{}{} {}\n{}", heading(other.location), painted(Paint::note, "note:"), escaped(other.message),
+                       excerpt(other.location));
+}
+
 std::string render(const Diagnostic& diagnostic) {
     auto word =
         diagnostic.severity == Severity::error ? painted(Paint::error, "error:") : painted(Paint::warning, "warning:");
@@ -82,8 +87,7 @@ std::string render(const Diagnostic& diagnostic) {
     if (!diagnostic.hint.empty())
         text += painted(Paint::note, "hint:") + " " + escaped(diagnostic.hint) + "\n";
     for (const auto& other : diagnostic.others)
-        text += fmt::format("{}{} {}\n{}", heading(other.location), painted(Paint::note, "note:"),
-                            escaped(other.message), excerpt(other.location));
+        text += render(other);
     return text;
 }
 

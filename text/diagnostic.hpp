@@ -36,6 +36,7 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics);
 /// then `hint: ...` and the second places as notes. Ends with a newline. Tabs are shown as they are and the
 /// caret's line repeats them; other control characters are shown as `\x1b`; a long line is shown around the caret.
 std::string render(const Diagnostic& diagnostic);
+std::string render(const SecondPlace& other); ///< the note alone
 std::string render(const std::vector<Diagnostic>& diagnostics);
 
 /// `... 3 further errors not shown`, with a newline; "" for none.

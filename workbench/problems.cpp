@@ -8,7 +8,7 @@
 #include "identification/circuit_problem.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
 #include "problems/benchmark/benchmark.hpp"
-#include "problems/plant/plant_problem.hpp"
+#include "problems/plant/plant_family.hpp"
 #include "runtime/random.hpp"
 #include "text/user_error.hpp"
 
@@ -43,21 +43,6 @@ void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
             scenario, low_noise, [&] { return noise.uniform(); }, usable);
     };
     problems.add_to_make("boom", make_search_problem(std::move(boom)), {usable.count, make});
-}
-
-/// A plant, with what its parameters are when its record ends.
-struct SimulatedPlant : PlantProblem {
-    double a1;
-
-    std::vector<double> true_parameters() const { return placedpar::parameters_of(Plant{.a1 = a1}); }
-};
-
-/// The plant of chapter 5 without noise, that changes as Table 5.4 says.
-void add_plant(ProblemRegistry& problems, std::uint64_t seed) {
-    PlantExperiment experiment;
-    SimulatedPlant plant{{}, a1_at(experiment.change, static_cast<double>(experiment.generations))};
-    auto make = [=] { return plant_record(experiment, RandomStream(seed, "record of the plant")); };
-    problems.add_to_make("plant", make_search_problem(plant), {experiment.window - 1 + experiment.samples(), make});
 }
 
 std::vector<ProcessKind>& own_kinds() {
@@ -101,7 +86,7 @@ void add_own_problems(std::vector<ProblemFamily> problems) {
 ProblemRegistry known_problems(std::uint64_t seed) {
     ProblemRegistry problems;
     add_boom(problems, seed);
-    add_plant(problems, seed);
+    problems.add(plant_family(seed));
     add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
         add_own_problem(problems, family);

@@ -1,5 +1,6 @@
 #include "experiments/chapter_6/kit/conditions.hpp"
 #include "experiments/chapter_6/kit/landscape.hpp"
+#include "experiments/chapter_6/kit/pair_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,12 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
     return table;
 }
 
+/// Both halves with so many individuals, and so many bits of the five parameters.
+CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits) {
+    Recoding coarse = plant_reading(field_bits);
+    return {plant_settings(population), plant_settings(population), coarse, coarse.bits};
+}
+
 /// Populations of each half, so that their sum is the control's.
 Comparison pair_table(const ReplayContext& context) {
     Comparison comparison{.name = "the pair, the fine one's answer; and single searches with as many evaluations",
@@ -74,11 +81,10 @@ Comparison pair_table(const ReplayContext& context) {
         auto population = static_cast<std::size_t>(coarse_populations[i]);
         std::vector<Tally> pairs;
         for (std::size_t bits : {std::size_t{4}, std::size_t{5}}) {
-            Recoding coarse = plant_reading(bits);
-            CoarseFineSettings settings{plant_settings(population), plant_settings(population), coarse, coarse.bits};
-            pairs.push_back(tally_runs(context,
-                                       fmt::format("pair of {} bits, {} + {}", coarse.length(), population, population),
-                                       [&](std::uint64_t seed) { return run_plant_pair(settings, seed).fine; }));
+            CoarseFineSettings settings = pair_settings(population, bits);
+            pairs.push_back(
+                tally_runs(context, fmt::format("pair of {} bits, {} + {}", string_bits(bits), population, population),
+                           [&](std::uint64_t seed) { return run_plant_pair(settings, seed).fine; }));
             add_tally(comparison, pairs.back(), expected[bits - 4][i]);
         }
         Tally single = tally_search(context, fmt::format("single, 37 bits, {}", 2 * population),
@@ -142,7 +148,10 @@ Replay replay_coarse_fine(const ReplayContext& context) {
     Plot plot{"Table 6.4: coarse searches that converged before the plant changed, with 95 % intervals",
               {table_6_4_panel("an elite of one, universal sampling", with_elite.tallies),
                table_6_4_panel("to the letter: roulette, no elite", letter.tallies)}};
-    return replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)}, {{"table-6-4", plot}});
+    Replay replay =
+        replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)}, {{"table-6-4", plot}});
+    replay.drawings = {{"figure-6-6", draw_pair(pair_settings(24, 4), plant_search_problem().parameter_names())}};
+    return replay;
 }
 
 } // namespace

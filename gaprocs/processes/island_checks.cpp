@@ -73,8 +73,8 @@ private:
         try {
             auto expected = topology.neighbours(archipelago_.islands().size())[number_];
             if (!std::ranges::is_permutation(expected, self().neighbours))
-                refuse("topology", fmt::format("\"{}\" is connected to {}, but has the neighbours {} in the topology "
-                                               "\"{}\" of {} islands",
+                refuse("topology", fmt::format("\"{}\" is connected to {}, but to {} in the topology \"{}\" of {} "
+                                               "islands",
                                                process_.name, names(self().neighbours), names(expected),
                                                topology.text(), archipelago_.islands().size()));
         } catch (const UserError& does_not_fit) {

@@ -15,7 +15,6 @@ namespace placedpar {
 namespace {
 
 constexpr std::size_t samples_per_bit = 4;
-constexpr double change_begins = 200, change_lasts = 200;
 
 void validate_experiment(const PlantExperiment& experiment) {
     if (experiment.window == 0)
@@ -89,17 +88,17 @@ private:
 
 Pole pole_of(double a1, double a2) { return {a1 / 2, std::sqrt(-a2 - a1 * a1 / 4)}; }
 
-double a1_at(PlantChange change, double generation) {
-    if (change == PlantChange::none || generation < change_begins)
-        return 1.5;
-    if (change == PlantChange::step)
-        return 0.5;
-    return 1.5 - std::min((generation - change_begins) / change_lasts, 1.0);
+double a1_at(const PlantChange& change, double generation) {
+    constexpr double at_first = Plant().a1;
+    if (generation < change.from)
+        return at_first;
+    double share = change.lasts > 0 ? std::min((generation - change.from) / change.lasts, 1.0) : 1;
+    return at_first + share * (change.a1 - at_first);
 }
 
 std::vector<std::vector<double>> plant_record(const PlantExperiment& experiment, RandomStream random) {
     validate_experiment(experiment);
-    std::size_t all = experiment.settling + experiment.window - 1 + experiment.samples();
+    std::size_t all = experiment.settling + experiment.record_length();
     PlantRun run(experiment, all, random);
     std::vector<std::vector<double>> record;
     for (std::size_t k = experiment.settling; k < all; ++k)

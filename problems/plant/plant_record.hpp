@@ -25,15 +25,20 @@ struct Pole {
 };
 Pole pole_of(double a1, double a2);
 
-/// How a1 changes during an experiment. Table 5.4 prints a1 = -1.5 + 1.0 (gen - 200), where the sign is that of
-/// A(q^-1), and the plant would not be stable for a second generation: here the way from one to the other takes as long
-/// as the table says.
-enum class PlantChange : unsigned char {
-    none,
-    ramp, ///< a1 = 1.5 - (gen - 200) / 200 from generation 200 to 400
-    step, ///< a1 = 0.5 from generation 200 on
+/// How a1 changes during an experiment, from 1.5 in a straight line. By default as in Table 5.4, which prints a1 = -1.5
+/// + 1.0 (gen - 200), where the sign is that of A(q^-1), and the plant would not be stable for a second generation:
+/// here the way from one to the other takes as long as the table says, a1 = 1.5 - (gen - 200) / 200 until generation
+/// 400.
+struct PlantChange {
+    double a1 = 0.5;    ///< in the end
+    double from = 200;  ///< generation
+    double lasts = 200; ///< generations; 0: at once
+
+    static const PlantChange none, ramp, step;
 };
-double a1_at(PlantChange change, double generation);
+inline constexpr PlantChange PlantChange::none{.a1 = 1.5}, PlantChange::ramp{}, PlantChange::step{.lasts = 0};
+
+double a1_at(const PlantChange& change, double generation);
 
 /// An experiment on the plant as chapter 5 describes it: input +-1 by pseudo random bits of four samples.
 struct PlantExperiment {
@@ -45,8 +50,10 @@ struct PlantExperiment {
     std::size_t window = 30;        ///< samples that are there at generation 0
     std::size_t settling = 80;      ///< samples before these, which nobody sees
 
-    /// Samples that arrive from generation 0 on.
+    /// Samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
     std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }
+    /// In all of the record.
+    std::size_t record_length() const { return window - 1 + samples(); }
 };
 
 /// A sample of the plant: y(k), y(k-1), y(k-2), u(k-1), ..., u(k-6).

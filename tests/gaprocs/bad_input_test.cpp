@@ -1,6 +1,8 @@
 // What nobody should ask for, and what comes of it.
 
+#include "gaprocs/islands.hpp"
 #include "gaprocs/objective_problem.hpp"
+#include "gaprocs/problem_registry.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "tests/gaprocs/cluster.hpp"
@@ -9,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -99,6 +102,59 @@ TEST_CASE("a window longer than the record is refused, in the library and before
         run_traditional(*make_search_problem(LineProblem{}), line_record(12), settings, RandomStream(1, "bad")),
         "the window holds 13 samples, the record only 12", UserError);
     mentions(refusal_of_master("window = 13"), "error: the window holds 13 samples, the record of \"line\" only 12");
+}
+
+TEST_CASE("numbers that a policy does not have are refused, also where it was made as a struct") {
+    CHECK(refusal_of_settings([](SearchSettings& s) { s.reproduction = RankingReproduction{.best = 5}; }) ==
+          "best = 5 is out of range: best is a number from 1 to 2");
+    CHECK(refusal_of_settings([](SearchSettings& s) { s.reproduction = RankingReproduction{.best = std::nan("")}; }) ==
+          "best = nan is out of range: best is a number from 1 to 2");
+    CHECK(refusal_of_settings([](SearchSettings& s) { s.reproduction = TournamentReproduction{.size = 0}; }) ==
+          "size = 0 is out of range: size is a whole number from 1 to 1000000");
+    mentions(refusal_of_master("reproduction = \"ranking(5)\""), "best = 5 is out of range");
+    auto sphere = minimise(PlainSphere{});
+    IslandsSettings settings;
+    settings.islands.assign(2, usual_settings(*sphere));
+    settings.emigration = BestEmigration{.count = 0};
+    CHECK_THROWS_WITH_AS(run_islands(*sphere, 3, settings, island_streams(1, 2)),
+                         "count = 0 is out of range: count is a whole number from 1 to 1000000", UserError);
+}
+
+TEST_CASE("a sample of another size than the problem's is refused before it is read") {
+    auto line = make_search_problem(LineProblem{});
+    auto record = line_record(12);
+    record[7].pop_back();
+    CHECK_THROWS_WITH_AS(run_traditional(*line, record, SearchSettings(), RandomStream(1, "bad")),
+                         "sample 7 has 1 numbers, expected 2", std::invalid_argument);
+    IslandsSettings settings;
+    settings.islands.assign(2, SearchSettings());
+    CHECK_THROWS_WITH_AS(run_islands(*line, record, settings, island_streams(1, 2)),
+                         "sample 7 has 1 numbers, expected 2", std::invalid_argument);
+}
+
+TEST_CASE("what is no number in a record, or of a user's error, is as bad as can be and ends nothing") {
+    auto line = make_search_problem(LineProblem{});
+    auto record = line_record(12);
+    for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        record.back().front() = bad;
+        auto result = run_traditional(*line, record, SearchSettings(), RandomStream(1, "bad"));
+        CHECK(result.estimates.back().best.fitness < 0);
+        CHECK(std::isfinite(result.estimates.back().best.fitness));
+    }
+}
+
+TEST_CASE("bounds reversed and zero bits of a program's own problem are the netlist's error, with its name") {
+    ProblemRegistry problems;
+    auto make = [](const std::vector<double>& numbers) {
+        return minimise(Reversed{.bits = static_cast<std::size_t>(numbers[0])});
+    };
+    problems.add(ProblemFamily{{"own", "", {{"bits", 4, 0, 9, true}}}, make});
+    CHECK_THROWS_WITH_AS(problems.find("own"),
+                         "search problem 'own(bits = 4)': parameter 0: the range is 5 to -5, expected a lower and a "
+                         "higher number",
+                         UserError);
+    CHECK_THROWS_WITH_AS(problems.find("own(0)"),
+                         "search problem 'own(bits = 0)': parameter 0: 0 bits, expected 1 to 52", UserError);
 }
 
 TEST_CASE("an odd population is as good as any, of whatever strings") {

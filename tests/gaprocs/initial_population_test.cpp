@@ -55,6 +55,8 @@ TEST_CASE("a line that is no string is refused at its place") {
     CHECK(refused.find("placed") != refused.npos);
     CHECK(refused.find(":2:1: error: \"01012\" is no string of 4 characters 0 and 1\n    01012\n    ^") !=
           refused.npos);
+    CHECK(refusal_of_file("  # a comment\n 012 # none\n").find(":2:2: error: \"012 # none\" is no string of") !=
+          refused.npos);
     CHECK_THROWS_AS(load_population("there/is/none", BitString(4)), RefusedInput);
 }
 
@@ -78,6 +80,24 @@ TEST_CASE("a search begins with what it is given, the rest drawn at random") {
     settings.initial = {Genome(3)};
     CHECK_THROWS_WITH_AS(Search(orders, settings, RandomStream(1, "initial")),
                          "an initial individual has 3 bits, expected 576", UserError);
+}
+
+TEST_CASE("what is wrong with a netlist's file is shown once, at its place there; then whose file it is") {
+    PopulationFile file("0 1 2 3 4 5 6 7 8\n0 1 2\n");
+    Cluster cluster{.slaves = 0,
+                    .master_parameters = fmt::format("initial = \"{}\"", file.path().string()),
+                    .problem = "seats",
+                    .host_parameters = "generations = 1"};
+    std::string refused;
+    try {
+        run_on_line(cluster.netlist());
+    } catch (const RefusedInput& shown) {
+        refused = shown.what();
+    }
+    CHECK(refused.starts_with(file.path().string() +
+                              ":2:1: error: \"0 1 2\" has 3 numbers, expected 9\n    0 1 2\n    ^\n"));
+    CHECK(refused.find("note: read by process master") != refused.npos);
+    CHECK(refused.find("0 1 2\" has") == refused.rfind("0 1 2\" has"));
 }
 
 TEST_CASE("a netlist names the file") {

@@ -36,6 +36,24 @@ TEST_CASE("what cannot be registered is refused with a reason") {
                          std::invalid_argument);
 }
 
+TEST_CASE("a family of problems with records makes each record once, by its numbers") {
+    int made = 0;
+    ProblemFamily lines{{"lines", "", {{"samples", 3, 1, 9, true}}},
+                        [](const std::vector<double>&) { return make_search_problem(LineProblem{}); },
+                        [&](const std::vector<double>& numbers) {
+                            auto samples = static_cast<std::size_t>(numbers[0]);
+                            return RecordToMake{samples, [&made, samples] { return ++made, line_record(samples); }};
+                        }};
+    ProblemRegistry registry;
+    registry.add(lines);
+    CHECK(registry.find("lines").samples() == 3);
+    CHECK(registry.find("lines(5)").samples() == 5);
+    CHECK(made == 0);
+    CHECK(registry.find("lines(5)").record() == line_record(5));
+    CHECK(registry.find("lines(samples = 5)").record() == line_record(5));
+    CHECK(made == 1);
+}
+
 TEST_CASE("a record that is to be made is made once, when it is first read") {
     int made = 0;
     auto make = [&] {

@@ -148,6 +148,12 @@ TEST_CASE("what a process refuses is the user's error at its place; its defects 
                              throw std::invalid_argument("a population of -1");
                          }),
                          "m.cfs:1:17: process p (mine) at 7.000000 us: a population of -1", std::logic_error);
+    CHECK_THROWS_WITH_AS(run([] { throw RefusedInput("data.txt:2:1: error: no number\n"); }),
+                         "data.txt:2:1: error: no number\n"
+                         "m.cfs:1:17: note: read by process p (mine)\n"
+                         "    T800 a; process p; use \"mine\" for p; place p on a;\n"
+                         "                    ^\n",
+                         RefusedInput);
     CHECK_THROWS_AS(run([] { throw std::system_error(std::make_error_code(std::errc::no_space_on_device)); }),
                     std::system_error);
 }

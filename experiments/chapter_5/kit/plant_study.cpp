@@ -20,7 +20,7 @@ constexpr std::size_t plotted_every = 5;
 
 // The figures of a run: its two of diversity, then of each track those of TrackingFigures and of every fifth pole.
 
-void append_track(Figures& figures, const std::vector<Pole>& found, PlantChange change) {
+void append_track(Figures& figures, const std::vector<Pole>& found, const PlantChange& change) {
     TrackingFigures tracking = track(found, change);
     figures.insert(figures.end(), tracking.begin(), tracking.end());
     for (std::size_t generation = 0; generation < found.size(); generation += plotted_every)

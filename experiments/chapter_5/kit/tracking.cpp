@@ -16,7 +16,7 @@ constexpr std::size_t change_generation = 200, longest_delay = 400, longest_lag 
 // Where the found alpha is compared with the true one shifted.
 constexpr std::size_t lag_from = 150;
 
-Pole true_pole(PlantChange change, std::size_t generation) {
+Pole true_pole(const PlantChange& change, std::size_t generation) {
     return pole_of(a1_at(change, static_cast<double>(generation)), Plant{}.a2);
 }
 
@@ -29,7 +29,7 @@ double running_median(std::span<const Pole> found, std::size_t generation) {
 }
 
 /// Where alpha is when it has gone that share of its way.
-double alpha_on_the_way(PlantChange change, double share) {
+double alpha_on_the_way(const PlantChange& change, double share) {
     double before = true_pole(change, 0).alpha, after = true_pole(change, 600).alpha;
     return before + share * (after - before);
 }
@@ -41,7 +41,7 @@ double delay_until(std::span<const Pole> found, double alpha) {
     return longest_delay;
 }
 
-double best_lag(std::span<const Pole> found, PlantChange change) {
+double best_lag(std::span<const Pole> found, const PlantChange& change) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t lag = 0; lag <= longest_lag; ++lag) {
@@ -63,7 +63,7 @@ double squared_distance(const Pole& one, const Pole& other) {
     return real * real + imaginary * imaginary;
 }
 
-double pole_error(std::span<const Pole> found, PlantChange change, std::size_t first, std::size_t end) {
+double pole_error(std::span<const Pole> found, const PlantChange& change, std::size_t first, std::size_t end) {
     double squares = 0;
     for (std::size_t g = first; g < end; ++g)
         squares += squared_distance(found[g], true_pole(change, g));
@@ -79,7 +79,7 @@ double deviation_in_time(std::span<const Pole> found, std::size_t first, std::si
 
 } // namespace
 
-TrackingFigures track(std::span<const Pole> found, PlantChange change) {
+TrackingFigures track(std::span<const Pole> found, const PlantChange& change) {
     return {delay_until(found, alpha_on_the_way(change, 0.2)),
             delay_until(found, alpha_on_the_way(change, 0.63)),
             best_lag(found, change),

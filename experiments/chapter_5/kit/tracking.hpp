@@ -23,7 +23,7 @@ inline constexpr std::size_t tracking_figures = 8;
 using TrackingFigures = std::array<double, tracking_figures>;
 
 /// Of the pole that was found in each generation of Table 5.4. REQUIRES: 600 generations or more.
-TrackingFigures track(std::span<const Pole> found, PlantChange change);
+TrackingFigures track(std::span<const Pole> found, const PlantChange& change);
 
 /// A pole nearer than this was found.
 inline constexpr double found_pole = 0.1;

@@ -10,14 +10,14 @@ using namespace placedpar;
 namespace {
 
 /// The true pole, `late` generations late.
-std::vector<Pole> late_by(double late, PlantChange change) {
+std::vector<Pole> late_by(double late, const PlantChange& change) {
     std::vector<Pole> found;
     for (int generation = 0; generation <= 600; ++generation)
         found.push_back(pole_of(a1_at(change, generation - late), Plant{}.a2));
     return found;
 }
 
-double figure(const std::vector<Pole>& found, PlantChange change, Tracking which) {
+double figure(const std::vector<Pole>& found, const PlantChange& change, Tracking which) {
     return track(found, change)[static_cast<std::size_t>(which)];
 }
 

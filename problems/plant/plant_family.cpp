@@ -1,0 +1,66 @@
+#include "problems/plant/plant_family.hpp"
+
+#include "problems/plant/plant_problem.hpp"
+#include "problems/plant/plant_record.hpp"
+#include "runtime/random.hpp"
+
+namespace placedpar {
+
+namespace {
+
+/// A plant, with what its parameters are when its record ends.
+struct SimulatedPlant : PlantProblem {
+    double a1;
+
+    std::vector<double> true_parameters() const { return placedpar::parameters_of(Plant{.a1 = a1}); }
+};
+
+/// The numbers of an experiment.
+struct PlantFamily {
+    static constexpr std::string_view name = "plant",
+                                      about = "chapter 5's plant with a change of a1 and noise e: identified";
+    double a1 = PlantChange().a1, from = PlantChange().from, lasts = PlantChange().lasts;
+    double noise = PlantExperiment().noise, c1 = 0, c2 = 0;
+    std::size_t generations = PlantExperiment().generations, per_sample = PlantExperiment().per_sample;
+
+    static constexpr auto numbers() {
+        constexpr double widest = 1.67; // with a2 = -.7 the poles are a complex pair
+        return std::tuple(
+            PolicyNumber{"a1", &PlantFamily::a1, -widest, widest}, PolicyNumber{"from", &PlantFamily::from, 0, 1e6},
+            PolicyNumber{"lasts", &PlantFamily::lasts, 0, 1e6}, PolicyNumber{"noise", &PlantFamily::noise, 0, 1e3},
+            PolicyNumber{"c1", &PlantFamily::c1, -10, 10}, PolicyNumber{"c2", &PlantFamily::c2, -10, 10},
+            PolicyNumber{"generations", &PlantFamily::generations, 1, 1e6},
+            PolicyNumber{"per_sample", &PlantFamily::per_sample, 1, 1e3});
+    }
+
+    PlantExperiment experiment() const {
+        return {.change = {.a1 = a1, .from = from, .lasts = lasts},
+                .noise = noise,
+                .colour = {c1, c2},
+                .generations = generations,
+                .per_sample = per_sample};
+    }
+};
+
+PlantExperiment experiment_of(const std::vector<double>& numbers) {
+    return make_policy<PlantFamily>(numbers).experiment();
+}
+
+std::shared_ptr<const SearchProblem> plant_with(const std::vector<double>& numbers) {
+    PlantExperiment experiment = experiment_of(numbers);
+    return make_search_problem(
+        SimulatedPlant{{}, a1_at(experiment.change, static_cast<double>(experiment.generations))});
+}
+
+} // namespace
+
+ProblemFamily plant_family(std::uint64_t seed) {
+    auto record = [seed](const std::vector<double>& numbers) {
+        PlantExperiment experiment = experiment_of(numbers);
+        auto make = [=] { return plant_record(experiment, RandomStream(seed, "record of the plant")); };
+        return RecordToMake{experiment.record_length(), make};
+    };
+    return {describe_policy<PlantFamily>(), plant_with, record};
+}
+
+} // namespace placedpar

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "gaprocs/problem_family.hpp"
+
+#include <cstdint>
+
+namespace placedpar {
+
+/// Identification of chapter 5's plant as netlists name it: "plant", "plant(noise = 0.3)", "plant(lasts = 0)". By
+/// default it is PlantExperiment's. The seed is that of the records.
+ProblemFamily plant_family(std::uint64_t seed);
+
+} // namespace placedpar
