@@ -26,35 +26,64 @@ struct Numbered {
     WireForm wire_form() const { return bytes > 2 ? WireForm(bytes - 2, 2) : WireForm(bytes); }
 };
 
-/// Senders, each on a link of its own, and one receiver, which takes their messages as it pleases.
+/// Senders, each on a link of its own, and one receiver, which takes their messages as it pleases. Beside them, on the
+/// same processors, others compute, and others send over the links in the other direction; all at any priority.
 class Program {
 public:
     explicit Program(std::uint64_t seed, bool every_byte) : random_(seed, "alternation over links") {
         std::size_t senders = 1 + random_.below(3);
         bool placed = random_.chance(0.5);
+        Processor* receiver = placed ? &simulation_.add<Processor>("receiver") : nullptr;
         for (std::size_t i = 0; i < senders; ++i)
-            add_sender(i, placed, every_byte);
+            add_sender(i, receiver, every_byte);
         left_ = sent_;
-        Processor* t800 = placed ? &simulation_.add<Processor>("receiver") : nullptr;
         simulation_.process(
-            "receiver", [this] { receive_all(); }, t800);
+            "receiver", [this] { receive_all(); }, receiver, some_priority());
+        add_computing(receiver);
     }
     RunResult run() { return simulation_.run(); }
     const std::vector<Time>& times() const { return times_; }
 
 private:
-    void add_sender(std::size_t i, bool placed, bool every_byte) {
+    Priority some_priority() { return random_.chance(0.5) ? Priority::high : Priority::low; }
+
+    void add_sender(std::size_t i, Processor* receiver, bool every_byte) {
         Link& link = simulation_.add<Link>(LinkTiming{.wire_delay = std::chrono::nanoseconds{random_.below(200)}});
-        auto& direction = random_.chance(0.5) ? link.from_a_to_b() : link.from_b_to_a();
+        bool forth = random_.chance(0.5);
+        auto& direction = forth ? link.from_a_to_b() : link.from_b_to_a();
+        auto& back = forth ? link.from_b_to_a() : link.from_a_to_b();
         if (every_byte)
-            direction.simulate_every_byte();
+            direction.simulate_every_byte(), back.simulate_every_byte();
         channels_.emplace_back(fmt::format("link {}", i)).put_on(direction);
         inputs_.push_back(channels_.back().in());
         sent_.push_back(1 + static_cast<int>(random_.below(6)));
         received_.push_back(0);
-        Processor* t800 = placed ? &simulation_.add<Processor>(fmt::format("sender {}", i)) : nullptr;
+        Processor* t800 = receiver ? &simulation_.add<Processor>(fmt::format("sender {}", i)) : nullptr;
         simulation_.process(
-            fmt::format("sender {}", i), [this, i] { send_all(i); }, t800);
+            fmt::format("sender {}", i), [this, i] { send_all(i); }, t800, some_priority());
+        if (random_.chance(0.5))
+            add_traffic(back, receiver, t800);
+        add_computing(t800);
+    }
+
+    /// The other way, from the receiver's processor to the sender's.
+    void add_traffic(Carrier& direction, Processor* from, Processor* to) {
+        channels_back_.emplace_back("back").put_on(direction);
+        auto out = channels_back_.back().out();
+        auto in = channels_back_.back().in();
+        std::uint32_t bytes = 1 + random_.below(60);
+        simulation_.process(
+            "sends back", [out, bytes] { out.output({1, bytes}), out.output({2, bytes}); }, from, some_priority());
+        simulation_.process(
+            "receives back", [in] { CHECK(in.input().number + in.input().number == 3); }, to, some_priority());
+    }
+
+    void add_computing(Processor* t800) {
+        auto cycles = Cycles{random_.below(30'000)};
+        if (t800 && random_.chance(0.5))
+            simulation_.process(
+                "computes", [cycles] { compute(cycles), wait_for(std::chrono::microseconds{3}), compute(cycles); },
+                t800, some_priority());
     }
 
     void send_all(std::size_t sender) {
@@ -104,7 +133,7 @@ private:
 
     Simulation simulation_;
     RandomStream random_;
-    std::deque<Channel<Numbered>> channels_;
+    std::deque<Channel<Numbered>> channels_, channels_back_;
     std::vector<Input<Numbered>> inputs_;
     std::vector<int> sent_, left_, received_;
     std::vector<Time> times_;
