@@ -9,9 +9,14 @@ namespace placedpar::hardware {
 /// How long the bits of a link take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
 /// acknowledge 2 (databook, 3rd ed. 1992, 1.4); with overlapped acknowledges one is sent 5 to 6 bit periods
 /// after the start of the byte, and the next byte starts 5 to 6 after the acknowledge (D. Jeffery,
-/// comp.sys.transputer, 13 March 1989). Within those ranges the values below give the databook's table 8.1
-/// (T805): 1740 and 2350 Kbyte/s at 20 Mbit/s, and its figures at 10 and 5 Mbit/s, for which part of the
-/// restart is taken as logic that does not slow down with the link.
+/// comp.sys.transputer, 13 March 1989).
+///
+/// Within those ranges two values are fitted to what was measured of whole links, at 20 Mbit/s. A byte one way takes
+/// 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
+/// comp.sys.transputer, January 1991), 11.25 by the ping-pong of Poznan (2008), and 21.5 there through three
+/// switches, which leaves 11.0 without them: these contradict each other by up to 5 %, and 11.2 is within 3 % of each.
+/// Both ways it takes 17.0 (2350 Kbyte/s in sum): 11 and the restart. At 10 and 5 Mbit/s it takes less, so that part of
+/// the restart is taken as logic that does not slow down with the link.
 struct LinkTiming {
     std::int64_t bits_per_second = 20'000'000;
     Time wire_delay{};                  ///< one way, of wire and switches
@@ -24,15 +29,15 @@ struct LinkTiming {
     constexpr Time acknowledge() const { return duration_of(acknowledge_bits, bits_per_second); }
 
     /// From the start of a byte at the receiver to the start of its acknowledge, if a process takes the byte
-    /// and the wire is free: 5.5 bit periods; without overlap, counted from the end of the byte.
+    /// and the wire is free: 5.2 bit periods; without overlap, counted from the end of the byte.
     constexpr Time acknowledge_latency() const {
-        Time latency = duration_of(55, 10 * bits_per_second);
+        Time latency = duration_of(52, 10 * bits_per_second);
         return overlapped_acknowledge ? latency : data() + latency;
     }
     /// From the start of the acknowledge at the sender to the start of the next byte: 6 bit periods at
     /// 20 Mbit/s; without overlap, counted from the end of the acknowledge.
     constexpr Time restart_latency() const {
-        Time latency = duration_of(32, 10 * bits_per_second) + std::chrono::nanoseconds{140};
+        Time latency = duration_of(36, 10 * bits_per_second) + std::chrono::nanoseconds{120};
         return overlapped_acknowledge ? latency : acknowledge() + latency;
     }
     /// From the start of a byte to the start of the next when the other direction is quiet and the receiver ready.

@@ -185,8 +185,8 @@ class Replay(unittest.TestCase):
         shutil.copytree(EXAMPLES, examples)
         workload = examples / "thesis" / "workload.inc"
         text = workload.read_text(encoding="utf-8")
-        self.assertIn("cycles_per_measurement_word 127", text)
-        workload.write_text(text.replace("cycles_per_measurement_word 127", "cycles_per_measurement_word 400"),
+        self.assertIn("cycles_per_measurement_word 134", text)
+        workload.write_text(text.replace("cycles_per_measurement_word 134", "cycles_per_measurement_word 400"),
                             encoding="utf-8")
         run, document = replay("table-e1", self.folder, environment={"PLACEDPAR_EXAMPLES": str(examples)})
         self.assertEqual(run.returncode, 3, run.stdout)

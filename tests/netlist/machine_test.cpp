@@ -38,12 +38,12 @@ double rate(const std::string& from, const std::string& to) {
 
 TEST_CASE("links of transputers that do not overlap acknowledges carry 0.8 Mbyte/s, others 1.74") {
     for (const char* type : {"T800", "T805", "T801", "T425", "T400", "T222", "T225", "t800", "B404"})
-        CHECK(rate(type, "T800") == doctest::Approx(1740).epsilon(0.01));
+        CHECK(rate(type, "T800") == doctest::Approx(1740).epsilon(0.03));
     for (const char* type : {"T414", "t414", "T212", "B402", "M212"}) {
-        CHECK(rate(type, "T800") == doctest::Approx(800).epsilon(0.03));
-        CHECK(rate("T800", type) == doctest::Approx(800).epsilon(0.03));
+        CHECK(rate(type, "T800") == doctest::Approx(800).epsilon(0.06));
+        CHECK(rate("T800", type) == doctest::Approx(800).epsilon(0.06));
     }
-    CHECK(rate("processor (type = \"T414\")", "T414") == doctest::Approx(800).epsilon(0.03));
+    CHECK(rate("processor (type = \"T414\")", "T414") == doctest::Approx(800).epsilon(0.06));
 }
 
 TEST_CASE("what can be shown but not run says where it is") {

@@ -184,8 +184,8 @@ TEST_CASE("over a link an alternation is woken by the first byte of a message") 
     });
     CHECK(simulation.run().ending == Ending::completed);
     CHECK(woken == std::chrono::nanoseconds{550});
-    // Its acknowledge goes out at 550 ns instead of 275; then 6 bits to the next byte, and 575 ns a byte.
-    CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 575 + 550});
+    // Its acknowledge goes out at 550 ns instead of 260; then 6 bits to the next byte, and 560 ns a byte.
+    CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 560 + 550});
 }
 
 TEST_CASE("a timeout that is due already does not keep others from running, nor an interruption from being seen") {

@@ -43,7 +43,7 @@ TEST_CASE("a message over a link takes its time on the wire") {
     Time at{};
     simulation.process("receiver", [&] { c.in().input(), at = now(); });
     CHECK(simulation.run().ending == Ending::completed);
-    CHECK(at == 3 * std::chrono::nanoseconds{575} + std::chrono::nanoseconds{550});
+    CHECK(at == 3 * std::chrono::nanoseconds{560} + std::chrono::nanoseconds{550});
 }
 
 TEST_CASE("devices of any class are destroyed after the processes, the last one first") {

@@ -9,8 +9,8 @@ std::int64_t whole_ns(Time t) { return t.count() / 1000; }
 } // namespace
 
 BitModel::BitModel(const hardware::LinkTiming& timing, const std::array<Traffic, 2>& traffic)
-    : bit_(1'000'000'000 / timing.bits_per_second), delay_(whole_ns(timing.wire_delay)), notice_after_(bit_ * 11 / 2),
-      restart_after_(bit_ * 32 / 10 + 140), traffic_(traffic) {
+    : bit_(1'000'000'000 / timing.bits_per_second), delay_(whole_ns(timing.wire_delay)), notice_after_(bit_ * 52 / 10),
+      restart_after_(bit_ * 36 / 10 + 120), traffic_(traffic) {
     if (!timing.overlapped_acknowledge) {
         notice_after_ += bits(11);
         restart_after_ += bits(2);

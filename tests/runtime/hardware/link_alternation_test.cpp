@@ -73,7 +73,11 @@ private:
         auto in = channels_back_.back().in();
         std::uint32_t bytes = 1 + random_.below(60);
         simulation_.process(
-            "sends back", [out, bytes] { out.output({1, bytes}), out.output({2, bytes}); }, from, some_priority());
+            "sends back",
+            [out, bytes] {
+                out.output({1, bytes}), out.output({2, bytes});
+            },
+            from, some_priority());
         simulation_.process(
             "receives back", [in] { CHECK(in.input().number + in.input().number == 3); }, to, some_priority());
     }

@@ -101,11 +101,11 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
         CHECK(processor->time_busy() >= least);
         CHECK(processor->time_busy() <= least + 2 * 19 * cycle);
     }
-    Time on_link = 103 * nanoseconds{575} + nanoseconds{550};
+    Time on_link = 103 * nanoseconds{560} + nanoseconds{550};
     // The inputting process has low priority: b has handled the acknowledge packet before it goes on.
     CHECK(input >= on_link + 3 * 200 * cycle);
     CHECK(input <= on_link + (3 * 200 + 6 * 19) * cycle);
-    Time back_on_link = 3 * nanoseconds{575} + nanoseconds{550};
+    Time back_on_link = 3 * nanoseconds{560} + nanoseconds{550};
     CHECK(output - input >= back_on_link + 200 * cycle);
     CHECK(output - input <= back_on_link + (200 + 3 * 19) * cycle);
 }
