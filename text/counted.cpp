@@ -9,4 +9,9 @@ std::string counted(std::size_t count, std::string_view one, std::string_view mo
                        count == 1 || !more.empty() ? "" : "s");
 }
 
+std::string with_article(std::string_view noun) {
+    bool vowel = !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+    return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
 } // namespace placedpar

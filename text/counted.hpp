@@ -8,5 +8,7 @@ namespace placedpar {
 
 /// "1 process", "2 processes"; without a plural of its own, "2 wires".
 std::string counted(std::size_t count, std::string_view one, std::string_view more = "");
+/// "a channel", "an input": by the first letter, in lower case.
+std::string with_article(std::string_view noun);
 
 } // namespace placedpar

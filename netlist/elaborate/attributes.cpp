@@ -24,7 +24,7 @@ void refuse_repeated(const std::vector<Setting>& settings, Reporter& reporter) {
         auto [known, is_new] = first.emplace(setting.name, setting.at);
         if (is_new)
             continue;
-        reporter.error(setting.at, fmt::format("the attribute \"{}\" is given twice", setting.name), "",
+        reporter.error(setting.at, fmt::format("\"{}\" is given twice", setting.name), "",
                        {first_given(known->second)});
         throw StatementRefused{};
     }

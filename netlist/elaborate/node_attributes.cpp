@@ -1,5 +1,6 @@
 #include "netlist/elaborate/attribute_value.hpp"
 #include "netlist/elaborate/attributes.hpp"
+#include "text/counted.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -60,12 +61,6 @@ std::vector<std::string> attribute_names(const DeviceKind& kind) {
         names.push_back(attribute.value.name);
     names.insert(names.end(), kind.kept.begin(), kind.kept.end());
     return names;
-}
-
-/// "a C004", "an edge".
-std::string with_article(const std::string& type) {
-    bool vowel = std::string_view("aeiou").find(type[0]) != std::string_view::npos;
-    return (vowel ? "an " : "a ") + type;
 }
 
 void apply_attribute(NodeType& type, const Setting& setting, Reporter& reporter) {

@@ -1,5 +1,6 @@
 #include "netlist/language/parser.hpp"
 
+#include "text/counted.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +26,6 @@ const std::vector<std::string>& statement_words() {
     static const std::vector<std::string> words{"val",    "define", "connection", "connect", "process", "input",
                                                 "output", "use",    "place",      "rep",     "if"};
     return words;
-}
-
-/// Of what the statements are called.
-std::string with_its_article(std::string_view statement) {
-    return fmt::format("{} {}", statement.starts_with('i') || statement.starts_with('o') ? "an" : "a", statement);
 }
 
 /// Where a word of the language stands that begins no statement.
@@ -122,10 +118,10 @@ void Parser::expect_semicolon(std::string_view statement) {
     const auto& next = tokens_.peek();
     bool illegal = next.kind == TokenKind::illegal || !(on_another_line() || statement_is_over());
     if (illegal)
-        refuse(next.at, fmt::format("illegal token in {} statement: {}", with_its_article(statement), describe(next)),
+        refuse(next.at, fmt::format("illegal token in {} statement: {}", with_article(statement), describe(next)),
                "a statement ends with \";\"");
     reporter_.error(tokens_.behind_last(),
-                    fmt::format("\";\" is missing at the end of {} statement", with_its_article(statement)));
+                    fmt::format("\";\" is missing at the end of {} statement", with_article(statement)));
     if (next.kind != TokenKind::name && !statement_is_over())
         throw StatementRefused{};
 }
