@@ -12,8 +12,9 @@ target_compile_features(placedpar_options INTERFACE cxx_std_20)
 target_compile_options(placedpar_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off
     -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # source locations name no folder of the builder's
-if(CMAKE_UNITY_BUILD AND CMAKE_UNITY_BUILD_BATCH_SIZE EQUAL 0)
-    # A room compiled as one source, as CI's sanitizers do: what one file names at its scope may be shadowed in another.
+if(CMAKE_UNITY_BUILD)
+    # What one file names at its scope may be shadowed in another that is compiled with it; which these are changes with
+    # every new file. A build of single files keeps the warning.
     target_compile_options(placedpar_options INTERFACE -Wno-shadow)
 endif()
 if(PLACEDPAR_WARNINGS_AS_ERRORS)

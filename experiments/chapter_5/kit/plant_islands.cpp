@@ -50,9 +50,9 @@ double mean_difference(std::span<const Genome> population) {
     return sum;
 }
 
-class PlantSearch {
+class IslandsOnPlant {
 public:
-    PlantSearch(const PlantIslands& plant, std::uint64_t seed)
+    IslandsOnPlant(const PlantIslands& plant, std::uint64_t seed)
         : plant_(plant), problem_(make_search_problem(PlantProblem(), plant.coding)),
           record_(plant_samples(plant.plant, seed)),
           islands_(*problem_, settings_of(plant), island_streams(seed, plant.windows.size())) {
@@ -134,7 +134,7 @@ std::vector<std::vector<double>> plant_samples(const PlantExperiment& plant, std
 }
 
 PlantSearchRun search_plant(const PlantIslands& islands, std::uint64_t seed) {
-    return PlantSearch(islands, seed).run();
+    return IslandsOnPlant(islands, seed).run();
 }
 
 } // namespace placedpar
