@@ -1,6 +1,6 @@
 #include "runtime/stack_overflow.hpp"
 
-#include "runtime/switched_stack.hpp"
+#include "runtime/stack_arena.hpp"
 
 #include <unistd.h>
 
@@ -74,8 +74,9 @@ StackOverflowWatch::~StackOverflowWatch() {
 void report_stack_overflow(const StackUser& user) noexcept {
     write_error(user.is_component ? "a component of process " : "process ");
     write_error(user.process);
-    write_error(" has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, which belong "
-                "on the heap (std::vector)\n");
+    write_error(Stack::bytes == 256 * 1024 ? " has used up its stack of 256 Kbyte"
+                                           : " has used up its stack of 1 Mbyte");
+    write_error(": it calls itself without end, or has large arrays, which belong on the heap (std::vector)\n");
 }
 
 } // namespace placedpar

@@ -75,6 +75,16 @@ bool says(const std::string& text, const std::string& part) {
     return found;
 }
 
+/// Each slave at a channel of the master's own.
+auto star_statements() {
+    auto lines = statements();
+    lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
+    lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master;";
+    lines.at("from slaves") = "connect slave[0].to_master to master.from_slaves[0];";
+    lines.at("from next") = "connect slave[1].to_master to master.from_slaves[1];";
+    return lines;
+}
+
 } // namespace
 
 TEST_CASE("the netlist that the refused ones differ from is good") {
@@ -151,11 +161,7 @@ TEST_CASE("slaves in a circle, which no master reaches, are refused once") {
 }
 
 TEST_CASE("a tree has no loose ends") {
-    auto lines = statements();
-    lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
-    lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master;";
-    lines.at("from slaves") = "connect slave[0].to_master to master.from_slaves[0];";
-    lines.at("from next") = "connect slave[1].to_master to master.from_slaves[1];";
+    auto lines = star_statements();
     CHECK(refusal_of(lines).empty());
 
     auto crossed = lines;
@@ -181,11 +187,7 @@ TEST_CASE("a tree has no loose ends") {
 }
 
 TEST_CASE("as many slaves as a tree has") {
-    auto lines = statements();
-    lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
-    lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master;";
-    lines.at("from slaves") = "connect slave[0].to_master to master.from_slaves[0];";
-    lines.at("from next") = "connect slave[1].to_master to master.from_slaves[1];";
+    auto lines = star_statements();
     lines.at("master") = "master (problem = \"line\", slaves = 3);";
     says(refusal_of(lines), "farm.cfs:5:27: error: slaves = 3, but \"master.to_slaves\" leads to 2");
 }
