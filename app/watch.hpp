@@ -19,6 +19,7 @@ public:
 
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration& migration) override { log_.observe(migration); }
+    void observe(const ObservedAnswer& answer) override { log_.observe(answer); }
     /// Shows how it ended.
     void finish();
 

@@ -92,6 +92,15 @@ void GenerationLog::observe(const ObservedMigration& migration) {
                            migration.fitness, migration.accepted});
 }
 
+void GenerationLog::observe(const ObservedAnswer& answer) {
+    answers_.push_back({answer.generation,
+                        std::string(answer.analyst),
+                        number_of(answer.chosen),
+                        answer.time,
+                        {answer.names.begin(), answer.names.end()},
+                        {answer.values.begin(), answer.values.end()}});
+}
+
 void GenerationLog::wait_for_the_others(std::uint64_t generation, std::size_t search, Evaluated&& evaluated) {
     Row& row = waiting_[generation];
     row.resize(searches_.size());
@@ -131,9 +140,19 @@ std::vector<LogRow> GenerationLog::rows_of_migrations() const {
     return rows;
 }
 
+std::vector<LogRow> GenerationLog::rows_of_answers() const {
+    std::vector<LogRow> rows;
+    for (const LoggedAnswer& each : answers_)
+        for (std::size_t i = 0; i < each.values.size(); ++i)
+            rows.push_back(
+                {each.generation, each.time, each.analyst, searches_[each.chosen], each.names[i], each.values[i]});
+    std::ranges::stable_sort(rows, {}, [](const LogRow& row) { return std::pair(row.generation, row.search); });
+    return rows;
+}
+
 std::vector<LogRow> GenerationLog::rows() const {
-    std::vector<LogRow> rows, migrations = rows_of_migrations();
-    auto migration = migrations.begin();
+    std::vector<LogRow> rows, migrations = rows_of_migrations(), answers = rows_of_answers();
+    auto migration = migrations.begin(), answer = answers.begin();
     auto came_to = [&](std::string_view search, std::uint64_t generation) {
         return migration != migrations.end() && migration->search == search && migration->generation == generation;
     };
@@ -149,6 +168,8 @@ std::vector<LogRow> GenerationLog::rows() const {
         }
         if (g < all_.size())
             add_rows_of_all(rows, g + 1, all_[g]);
+        for (; answer != answers.end() && answer->generation == g + 1; ++answer)
+            rows.push_back(*answer);
     }
     rows.insert(rows.end(), migration, migrations.end()); // of a generation that was never bred
     return rows;

@@ -34,12 +34,22 @@ struct LoggedMigration {
     bool accepted;
 };
 
+/// Of an analyst, which says whose best is the answer of all.
+struct LoggedAnswer {
+    std::uint64_t generation;
+    std::string analyst;
+    std::size_t chosen; ///< a search, by number
+    std::optional<Time> time;
+    std::vector<std::string> names; ///< of the parameters
+    std::vector<double> values;
+};
+
 /// A number of the log, as data in long form: what was found where and when.
 struct LogRow {
     std::uint64_t generation; ///< from 1
     std::optional<Time> time;
     std::string_view search; ///< or "all"
-    std::string_view from;   ///< of an immigrant; else empty
+    std::string_view from;   ///< of an immigrant, or of an answer; else empty
     std::string_view quantity;
     double value;
 
@@ -56,6 +66,7 @@ public:
     /// Throw std::invalid_argument for a search that is not of the log.
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override;
+    void observe(const ObservedAnswer&) override;
 
     std::span<const std::string> searches() const { return searches_; }
     /// Are there several, which search for the same?
@@ -66,14 +77,16 @@ public:
     std::span<const LoggedGeneration> of_all() const { return all_; }
     /// Of each search in the order in which they came there.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
+    /// Of each analyst by generation.
+    std::span<const LoggedAnswer> answers() const { return answers_; }
 
     /// Is the least the best? False before the first generation.
     bool minimises(std::size_t search) const { return goals_.at(search) == Goal::minimise; }
     /// Is it searched for an objective, not over a record? False before the first generation.
     bool has_objective(std::size_t search) const { return goals_.at(search).has_value(); }
 
-    /// By generation, then by search with `all` at the end: the same rows whatever the order in which the log was told.
-    /// They refer to this.
+    /// By generation, then by search with `all` and the analysts at the end: the same rows whatever the order in which
+    /// the log was told. They refer to this.
     std::vector<LogRow> rows() const;
 
 private:
@@ -90,6 +103,7 @@ private:
     double better(std::size_t search, double a, double b) const;
     void add_to_all(const Row&);
     std::vector<LogRow> rows_of_migrations() const;
+    std::vector<LogRow> rows_of_answers() const;
 
     std::vector<std::string> searches_;
     bool compared_;
@@ -98,6 +112,7 @@ private:
     std::vector<LoggedGeneration> all_;
     std::map<std::uint64_t, Row> waiting_; ///< generations that some searches have not made yet
     std::vector<LoggedMigration> migrations_;
+    std::vector<LoggedAnswer> answers_;
 };
 
 } // namespace placedpar

@@ -36,6 +36,15 @@ struct ObservedMigration {
     bool accepted;            ///< else turned away
 };
 
+/// The one answer of several searches, as ActiveErrorAnalysis gives it.
+struct ObservedAnswer {
+    std::string_view analyst, chosen; ///< processes; the second is that whose best is the answer
+    std::uint64_t generation;         ///< of the searches, from 1
+    std::optional<Time> time;
+    std::span<const std::string> names; ///< of its parameters
+    std::span<const double> values;     ///< one for each
+};
+
 /// Is told what happens in searches, of one run at a time. It must change nothing.
 ///
 /// 1. The generations of a search come in their order, none is left out.
@@ -49,6 +58,8 @@ class SearchObserver {
 public:
     virtual void observe(const ObservedGeneration&) = 0;
     virtual void observe(const ObservedMigration&) = 0;
+    /// Of an analyst in the order of their generations.
+    virtual void observe(const ObservedAnswer&) = 0;
 
 protected:
     ~SearchObserver() = default;

@@ -39,14 +39,18 @@ std::size_t RowChoice::operator()(const ErrorsOfBest& bests, RandomStream&) cons
 }
 
 std::size_t FixedChoice::operator()(const ErrorsOfBest& bests, RandomStream&) const {
-    if (island >= bests.windows.size())
-        throw UserError(fmt::format("the answer shall be that of island {}, but there are {}: 0 to {}", island,
-                                    bests.windows.size(), bests.windows.size() - 1));
+    IslandChoice(*this).validate_for(bests.windows.size());
     return island;
 }
 
 std::size_t RandomChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {
     return random.below(static_cast<std::uint32_t>(bests.windows.size()));
+}
+
+void IslandChoice::validate_for(std::size_t islands) const {
+    if (auto fixed = std::get_if<FixedChoice>(&policy()); fixed && fixed->island >= islands)
+        throw UserError(fmt::format("the answer shall be that of island {}, but there are {}: 0 to {}", fixed->island,
+                                    islands, islands - 1));
 }
 
 std::size_t IslandChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {

@@ -57,7 +57,7 @@ struct FixedChoice {
     static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0";
     std::size_t island = 0;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6}); }
-    /// Throws UserError where there is no such island.
+    /// Throws as IslandChoice::validate_for().
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
@@ -74,6 +74,8 @@ public:
     using OneOf::OneOf;
     static IslandChoice named(std::string_view text) { return read<IslandChoice>(text); }
 
+    /// Throws UserError where it is of an island that there is not.
+    void validate_for(std::size_t islands) const;
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 

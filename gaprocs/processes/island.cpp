@@ -46,6 +46,12 @@ PortDescription from_neighbours() {
                                     "an array: one end for each island from which immigrants come, in any order")));
 }
 
+PortDescription to_analyst() {
+    using namespace description;
+    return optional(output<IslandReport>(
+        "to_analyst", "island report", "its best, after every generation in which the schedule has islands exchange"));
+}
+
 ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {
     searching.check = [&problems, check_search = std::move(searching.check)](const Network& network,
                                                                              std::size_t process) {
@@ -63,7 +69,7 @@ ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver* observe
         searching({.name = "ga.island",
                    .about = "An island of algorithm B: a genetic algorithm of its own that exchanges individuals with "
                             "its neighbours. With slaves it is a master as well (A + B).",
-                   .ports = {to_neighbours(), from_neighbours(), from_host(), to_slaves(), from_slaves()},
+                   .ports = {to_neighbours(), from_neighbours(), from_host(), to_slaves(), from_slaves(), to_analyst()},
                    .parameters = search_parameters() + farm_parameters() + exchange_parameters(),
                    .measurements = search_measurements(),
                    .together = {{"to_slaves", "from_slaves"}}},

@@ -3,6 +3,7 @@
 #include "gaprocs/policies/acceptance.hpp"
 #include "gaprocs/policies/emigration.hpp"
 #include "gaprocs/processes/archipelago.hpp"
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/slave_tree.hpp"
 #include "text/user_error.hpp"
@@ -158,10 +159,8 @@ private:
     }
 
     std::optional<std::int64_t> record_length() const {
-        const std::string& problem = text(process_, "problem");
-        if (std::ranges::count(problems_.names(), problem) == 0)
-            return std::nullopt; // which is said where the problem is named
-        return static_cast<std::int64_t>(problems_.find(problem).samples());
+        auto recorded = named_problem(problems_, process_);
+        return recorded ? std::optional(static_cast<std::int64_t>(recorded->samples())) : std::nullopt;
     }
 
     void check_room() {

@@ -39,6 +39,8 @@ public:
     std::size_t samples_to_begin() const { return samples_to_begin_; }
     /// Is an exchange due after the evaluation of this generation?
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
+    /// Does it report its best to an analyst after this generation? Whether or not it has neighbours.
+    bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
     /// Runs the search, beside the processes that send and receive where it does not wait for them.
     void beside_mail(const std::function<void()>& search);
     /// Sends the emigrants that are due and returns the immigrants in the order in which they are to be accepted.

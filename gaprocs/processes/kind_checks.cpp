@@ -191,18 +191,9 @@ private:
         }
     }
 
-    /// The problem that another process works on; null where it is unknown, which that process is told.
-    const RecordedProblem* problem_of(std::size_t process) const {
-        try {
-            return &problems_.find(text_of(process, "problem"));
-        } catch (const UserError&) {
-            return nullptr;
-        }
-    }
-
     void check_problem(std::size_t process, std::size_t other) {
-        const RecordedProblem* problem = problem_of(process);
-        if (problem && problem != problem_of(other))
+        const RecordedProblem* problem = named_problem(problems_, network_.processes[process]);
+        if (problem && problem != named_problem(problems_, network_.processes[other]))
             refuse_of(process, "problem",
                       fmt::format("\"{}\" works on the problem \"{}\", but \"{}\" on \"{}\"", name(process),
                                   text_of(process, "problem"), name(other), text_of(other, "problem")));
@@ -268,6 +259,14 @@ std::vector<Complaint> check_search(const Network& network, std::size_t process,
     Check check(network, process, problems);
     check.search();
     return check.take();
+}
+
+const RecordedProblem* named_problem(const ProblemRegistry& problems, const ProcessInstance& process) {
+    try {
+        return &problems.find(std::get<std::string>(process.parameters.at("problem")));
+    } catch (const UserError&) {
+        return nullptr;
+    }
 }
 
 } // namespace placedpar

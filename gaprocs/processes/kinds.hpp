@@ -19,5 +19,6 @@ ProcessKind slave_kind(const ProblemRegistry& problems);                        
 ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver*); ///< ga.traditional, in traditional.cpp
 ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.master, in master.cpp
 ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.island, in island.cpp
+ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver*);     ///< ga.analyst, in analyst.cpp
 
 } // namespace placedpar

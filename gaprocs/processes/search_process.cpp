@@ -38,6 +38,8 @@ public:
           search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
         if (environment.network().processes[environment.index()].kind == "ga.island")
             exchange_.emplace(environment, problem, settings_, workload_);
+        if (environment.connected("to_analyst"))
+            to_analyst_ = environment.output<IslandReport>("to_analyst");
         if (observer)
             search_.listen(told_to(*observer, environment.process(), problem, now));
     }
@@ -47,6 +49,8 @@ public:
             exchange_->beside_mail([this] { search_record(); });
         else
             search_record();
+        if (to_analyst_)
+            end_reports();
         if (has_slaves_)
             leave_slaves();
         report();
@@ -98,9 +102,26 @@ private:
         if (!best_ || search_.best().fitness > best_->fitness)
             best_ = search_.best();
         operators_.stop();
+        if (to_analyst_ && exchange_->reports_after(search_.generation()))
+            report_best();
         execution_.stop();
         if (observer_)
             tell_migrations();
+    }
+
+    void report_best() {
+        IslandReport report;
+        report.generation = search_.generation();
+        report.samples = samples_;
+        report.best = search_.best();
+        report.bytes = message_bytes(1, workload_.string_bytes + workload_.fitness_bytes);
+        to_analyst_.output(std::move(report));
+    }
+
+    void end_reports() {
+        IslandReport report;
+        report.end = true;
+        to_analyst_.output(std::move(report));
     }
 
     void tell_migrations() const {
@@ -189,6 +210,7 @@ private:
     bool has_slaves_;
     std::int64_t rehearsals_;
     std::optional<IslandExchange> exchange_;
+    Output<IslandReport> to_analyst_; ///< of no channel where there is no analyst
 
     std::size_t samples_ = 0; ///< that have come in
     SlidingWindow window_;

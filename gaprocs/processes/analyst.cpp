@@ -1,0 +1,161 @@
+#include "gaprocs/processes/kinds.hpp"
+
+#include "gaprocs/active_error_analysis.hpp"
+#include "gaprocs/processes/analyst_checks.hpp"
+#include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/search_description.hpp"
+#include "netlist/kinds/description.hpp"
+#include "netlist/kinds/environment.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/timer.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+using namespace search_description;
+
+struct AnalysedIsland {
+    std::string name;
+    std::size_t window;
+    Input<IslandReport> reports;
+};
+
+std::vector<AnalysedIsland> islands_of(const ProcessEnvironment& environment) {
+    std::vector<AnalysedIsland> islands;
+    for (const auto& [port, process] : reporters_to(environment.network(), environment.index())) {
+        const ProcessInstance& island = environment.network().processes[process];
+        islands.push_back({island.name,
+                           static_cast<std::size_t>(std::get<std::int64_t>(island.parameters.at("window"))),
+                           environment.input<IslandReport>(port)});
+    }
+    return islands;
+}
+
+std::vector<std::size_t> windows_of(const std::vector<AnalysedIsland>& islands) {
+    std::vector<std::size_t> windows;
+    std::ranges::transform(islands, std::back_inserter(windows), &AnalysedIsland::window);
+    return windows;
+}
+
+/// Active error analysis beside the islands, which send it their bests: it holds their answer.
+class Analyst {
+public:
+    Analyst(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
+        : environment_(environment), problem_(problem), observer_(observer),
+          from_host_(environment.input<HostMessage>("from_host")), islands_(islands_of(environment)),
+          longest_window_(std::ranges::max(windows_of(islands_))),
+          analysis_(problem, windows_of(islands_), IslandChoice::named(environment.text("choice")),
+                    environment.random_stream(environment.process())) {}
+
+    void run() {
+        for (auto reports = receive_reports(); !reports.front().end; reports = receive_reports()) {
+            take_samples(reports.front().samples);
+            if (record_.size() >= longest_window_)
+                analyse(reports);
+        }
+        take_what_is_left();
+        report();
+    }
+
+private:
+    /// Of every island, at once.
+    std::vector<IslandReport> receive_reports() {
+        std::vector<IslandReport> reports(islands_.size());
+        par_for(reports.size(), [&](std::size_t i) { reports[i] = islands_[i].reports.input(); });
+        return reports;
+    }
+
+    /// Until there are so many, as the islands had when they found their bests.
+    void take_samples(std::size_t count) {
+        while (record_.size() < count)
+            record_.push_back(from_host_.input().sample);
+    }
+
+    void take_what_is_left() {
+        while (!from_host_.input().end) {
+        }
+    }
+
+    /// Its work is the error of each best at each sample of the longest window.
+    void analyse(const std::vector<IslandReport>& reports) {
+        compute(static_cast<std::int64_t>(islands_.size() * longest_window_) *
+                Cycles{environment_.integer("cycles_per_error")});
+        std::vector<Individual> bests;
+        std::ranges::transform(reports, std::back_inserter(bests), &IslandReport::best);
+        analysis_.analyse(bests, record_);
+        ++answers_;
+        if (observer_)
+            observer_->observe(ObservedAnswer{environment_.process(), chosen(), reports.front().generation, now(),
+                                              problem_.parameter_names(), answer()});
+    }
+
+    const std::string& chosen() const { return islands_[analysis_.island()].name; }
+    std::vector<double> answer() const { return problem_.decode(analysis_.answer().genome); }
+
+    void report() const {
+        environment_.measure("answers", static_cast<double>(answers_));
+        if (answers_ == 0)
+            return;
+        environment_.measure("chosen", chosen());
+        auto names = problem_.parameter_names(), units = problem_.parameter_units();
+        auto values = answer();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            environment_.measure(names[i], values[i], units[i]);
+    }
+
+    ProcessEnvironment& environment_;
+    const SearchProblem& problem_;
+    SearchObserver* observer_; ///< null: nobody
+    Input<HostMessage> from_host_;
+    std::vector<AnalysedIsland> islands_;
+    std::size_t longest_window_;
+    ActiveErrorAnalysis analysis_;
+    std::vector<Sample> record_;
+    std::size_t answers_ = 0;
+};
+
+/// The problem is the islands', in their coding.
+void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
+    const Network& network = environment.network();
+    std::size_t first = reporters_to(network, environment.index()).front().process;
+    auto text = [&](const char* parameter) {
+        return std::get<std::string>(network.processes[first].parameters.at(parameter));
+    };
+    auto problem = problems.find(text("problem")).problem()->coded(Coding::named(text("coding")));
+    Analyst(environment, *problem, observer).run();
+}
+
+} // namespace
+
+ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observer) {
+    using namespace description;
+    return {.name = "ga.analyst",
+            .about =
+                "Active error analysis (thesis 5.3.2) of islands that have different windows: each time they have "
+                "exchanged, it chooses whose best is the answer of all, and holds it until the next time. It changes "
+                "nothing on the islands.",
+            .ports = {from_host(),
+                      input<IslandReport>("from_islands", "island report", "an array: one end for each island")},
+            .parameters = {policy<IslandChoice>("choice", "row",
+                                                "whose best is the answer; islands in the order of "
+                                                "from_islands"),
+                           cycles_per_error()},
+            .measurements = {{"answers", "", "how often it has chosen: from the first full window of every island on"},
+                             {"chosen", "", "the island whose best is the answer at the end"},
+                             {"the problem's parameters", "", "as decoded from that best"}},
+            .body = [&problems,
+                     observer](ProcessEnvironment& environment) { run_analyst(environment, problems, observer); },
+            .check = [&problems](const Network& network,
+                                 std::size_t process) { return check_analyst(network, process, problems); }};
+}
+
+} // namespace placedpar

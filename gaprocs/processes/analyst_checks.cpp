@@ -1,0 +1,113 @@
+#include "gaprocs/processes/analyst_checks.hpp"
+
+#include "gaprocs/policies/island_choice.hpp"
+#include "gaprocs/processes/archipelago.hpp"
+#include "gaprocs/processes/kind_checks.hpp"
+#include "gaprocs/processes/slave_tree.hpp"
+#include "netlist/network/names.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace placedpar {
+
+namespace {
+
+/// Collects what is to be said about one analyst.
+class AnalystCheck {
+public:
+    AnalystCheck(const Network& network, std::size_t analyst, const ProblemRegistry& problems)
+        : network_(network), analyst_(analyst), problems_(problems), reporters_(reporters_to(network, analyst)) {}
+
+    std::vector<Complaint> run() {
+        check_islands();
+        if (complaints_.empty()) {
+            check_steps();
+            check_record();
+            check_host();
+            check_choice();
+        }
+        return std::move(complaints_);
+    }
+
+private:
+    const ProcessInstance& instance(std::size_t process) const { return network_.processes[process]; }
+    const std::string& name(std::size_t process) const { return instance(process).name; }
+    std::size_t first_island() const { return reporters_.front().process; }
+    void refuse(std::string about, std::string message, std::string hint = "") {
+        complaints_.push_back({analyst_, std::move(about), std::move(message), std::move(hint)});
+    }
+
+    void check_islands() {
+        for (const auto& [port, process] : reporters_)
+            if (process == nowhere || instance(process).kind != "ga.island")
+                refuse(port, fmt::format("\"{}.{}\" is not connected to an island", name(analyst_), port));
+    }
+
+    void check_steps() {
+        const char* why = "an analyst compares bests of the same generation, and only islands that exchange in step "
+                          "report those";
+        if (!schedule_of(instance(first_island())).in_step())
+            return refuse("", "islands of an asynchronous schedule do not keep step", why);
+        Archipelago archipelago(network_);
+        auto together = archipelago.part_of(archipelago.number_of(first_island()));
+        for (const auto& [port, process] : reporters_)
+            if (std::ranges::count(together, archipelago.number_of(process)) == 0)
+                refuse(port,
+                       fmt::format("\"{}\" and \"{}\" do not exchange with each other", name(first_island()),
+                                   name(process)),
+                       why);
+    }
+
+    void check_record() {
+        const ProcessInstance& island = instance(first_island());
+        auto recorded = named_problem(problems_, island);
+        if (recorded && recorded->problem()->objective())
+            refuse("", fmt::format("the problem \"{}\" has no record of measurements that \"{}\" could analyse",
+                                   std::get<std::string>(island.parameters.at("problem")), name(analyst_)));
+    }
+
+    void check_host() {
+        auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
+        for (const Reporter& each : reporters_)
+            if (host(each.process) != host(analyst_))
+                return refuse("from_host", fmt::format("the samples of \"{}\" come from another process than those of "
+                                                       "\"{}\"",
+                                                       name(analyst_), name(each.process)));
+    }
+
+    void check_choice() {
+        try {
+            IslandChoice::named(std::get<std::string>(instance(analyst_).parameters.at("choice")))
+                .validate_for(reporters_.size());
+        } catch (const UserError& not_there) {
+            refuse("choice", not_there.what());
+        }
+    }
+
+    const Network& network_;
+    std::size_t analyst_;
+    const ProblemRegistry& problems_;
+    std::vector<Reporter> reporters_;
+    std::vector<Complaint> complaints_;
+};
+
+} // namespace
+
+std::vector<Reporter> reporters_to(const Network& network, std::size_t analyst) {
+    std::vector<Reporter> reporters;
+    for (const PortBinding& binding : network.processes[analyst].ports)
+        if (base_name(binding.port) == "from_islands")
+            reporters.push_back({binding.port, network.channels[binding.channel].from.process});
+    return reporters;
+}
+
+std::vector<Complaint> check_analyst(const Network& network, std::size_t process, const ProblemRegistry& problems) {
+    return AnalystCheck(network, process, problems).run();
+}
+
+} // namespace placedpar

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gaprocs/problem_registry.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// What ga.analyst refuses in a netlist before it runs: reports of no island, islands that do not exchange with each
+/// other in step, so that their reports would not be of one generation, a problem without a record to analyse, samples
+/// from another host than the islands', a choice of an island that there is not.
+std::vector<Complaint> check_analyst(const Network&, std::size_t process, const ProblemRegistry&);
+
+/// A process that reports to an analyst.
+struct Reporter {
+    std::string port;    ///< of the analyst
+    std::size_t process; ///< nowhere: an edge
+};
+/// In the order of the subscripts of from_islands.
+std::vector<Reporter> reporters_to(const Network&, std::size_t analyst);
+
+} // namespace placedpar
