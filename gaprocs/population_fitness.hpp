@@ -1,6 +1,9 @@
 #pragma once
 
 #include "gaprocs/fitness.hpp"
+#include "gaprocs/representation/coding.hpp"
+#include "gaprocs/representation/genome.hpp"
+#include "gaprocs/representation/strings_in_lanes.hpp"
 #include "runtime/lanes.hpp"
 
 #include <algorithm>
@@ -8,37 +11,49 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace placedpar {
 
 /// The loop over the lanes of a population: sums[i] is the sum over the samples of term(parameters of individual i,
-/// sample), found for several individuals at once. `parameters_of(i)` are the parameters of individual i, as many for
-/// each; `term(std::span<const T>, sample)` gives the T of a sample, T being any Lanes. The bits are those of one
-/// individual after the other: every operation rounds the same way in a lane as alone (runtime/vector_width.hpp).
-template <typename ParametersOf, typename Samples, typename Term>
-void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
+/// sample), found for several individuals at once. `parameters_from.operator()<width>(i)` are the parameters of
+/// individual i and of those behind it, a container of Lanes; `term(std::span<const T>, sample)` gives the T of a
+/// sample, T being any Lanes. The bits are those of one individual after the other: every operation rounds the same way
+/// in a lane as alone (runtime/vector_width.hpp).
+template <typename ParametersFrom, typename Samples, typename Term>
+void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Term& term,
+                       std::span<double> sums) {
     in_vectors([&]<std::size_t width>() __attribute__((flatten)) {
         using Several = Lanes<width>;
-        std::vector<std::array<double, Several::count>> numbers;
-        std::vector<Several> parameters;
         for (std::size_t first = 0; first < sums.size(); first += Several::count) {
-            for (std::size_t lane = 0; lane < Several::count; ++lane) {
-                // Lanes past the end repeat the last individual; what they compute is not used.
-                const auto& of_one = parameters_of(std::min(first + lane, sums.size() - 1));
-                numbers.resize(of_one.size());
-                for (std::size_t j = 0; j < of_one.size(); ++j)
-                    numbers[j][lane] = of_one[j];
-            }
-            parameters.assign(numbers.begin(), numbers.end());
+            const auto parameters = parameters_from.template operator()<width>(first);
             Several sum = 0.0;
             for (const auto& sample : samples)
-                sum += term(std::span<const Several>(parameters), sample);
+                sum += term(std::span<const Several>(parameters.data(), parameters.size()), sample);
             const auto found = sum.numbers();
             for (std::size_t lane = 0; lane < std::min(Several::count, sums.size() - first); ++lane)
                 sums[first + lane] = found[lane];
         }
     });
+}
+
+/// The same of parameters that are found one individual after the other: `parameters_of(i)`, as many for each.
+template <typename ParametersOf, typename Samples, typename Term>
+void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
+    auto side_by_side = [&]<std::size_t width>(std::size_t first) __attribute__((always_inline)) {
+        constexpr std::size_t count = Lanes<width>::count;
+        std::vector<std::array<double, count>> numbers;
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            // Lanes past the end repeat the last individual; what they compute is not used.
+            const auto& of_one = parameters_of(std::min(first + lane, sums.size() - 1));
+            numbers.resize(of_one.size());
+            for (std::size_t j = 0; j < of_one.size(); ++j)
+                numbers[j][lane] = of_one[j];
+        }
+        return std::vector<Lanes<width>>(numbers.begin(), numbers.end());
+    };
+    sum_in_lanes_from(side_by_side, samples, term, sums);
 }
 
 /// A problem whose error is stated as a function of its parameters, for doubles and for Lanes alike, so that several
@@ -52,16 +67,30 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
     { problem.template error_of<Lanes<2>>(parameters, sample) } -> std::convertible_to<Lanes<2>>;
 };
 
+/// One that decodes several strings at once as well: `parameters_of_several(StringsInLanes)` gives Lanes.
+template <typename P, bool gray>
+concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2, gray>& strings) {
+    { problem.parameters_of_several(strings)[0] } -> std::convertible_to<Lanes<2>>;
+};
+
 /// The fitness of each of the strings over the samples, the bits of one individual evaluated after the other.
-/// `coded(genome)` is the string as the problem shall read it. REQUIRES: fitness.size() == population.size().
-template <typename P, typename Genomes, typename Samples, typename Coded>
-void fitness_in_lanes(const P& problem, const Genomes& population, const Samples& samples, double bias, Coded coded,
+/// REQUIRES: fitness.size() == population.size().
+template <bool gray, typename P, typename Samples>
+void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {
-    auto parameters_of = [&](std::size_t i) { return problem.parameters_of(coded(population[i])); };
+    using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
     auto term = [&]<class T>(std::span<const T> parameters, const auto& sample) __attribute__((flatten)) {
         return fitness_term<T>(bias, problem.template error_of<T>(parameters, std::span<const double>(sample)));
     };
-    sum_in_lanes(parameters_of, samples, term, fitness);
+    if constexpr (ParametersOfSeveral<P, gray>)
+        if (problem.bits() <= 64 * StringsInLanes<2>::most_words) {
+            auto decoded = [&]<std::size_t width>(std::size_t first) __attribute__((always_inline)) {
+                return problem.parameters_of_several(StringsInLanes<width, gray>(population, first));
+            };
+            return sum_in_lanes_from(decoded, samples, term, fitness);
+        }
+    sum_in_lanes([&](std::size_t i) { return problem.parameters_of(StringRead(population[i])); }, samples, term,
+                 fitness);
 }
 
 } // namespace placedpar

@@ -59,8 +59,7 @@ void Search::next_generation(std::span<const double> fitness) {
     require_fitness(fitness);
     if (listener_)
         listener_(*this, fitness);
-    std::size_t best = best_index(fitness);
-    best_ = Individual{population_[best], fitness[best]};
+    remember_best(fitness);
     ++generation_;
     offspring_.resize(population_.size());
     auto next = offspring_.begin();
@@ -78,6 +77,14 @@ void Search::next_generation(std::span<const double> fitness) {
             genome = representation_.random(random_);
     }
     std::swap(population_, offspring_);
+}
+
+void Search::remember_best(std::span<const double> fitness) {
+    std::size_t best = best_index(fitness);
+    if (!best_)
+        best_.emplace();
+    best_->genome = population_[best]; // into the memory that is there
+    best_->fitness = fitness[best];
 }
 
 const Individual& Search::best() const {

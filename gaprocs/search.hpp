@@ -78,6 +78,7 @@ public:
     Places accept_among_offspring(std::span<const Individual> immigrants);
 
 private:
+    void remember_best(std::span<const double> fitness);
     void require_fitness(std::span<const double> fitness) const;
     void require_length(const Individual& immigrant) const;
 

@@ -101,9 +101,7 @@ public:
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                     std::span<double> out) const override {
         if constexpr (ErrorOfParameters<P, StringRead>)
-            fitness_in_lanes(
-                problem_, population, samples, bias,
-                [](const Genome& genome) -> StringRead { return as_coded(genome); }, out);
+            fitness_in_lanes<gray>(problem_, population, samples, bias, out);
         else
             for (std::size_t i = 0; i < population.size(); ++i)
                 out[i] = fitness(population[i], samples, bias);

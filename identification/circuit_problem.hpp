@@ -23,7 +23,9 @@ public:
     static constexpr std::size_t usual_bits = 10;
 
     /// In in^3/psi, one for each junction.
-    using Compliances = boost::container::static_vector<double, hydraulics::all_links.size()>;
+    template <typename T>
+    using CompliancesOf = boost::container::static_vector<T, hydraulics::all_links.size()>;
+    using Compliances = CompliancesOf<double>;
 
     /// Throws std::invalid_argument when the circuit has no junction or more than 4, and as ParameterCoding.
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits = usual_bits)
@@ -40,10 +42,11 @@ public:
 
     template <BinaryString G>
     Compliances parameters_of(const G& genome) const {
-        Compliances compliances;
-        for (std::size_t j = 0; j < circuit_.size(); ++j)
-            compliances.push_back(coding_.value(genome, j));
-        return compliances;
+        return compliances_of<double>(genome);
+    }
+    template <std::size_t width, bool gray>
+    CompliancesOf<Lanes<width>> parameters_of_several(const StringsInLanes<width, gray>& strings) const {
+        return compliances_of<Lanes<width>>(strings);
     }
     /// The error of one set of compliances, or of each of an array of them.
     template <typename T>
@@ -70,6 +73,14 @@ public:
     std::vector<std::string> parameter_units() const;
 
 private:
+    template <typename T, typename Strings>
+    CompliancesOf<T> compliances_of(const Strings& strings) const {
+        CompliancesOf<T> compliances;
+        for (std::size_t j = 0; j < circuit_.size(); ++j)
+            compliances.push_back(coding_.value(strings, j));
+        return compliances;
+    }
+
     hydraulics::Circuit circuit_;
     hydraulics::FlowConstants flow_;
     ParameterCoding coding_;

@@ -30,6 +30,16 @@ public:
     [[gnu::always_inline]] Lanes(const std::array<double, count>& numbers) {
         std::memcpy(registers_, numbers.data(), sizeof registers_);
     }
+    /// REQUIRES: numbers below 2^52.
+    [[gnu::always_inline]] static Lanes
+    of_whole_numbers(const typename Registers<width>::Words (&numbers)[count / width]) {
+        // The lower bits of the double 2^52 + n are those of n.
+        Lanes result;
+        each([&](std::size_t i) {
+            result.registers_[i] = reinterpret_cast<Register>(numbers[i] | 0x4330000000000000) - 0x1p52;
+        });
+        return result;
+    }
     // Not trivial, so that Lanes are passed in memory: code compiled for another width looks for them there too.
     [[gnu::always_inline]] Lanes(const Lanes& other) { *this = other; }
     [[gnu::always_inline]] Lanes& operator=(const Lanes& other) {
@@ -97,7 +107,10 @@ public:
         return result;
     }
 
-    // One lane after the other: processors have no instruction for these.
+    // One lane after the other: not every processor has an instruction for these.
+    friend Lanes floor(const Lanes& x) {
+        return x.one_by_one([](double each) { return std::floor(each); });
+    }
     friend Lanes sin(const Lanes& x) {
         return x.one_by_one([](double each) { return std::sin(each); });
     }

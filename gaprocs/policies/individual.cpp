@@ -1,6 +1,7 @@
 #include "gaprocs/policies/individual.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numeric>
 
@@ -8,17 +9,29 @@ namespace placedpar {
 
 namespace {
 
+/// The lowest index of the fitness that comes first. REQUIRES: one at least, and none that is not a number.
+template <class ComesFirst>
+std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first) {
+    // Its value first, several side by side: one after the other each comparison would wait for the one before.
+    std::array<double, 4> firsts;
+    firsts.fill(fitness.front());
+    std::size_t i = 0;
+    for (; i + firsts.size() <= fitness.size(); i += firsts.size())
+        for (std::size_t j = 0; j < firsts.size(); ++j)
+            firsts[j] = comes_first(fitness[i + j], firsts[j]) ? fitness[i + j] : firsts[j];
+    for (; i < fitness.size(); ++i)
+        firsts[0] = comes_first(fitness[i], firsts[0]) ? fitness[i] : firsts[0];
+    double first = *std::min_element(firsts.begin(), firsts.end(), comes_first);
+    return static_cast<std::size_t>(std::find(fitness.begin(), fitness.end(), first) - fitness.begin());
+}
+
 /// The first `count` indices, of those whose fitness comes first and of equals the lower one.
 template <class ComesFirst>
 std::vector<std::size_t> first_indices(std::span<const double> fitness, std::size_t count, ComesFirst comes_first) {
     if (count == 0)
         return {};
-    if (count == 1) { // the usual elite
-        std::size_t first = 0;
-        for (std::size_t i = 1; i < fitness.size(); ++i)
-            first = comes_first(fitness[i], fitness[first]) ? i : first;
-        return {first};
-    }
+    if (count == 1) // the usual elite
+        return {first_index(fitness, comes_first)};
     std::vector<std::size_t> indices(fitness.size());
     std::iota(indices.begin(), indices.end(), std::size_t{0});
     auto before = [&](std::size_t a, std::size_t b) {
@@ -32,9 +45,7 @@ std::vector<std::size_t> first_indices(std::span<const double> fitness, std::siz
 
 } // namespace
 
-std::size_t best_index(std::span<const double> fitness) {
-    return static_cast<std::size_t>(std::max_element(fitness.begin(), fitness.end()) - fitness.begin());
-}
+std::size_t best_index(std::span<const double> fitness) { return first_index(fitness, std::greater()); }
 
 std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count) {
     return first_indices(fitness, count, std::greater());

@@ -36,7 +36,7 @@ std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) 
     // A ball lies in the sector whose number is that of the ends up to the ball: so many, for every ball, without a
     // jump that would go either way as often. Rounding may put the last ball on the end of the wheel: it lies in the
     // last sector that is not empty, whose end is not counted.
-    const double all = static_cast<double>(balls), end = ends_.back();
+    const double all = static_cast<double>(balls), end = ends_.back(), turns = 1 / end;
     constexpr std::size_t past = 3;
     std::vector<double> places(balls + past, std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < balls; ++i)
@@ -46,11 +46,10 @@ std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) 
         if (sector_end == end)
             break;
         // The balls before this end: two or one more than `before`, or by rounding three or none.
-        double about = sector_end / end * all - turn;
-        std::size_t before = about < 1 ? 0 : static_cast<std::size_t>(about) - 1;
-        for (std::size_t i = 0; i < past; ++i)
-            before += static_cast<std::size_t>(places[before] < sector_end);
-        ++found[before];
+        auto before = static_cast<std::ptrdiff_t>(std::max(sector_end * turns * all - turn, 1.0)) - 1;
+        const double* place = places.data() + before;
+        before += (place[0] < sector_end) + (place[1] < sector_end) + (place[2] < sector_end);
+        ++found[static_cast<std::size_t>(before)];
     }
     found.resize(balls);
     std::partial_sum(found.begin(), found.end(), found.begin());

@@ -34,6 +34,8 @@ public:
     Genome& operator=(const Genome& other) {
         if (words_.size() != other.words_.size())
             words_ = other.words_;
+        else if (words_.size() == 1) // most strings
+            words_.front() = other.words_.front();
         else
             std::copy(other.words_.begin(), other.words_.end(), words_.begin());
         size_ = other.size_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/representation/representation.hpp"
+#include "gaprocs/representation/strings_in_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,13 @@ public:
         auto code = static_cast<std::int64_t>(genome.field(place.first, place.bits)); // signed: sooner a double
         double value = place.low + place.resolution * static_cast<double>(code);
         return place.whole ? std::floor(value) : value;
+    }
+    /// Of several individuals.
+    template <std::size_t width, bool gray>
+    [[gnu::always_inline]] Lanes<width> value(const StringsInLanes<width, gray>& strings, std::size_t parameter) const {
+        const Place& place = places_[parameter];
+        Lanes<width> value = place.low + place.resolution * strings.field(place.first, place.bits);
+        return place.whole ? floor(value) : value;
     }
     template <BinaryString G>
     std::vector<double> decode(const G& genome) const {

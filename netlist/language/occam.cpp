@@ -78,6 +78,12 @@ bool is_of_toolset(std::string_view line) {
 
 bool is_statement_of_netlist(std::string_view line) { return line.ends_with(';'); }
 
+/// The folds of the development system's editor, as it lists them: open ({{{ name ... }}}) and closed (...  name).
+bool is_comment_or_fold(std::string_view line) {
+    static constexpr std::array<std::string_view, 3> beginnings{"--", "{{{ ", "..."};
+    return begins_with_any(line, beginnings);
+}
+
 Dialect dialect_of(std::string_view line) {
     if (is_statement_of_netlist(line))
         return Dialect::none;
@@ -87,7 +93,7 @@ Dialect dialect_of(std::string_view line) {
         return Dialect::toolset;
     if (is_of_program(line))
         return Dialect::program;
-    return line.starts_with("--") ? Dialect::comment : Dialect::none;
+    return is_comment_or_fold(line) ? Dialect::comment : Dialect::none;
 }
 
 /// Whether a C comment is open behind the line.

@@ -3,8 +3,10 @@
 #include "gaprocs/representation/parameter_coding.hpp"
 #include "problems/plant/plant_record.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -16,19 +18,39 @@ namespace placedpar {
 ///
 /// The plant of 5.8 has the zeros 0 and -.5, which are no conjugate pair: here a negative delta stands for the real
 /// pair gamma +- |delta|, so that gamma = delta = -.25 is exactly that plant.
-struct PoleZeroPlant {
-    double d, alpha, beta, gamma, delta, b0;
+template <typename T>
+struct PoleZeroPlantOf {
+    T d, alpha, beta, gamma, delta, b0;
+
+    using Weights = std::array<T, plant_channels - 1>;
 
     /// What y-hat(k) is made of: of y(k-1), y(k-2), u(k-1), ..., u(k-6).
-    std::array<double, plant_channels - 1> weights() const {
-        auto delay = static_cast<std::size_t>(d);
-        std::array<double, plant_channels - 1> weights{2 * alpha, -(alpha * alpha + beta * beta)};
-        weights[1 + delay] = b0;
-        weights[2 + delay] = -2 * gamma * b0;
-        weights[3 + delay] = (gamma * gamma + std::copysign(delta * delta, delta)) * b0;
+    Weights weights() const {
+        using std::abs;
+        Weights weights;
+        weights[0] = 2 * alpha;
+        weights[1] = -(alpha * alpha + beta * beta);
+        std::fill(weights.begin() + 2, weights.end(), 0.0);
+        behind_the_delay({b0, -2 * gamma * b0, (gamma * gamma + delta * abs(delta)) * b0}, weights);
         return weights;
     }
+
+private:
+    using Numerator = std::array<T, 3>;
+
+    void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::same_as<T, double> {
+        std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
+    }
+    /// Of several plants, each with its own delay: added where it is, 0 elsewhere.
+    void behind_the_delay(const Numerator& numerator, Weights& weights) const {
+        for (std::size_t delay = 1; delay + 3 < weights.size(); ++delay) {
+            T here = max(T(0.0), 1 - abs(d - static_cast<double>(delay)));
+            for (std::size_t i = 0; i < numerator.size(); ++i)
+                weights[1 + delay + i] += here * numerator[i];
+        }
+    }
 };
+using PoleZeroPlant = PoleZeroPlantOf<double>;
 
 /// d, alpha, beta, gamma, delta, b0 of a plant: the zeros 0 and -b1 are a real pair. REQUIRES: complex poles.
 std::vector<double> parameters_of(const Plant& plant);
@@ -45,8 +67,7 @@ public:
 
     template <BinaryString G>
     PoleZeroPlant plant(const G& genome) const {
-        auto value = [&](std::size_t i) { return coding_.value(genome, i); };
-        return {value(0), value(1), value(2), value(3), value(4), value(5)};
+        return plant_of<double>(genome);
     }
     template <BinaryString G>
     std::vector<double> decode(const G& genome) const {
@@ -63,6 +84,10 @@ public:
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();
     }
+    template <std::size_t width, bool gray>
+    auto parameters_of_several(const StringsInLanes<width, gray>& strings) const {
+        return plant_of<Lanes<width>>(strings).weights();
+    }
     template <typename T>
     T error_of(std::span<const T> weights, std::span<const double> sample) const {
         // Written out: a loop takes longer.
@@ -76,6 +101,12 @@ public:
     std::vector<std::string> parameter_units() const { return {"samples", "", "", "", "", ""}; }
 
 private:
+    template <typename T, typename Strings>
+    PoleZeroPlantOf<T> plant_of(const Strings& strings) const {
+        auto value = [&](std::size_t i) { return coding_.value(strings, i); };
+        return {value(0), value(1), value(2), value(3), value(4), value(5)};
+    }
+
     ParameterCoding coding_;
 };
 

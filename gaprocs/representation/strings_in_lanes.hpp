@@ -1,0 +1,60 @@
+#pragma once
+
+#include "gaprocs/representation/genome.hpp"
+#include "runtime/lanes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace placedpar {
+
+/// The strings of eight individuals side by side, read by field() as one string is, the number of each in its lane:
+/// what reads a field of one (ParameterCoding::value) reads these too, several times as fast. Made and used as Lanes.
+template <std::size_t width, bool gray = false>
+class StringsInLanes {
+public:
+    static constexpr std::size_t count = Lanes<width>::count;
+    /// Of 64 bits: longer strings are read one by one.
+    static constexpr std::size_t most_words = 4;
+
+    /// The strings from `first` on; lanes past the end repeat the last.
+    /// REQUIRES: first < population.size(); strings of one size, of up to most_words words.
+    [[gnu::always_inline]] StringsInLanes(std::span<const Genome> population, std::size_t first) {
+        std::uint64_t words[most_words][count];
+        const std::size_t used = population[first].words().size();
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const Genome& genome = population[std::min(first + lane, population.size() - 1)];
+            for (std::size_t word = 0; word < used; ++word)
+                words[word][lane] = genome.words()[word];
+        }
+        for (std::size_t word = 0; word < used; ++word)
+            std::memcpy(words_[word], words[word], sizeof words_[word]);
+    }
+
+    /// As Genome::field(). REQUIRES also: bits <= 52, so that a double holds the number.
+    [[gnu::always_inline]] Lanes<width> field(std::size_t first, std::size_t bits) const {
+        const std::size_t word = first / 64, offset = first % 64;
+        Codes codes[registers];
+        for (std::size_t i = 0; i < registers; ++i) {
+            codes[i] = words_[word][i] << offset;
+            if (offset + bits > 64)
+                codes[i] |= words_[word + 1][i] >> (64 - offset);
+            codes[i] >>= 64 - bits;
+            if constexpr (gray)
+                for (unsigned shift = 1; shift < 64; shift *= 2)
+                    codes[i] ^= codes[i] >> shift;
+        }
+        return Lanes<width>::of_whole_numbers(codes);
+    }
+
+private:
+    using Codes = typename Registers<width>::Words;
+    static constexpr std::size_t registers = count / width;
+
+    Codes words_[most_words][registers];
+};
+
+} // namespace placedpar
