@@ -33,6 +33,8 @@ public:
     /// A generation of both. REQUIRES: ready().
     void next_generation();
 
+    const Search& coarse() const { return coarse_; }
+    const Search& fine() const { return fine_; }
     /// The best of the last generation, as strings of the problem. REQUIRES: there was one.
     const Individual& coarse_best() const { return coarse_best_; }
     const Individual& fine_best() const { return fine_best_; }

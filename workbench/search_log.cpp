@@ -1,5 +1,7 @@
 #include "workbench/search_log.hpp"
 
+#include "gaprocs/processes/parameters.hpp"
+
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +53,7 @@ GenerationLog log_of(const Network& network) {
     for (const ProcessInstance& process : network.processes)
         if (searches(process)) {
             first = first ? first : &process;
-            comparable = comparable && searched_for(process) == searched_for(*first);
+            comparable = comparable && searched_for(process) == searched_for(*first) && !breeds_recoded(process);
             names.push_back(process.name);
         }
     return GenerationLog(std::move(names), comparable);

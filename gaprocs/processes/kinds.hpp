@@ -20,5 +20,7 @@ ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver*); 
 ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.master, in master.cpp
 ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.island, in island.cpp
 ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver*);     ///< ga.analyst, in analyst.cpp
+ProcessKind coarse_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.coarse, in pair.cpp
+ProcessKind fine_kind(const ProblemRegistry& problems, SearchObserver*);        ///< ga.fine, in pair.cpp
 
 } // namespace placedpar

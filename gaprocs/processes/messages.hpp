@@ -78,4 +78,9 @@ struct IslandReport : Parcel {
     Individual best;
 };
 
+/// From a coarse search to a fine one: where it is to search.
+struct BiasPoint : Parcel {
+    Genome string; ///< of the problem
+};
+
 } // namespace placedpar

@@ -8,6 +8,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <sstream>
+#include <system_error>
+#include <variant>
+
 namespace placedpar {
 
 namespace {
@@ -24,6 +29,16 @@ template <class Step>
 void set_policy(Step& usual, const std::string& text) {
     if (text != search_description::usual)
         usual = Step::named(text);
+}
+
+std::size_t bits_of_field(const std::string& word) {
+    std::size_t bits = 0;
+    const char* end = word.data() + word.size();
+    auto [read, error] = std::from_chars(word.data(), end, bits);
+    if (error != std::errc() || read != end || bits < 1 || bits > 63)
+        throw UserError(
+            fmt::format("expected the bits of each field, numbers from 1 to 63 such as \"2 7 7\", not \"{}\"", word));
+    return bits;
 }
 
 } // namespace
@@ -90,6 +105,29 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
                                     settings.slaves, environment.integer("population"),
                                     environment.integer("population") - 1));
     return settings;
+}
+
+bool breeds_recoded(const ProcessInstance& process) { return process.kind == "ga.coarse" || process.kind == "ga.fine"; }
+
+std::vector<std::size_t> bits_named(const std::string& text) {
+    std::vector<std::size_t> bits;
+    std::istringstream words(text);
+    for (std::string word; words >> word;)
+        bits.push_back(bits_of_field(word));
+    if (bits.empty())
+        bits_of_field(text);
+    return bits;
+}
+
+Recoding read_recoding(const ProcessInstance& process) {
+    auto text = [&](const char* parameter) { return std::get<std::string>(process.parameters.at(parameter)); };
+    Recoding recoding{.problem_bits = bits_named(text("fields")),
+                      .bits = bits_named(text("bits")),
+                      .coding = Coding::named(text("coding"))};
+    if (process.kind == "ga.fine")
+        recoding.around = Genome(recoding.problem_length());
+    recoding.validate();
+    return recoding;
 }
 
 } // namespace placedpar

@@ -3,9 +3,13 @@
 #include "gaprocs/policies/coding.hpp"
 #include "gaprocs/processes/farm.hpp"
 #include "gaprocs/processes/workload.hpp"
+#include "gaprocs/recoding.hpp"
 #include "gaprocs/settings.hpp"
+#include "netlist/network/network.hpp"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -21,5 +25,12 @@ Coding read_coding(const ProcessEnvironment&);
 /// What the netlist does not give is as usual_settings() where that depends on the problem. Throws as settings_for().
 SearchSettings read_search_settings(const ProcessEnvironment&, const SearchProblem&);
 Farm::Settings read_farm_settings(const ProcessEnvironment&);
+
+/// Does it breed other strings than the problem's, as ga.coarse and ga.fine do?
+bool breeds_recoded(const ProcessInstance&);
+/// "2 7 7": bits of each field. Throws UserError for anything else than numbers from 1 to 63.
+std::vector<std::size_t> bits_named(const std::string&);
+/// How one that does breeds; a fine search around 0, until it knows better. Throws as Recoding::validate().
+Recoding read_recoding(const ProcessInstance&);
 
 } // namespace placedpar

@@ -1,5 +1,6 @@
 #include "gaprocs/processes/search_process.hpp"
 
+#include "gaprocs/processes/bias_point.hpp"
 #include "gaprocs/processes/farm.hpp"
 #include "gaprocs/processes/island_exchange.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
@@ -29,7 +30,9 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
+    /// `recoded`: the same problem for one of a pair, else null.
+    SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
+                  SearchObserver* observer)
         : environment_(environment), problem_(problem), observer_(observer),
           settings_(read_search_settings(environment, problem)), workload_(read_workload(environment, problem)),
           from_host_(environment.input<HostMessage>("from_host")), farm_(make_farm(environment, problem, workload_)),
@@ -38,6 +41,8 @@ public:
           search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
         if (environment.network().processes[environment.index()].kind == "ga.island")
             exchange_.emplace(environment, problem, settings_, workload_);
+        if (recoded)
+            bias_point_.emplace(environment, *recoded, workload_);
         if (environment.connected("to_analyst"))
             to_analyst_ = environment.output<IslandReport>("to_analyst");
         if (observer)
@@ -89,6 +94,8 @@ private:
 
     void run_generation() {
         execution_.start();
+        if (bias_point_)
+            bias_point_->before_generation();
         for (const Genome& genome : search_.population())
             for (std::uint64_t word : genome.words())
                 populations_.mix(word);
@@ -99,14 +106,23 @@ private:
         operators_.start();
         compute(static_cast<std::int64_t>(fitness.size()) * workload_.genetic_operators);
         accept_and_breed(search_, fitness, migrations_, exchange_ ? exchange_->acceptance() : Acceptance());
-        if (!best_ || search_.best().fitness > best_->fitness)
-            best_ = search_.best();
+        note_best();
         operators_.stop();
+        if (bias_point_)
+            bias_point_->after_generation(search_.best().genome);
         if (to_analyst_ && exchange_->reports_after(search_.generation()))
             report_best();
         execution_.stop();
         if (observer_)
             tell_migrations();
+    }
+
+    /// With what it stands for now: a fine search reads it around another point later.
+    void note_best() {
+        if (best_ && search_.best().fitness <= best_->fitness)
+            return;
+        best_ = search_.best();
+        values_of_best_ = problem_.decode(best_->genome);
     }
 
     void report_best() {
@@ -184,7 +200,7 @@ private:
             report_objective(*objective, best.fitness);
         else
             environment_.measure("best_fitness", best.fitness);
-        auto values = problem_.decode(best.genome);
+        auto values = objective ? values_of_best_ : problem_.decode(best.genome);
         if (values.empty())
             environment_.measure("best_string", problem_.representation().text(best.genome));
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -210,12 +226,14 @@ private:
     bool has_slaves_;
     std::int64_t rehearsals_;
     std::optional<IslandExchange> exchange_;
-    Output<IslandReport> to_analyst_; ///< of no channel where there is no analyst
+    std::optional<BiasPointEnd> bias_point_; ///< of one of a pair
+    Output<IslandReport> to_analyst_;        ///< of no channel where there is no analyst
 
     std::size_t samples_ = 0; ///< that have come in
     SlidingWindow window_;
     Search search_;
     std::optional<Individual> best_; ///< of all generations; of no use where the window moves
+    std::vector<double> values_of_best_;
     Fingerprint populations_;
     std::vector<Migration> migrations_; ///< of this generation: who came from where, and from the breeding on his place
 
@@ -225,10 +243,12 @@ private:
 };
 
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
-    const RecordedProblem& recorded = problems.find(environment.text("problem"));
-    if (!recorded.problem()->objective())
-        read_search_settings(environment, *recorded.problem()).window.validate_for(recorded.samples());
-    SearchProcess(environment, *recorded.problem()->coded(read_coding(environment)), observer).run();
+    const SearchProblem& problem = *problems.find(environment.text("problem")).problem();
+    const ProcessInstance& process = environment.network().processes[environment.index()];
+    if (!breeds_recoded(process))
+        return SearchProcess(environment, *problem.coded(read_coding(environment)), nullptr, observer).run();
+    RecodedProblem recoded(problem, read_recoding(process));
+    SearchProcess(environment, recoded, &recoded, observer).run();
 }
 
 } // namespace

@@ -1,0 +1,65 @@
+#include "gaprocs/processes/kinds.hpp"
+
+#include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/pair_checks.hpp"
+#include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/processes/search_description.hpp"
+#include "gaprocs/processes/search_process.hpp"
+#include "netlist/kinds/description.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+using namespace search_description;
+
+ParameterDescription bits_of_fields(std::string name, std::string about) {
+    return description::text(std::move(name), {.check = [](const std::string& text) { bits_named(text); }},
+                             std::move(about));
+}
+
+ProcessKind searching_recoded(std::string name, std::string about, PortDescription other_one,
+                              const ProblemRegistry& problems, SearchObserver* observer) {
+    Parameters recoding{bits_of_fields("fields", "bits of each field of the problem's string, such as \"2 7 7 7 7 7\""),
+                        bits_of_fields("bits", "bits of each field that are bred, at most as many")};
+    ProcessKind kind = searching({.name = std::move(name),
+                                  .about = std::move(about),
+                                  .ports = {from_host(), std::move(other_one)},
+                                  .parameters = recoding + search_parameters(),
+                                  .measurements = search_measurements()},
+                                 problems, observer);
+    kind.check = [&problems, check_search = std::move(kind.check)](const Network& network, std::size_t process) {
+        auto complaints = check_search(network, process);
+        return complaints.empty() ? check_pair(network, process, problems) : complaints;
+    };
+    return kind;
+}
+
+} // namespace
+
+ProcessKind coarse_kind(const ProblemRegistry& problems, SearchObserver* observer) {
+    using namespace description;
+    return searching_recoded(
+        "ga.coarse",
+        "The coarse one of a pair of genetic algorithms (thesis 6.2, Figure 6.6): it breeds the most significant bits "
+        "of "
+        "each field, the others are 0. Its best of each generation goes to the fine one.",
+        optional(output<BiasPoint>("to_fine", "bias point", "the best, as a string of the problem")), problems,
+        observer);
+}
+
+ProcessKind fine_kind(const ProblemRegistry& problems, SearchObserver* observer) {
+    using namespace description;
+    return searching_recoded("ga.fine",
+                             "The fine one of a pair of genetic algorithms (thesis 6.2, Figure 6.6): fields of fewer "
+                             "bits than the problem's "
+                             "count its steps around the best of the coarse one in the same generation.",
+                             input<BiasPoint>("from_coarse", "bias point", "where it searches, in each generation"),
+                             problems, observer);
+}
+
+} // namespace placedpar

@@ -1,0 +1,27 @@
+#include "gaprocs/recoded_problem.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace placedpar {
+
+RecodedProblem::RecodedProblem(const SearchProblem& problem, Recoding recoding)
+    : problem_(problem.coded(Coding::natural)), recoding_(std::move(recoding)) {
+    recoding_.validate();
+    if (auto kind = problem_->representation().kind(); kind != StringKind::binary)
+        throw UserError(fmt::format("only binary strings have fields, and this problem's are {}", name_of(kind)));
+    if (recoding_.problem_length() != problem_->bits())
+        throw UserError(fmt::format("the fields have {} bits in all, but the problem's string {}",
+                                    recoding_.problem_length(), problem_->bits()));
+}
+
+std::shared_ptr<const SearchProblem> RecodedProblem::coded_plainly(Coding coding) const {
+    Recoding recoding = recoding_;
+    recoding.coding = coding;
+    return std::make_shared<RecodedProblem>(*problem_, std::move(recoding));
+}
+
+} // namespace placedpar

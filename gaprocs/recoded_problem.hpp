@@ -1,0 +1,52 @@
+#pragma once
+
+#include "gaprocs/recoding.hpp"
+#include "gaprocs/search_problem.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A problem as a search sees it that breeds other strings: with fewer bits, or around a point that moves.
+class RecodedProblem final : public SearchProblem {
+public:
+    /// The problem's string is read in natural binary. Throws as Recoding::validate(), and UserError: strings that are
+    /// not binary, fields that do not add up to the problem's string, a problem that does not read it by fields.
+    RecodedProblem(const SearchProblem& problem, Recoding recoding);
+
+    /// Moves the point that the strings are read around. REQUIRES: a string of the problem.
+    void move_to(Genome around) { recoding_.around = std::move(around); }
+    /// As the problem reads it.
+    Genome to_problem(const Genome& bred) const { return recoding_.to_problem(bred); }
+
+    std::size_t bits() const override { return recoding_.length(); }
+    std::size_t channels() const override { return problem_->channels(); }
+    std::optional<Objective> objective() const override { return problem_->objective(); }
+    double error(const Genome& genome, std::span<const double> sample) const override {
+        return problem_->error(to_problem(genome), sample);
+    }
+    double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
+        return problem_->fitness(to_problem(genome), samples, bias);
+    }
+    void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
+                    std::span<double> out) const override {
+        problem_->fitness_of(recoding_.to_problem(population), samples, bias, out);
+    }
+    std::vector<double> decode(const Genome& genome) const override { return problem_->decode(to_problem(genome)); }
+    std::vector<std::string> parameter_names() const override { return problem_->parameter_names(); }
+    std::vector<std::string> parameter_units() const override { return problem_->parameter_units(); }
+    std::vector<double> true_parameters() const override { return problem_->true_parameters(); }
+    Coding coding() const override { return recoding_.coding; }
+
+private:
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
+
+    std::shared_ptr<const SearchProblem> problem_; ///< in natural binary
+    Recoding recoding_;
+};
+
+} // namespace placedpar
