@@ -243,12 +243,17 @@ private:
 };
 
 void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
-    const SearchProblem& problem = *problems.find(environment.text("problem")).problem();
+    const RecordedProblem& recorded = problems.find(environment.text("problem"));
     const ProcessInstance& process = environment.network().processes[environment.index()];
-    if (!breeds_recoded(process))
-        return SearchProcess(environment, *problem.coded(read_coding(environment)), nullptr, observer).run();
-    RecodedProblem recoded(problem, read_recoding(process));
-    SearchProcess(environment, recoded, &recoded, observer).run();
+    std::shared_ptr<RecodedProblem> recoded;
+    if (breeds_recoded(process))
+        recoded = std::make_shared<RecodedProblem>(*recorded.problem(), read_recoding(process));
+    std::shared_ptr<const SearchProblem> problem = recoded;
+    if (!recoded)
+        problem = recorded.problem()->coded(read_coding(environment));
+    if (!problem->objective())
+        read_search_settings(environment, *problem).window.validate_for(recorded.samples());
+    SearchProcess(environment, *problem, recoded.get(), observer).run();
 }
 
 } // namespace
