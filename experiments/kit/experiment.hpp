@@ -49,16 +49,16 @@ struct ReplayContext {
 /// What the file of an experiment says about it: see experiments/README.md.
 struct Experiment {
     std::string_view name, about;
-    std::string_view chapter; ///< of the thesis, or its appendix: the experiments come in this order,
+    std::string_view chapter; ///< of the thesis, or its appendix, or "machine": the experiments come in this order,
     int number;               ///< and those of a chapter in this one
     Replay (*run)(const ReplayContext&);
     std::size_t seeds = 0; ///< of a study by kit/seed_runs.hpp; 0: it is none
 };
 
-/// Every experiment: one of each file in the folders chapter_* and appendix_*, by chapter and number.
+/// Every experiment: one of each file in the folders chapter_*, appendix_* and machine, by chapter and number.
 const std::vector<Experiment>& experiments();
 
-/// By chapter, appendices last, and number.
+/// By chapter, appendices and the machine last, and number.
 std::vector<Experiment> in_order(std::vector<Experiment>);
 
 } // namespace placedpar

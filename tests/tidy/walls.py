@@ -48,6 +48,7 @@ BELOW = {
     "experiments/chapter_6/kit": ["experiments/kit"],
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
+    "experiments/machine": ["experiments/kit"],
     "app": ["workbench"],
     "app/options": ["app"],
     "app/commands": ["app/options", "experiments/kit", "monitor/service"],

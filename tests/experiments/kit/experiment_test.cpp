@@ -9,13 +9,14 @@
 
 using namespace placedpar;
 
-TEST_CASE("the experiments come by chapter and number, appendices last") {
+TEST_CASE("the experiments come by chapter and number, appendices and the machine last") {
     Experiment second{"second", "", "2", 2, nullptr}, third{"third", "", "3", 1, nullptr},
-        appendix{"appendix", "", "E", 1, nullptr}, first{"first", "", "2", 1, nullptr};
+        appendix{"appendix", "", "E", 1, nullptr}, machine{"machine", "", "machine", 1, nullptr},
+        first{"first", "", "2", 1, nullptr};
     std::vector<std::string_view> names;
-    for (const Experiment& each : in_order({appendix, third, second, first}))
+    for (const Experiment& each : in_order({machine, appendix, third, second, first}))
         names.push_back(each.name);
-    CHECK(names == std::vector<std::string_view>{"first", "second", "third", "appendix"});
+    CHECK(names == std::vector<std::string_view>{"first", "second", "third", "appendix", "machine"});
 }
 
 TEST_CASE("every experiment has a name, a place of its own, a line about it, and can be run") {
@@ -28,7 +29,7 @@ TEST_CASE("every experiment has a name, a place of its own, a line about it, and
         CHECK_FALSE(!each.run);
     }
     CHECK(experiments().front().name == "table-2-6");
-    CHECK(experiments().back().name == "farms");
+    CHECK(experiments().back().name == "poznan");
 }
 
 TEST_CASE("an experiment is judged by its first comparison, and by the others that say so") {

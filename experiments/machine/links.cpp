@@ -1,0 +1,101 @@
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/experiment_runs.hpp"
+#include "runtime/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+/// A published rate of a link, in Kbyte/s of 1000 bytes; of both directions the sum.
+struct LinkRate {
+    const char* name;
+    Overrides link;
+    double kbytes_per_s;
+    double tolerance_percent;
+    std::optional<double> tolerance_kbytes_per_s = {};
+};
+
+/// The databook, table 8.1.
+const std::vector<LinkRate>& databook_rates() {
+    static const std::vector<LinkRate> rates{
+        {"5 Mbit/s, one way", {{"speed", "5M"}}, 450, 3},
+        {"5 Mbit/s, both ways", {{"speed", "5M"}, {"both_ways", "1"}}, 670, 3},
+        {"10 Mbit/s, one way", {{"speed", "10M"}}, 910, 3},
+        {"10 Mbit/s, both ways", {{"speed", "10M"}, {"both_ways", "1"}}, 1250, 3},
+        {"20 Mbit/s, one way", {}, 1740, 3},
+        {"20 Mbit/s, both ways", {{"both_ways", "1"}}, 2350, 3},
+        {"no overlapped acknowledges", {{"overlapped", "0"}}, 800, 0, 50}, // "about .8 Mbyte/s": one digit
+    };
+    return rates;
+}
+
+/// Measured on machines of 20 Mbit/s: K. Koontz, comp.sys.transputer, January 1991; Poznan, 2008, 923 to 930.
+const std::vector<LinkRate>& measured_rates() {
+    static const std::vector<LinkRate> rates{
+        {"direct (Koontz)", {}, 1750, 3},
+        {"through one C004 (Koontz)", {{"switches", "1"}}, 1330, 3},
+        {"through three C004 (Poznan)", {{"switches", "3"}}, 926.5, 1},
+    };
+    return rates;
+}
+
+class LinkRates {
+public:
+    explicit LinkRates(const ReplayContext& context) : context_(context) {}
+
+    Comparison compare(const std::string& name, const std::vector<LinkRate>& rates) {
+        Comparison comparison{.name = name, .against = "publ.", .judged = true};
+        for (const LinkRate& rate : rates)
+            comparison.add({.row = rate.name,
+                            .column = "rate",
+                            .unit = "Kbyte/s",
+                            .reference = rate.kbytes_per_s,
+                            .simulated = simulated(rate),
+                            .tolerance_percent = rate.tolerance_percent,
+                            .tolerance = rate.tolerance_kbytes_per_s,
+                            .decimals = 0});
+        return comparison;
+    }
+
+    std::uint64_t fingerprint() const { return fingerprint_.value(); }
+
+private:
+    double simulated(const LinkRate& rate) {
+        context_.progress(rate.name);
+        RunReport report = run_to_the_end(context_.examples / "37-links" / "link.cfs", rate.link, context_);
+        fingerprint_.mix(report.result.fingerprint);
+        double there = report.measured("receiver[0]", "rate");
+        return rate.link.contains("both_ways") ? there + report.measured("receiver[1]", "rate") : there;
+    }
+
+    const ReplayContext& context_;
+    Fingerprint fingerprint_;
+};
+
+Replay replay_links(const ReplayContext& context) {
+    LinkRates rates(context);
+    Replay replay{.comparisons = {rates.compare("the databook's table 8.1", databook_rates()),
+                                  rates.compare("measured on machines", measured_rates())}};
+    replay.constants =
+        "   published:  a byte is 11 bits and its acknowledge 2; 1.75 bit times through a C004 (its manual)\n"
+        "   fitted:     an acknowledge begins 5.2 bit times after its byte, the next byte 3.6 bit times and 120 ns\n"
+        "               after the acknowledge: to these figures, within the 5 to 6 bit times that were published\n";
+    replay.fingerprint = rates.fingerprint();
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment links_experiment{
+    .name = "links",
+    .about = "what a link carries, beside the databook and machines",
+    .chapter = "machine",
+    .number = 1,
+    .run = replay_links,
+};
+
+} // namespace placedpar

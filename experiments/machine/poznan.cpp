@@ -1,0 +1,77 @@
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/experiment_runs.hpp"
+#include "runtime/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace placedpar {
+
+namespace {
+
+/// Half a round trip of a message of n words takes `start_us` + `word_us` n, in microseconds.
+struct PingPong {
+    double start_us = 0, word_us = 0;
+};
+
+/// Runs the ping-pong with one word and with a thousand.
+class PingPongs {
+public:
+    explicit PingPongs(const ReplayContext& context) : context_(context) {}
+
+    PingPong through(int switches) {
+        constexpr int many = 1000;
+        double one = half_round_trip_us(1, switches), all = half_round_trip_us(many, switches);
+        double word = (all - one) / (many - 1);
+        return {one - word, word};
+    }
+
+    std::uint64_t fingerprint() const { return fingerprint_.value(); }
+
+private:
+    double half_round_trip_us(int words, int switches) {
+        constexpr int rounds = 20;
+        context_.progress(fmt::format("{} words through {} switches", words, switches));
+        RunReport report = run_to_the_end(context_.examples / "38-poznan" / "ping-pong.cfs",
+                                          {{"words", std::to_string(words)},
+                                           {"rounds", std::to_string(rounds)},
+                                           {"switches", std::to_string(switches)}},
+                                          context_);
+        fingerprint_.mix(report.result.fingerprint);
+        return 1000 * in_milliseconds(report.result.time) / (2 * rounds);
+    }
+
+    const ReplayContext& context_;
+    Fingerprint fingerprint_;
+};
+
+Replay replay_poznan(const ReplayContext& context) {
+    PingPongs runs(context);
+    PingPong direct = runs.through(0), switched = runs.through(3);
+    Comparison comparison{.name = "half a round trip of n words between two T805s", .against = "Poznan"};
+    auto cell = [](const char* row, double known, double simulated, double tolerance) {
+        return judged_cell(row, "half", "us", known, simulated, tolerance, 2);
+    };
+    comparison.add(cell("to start", 11.0, direct.start_us, 0.2));
+    comparison.add(cell("a word", 2.25, direct.word_us, 0.01 * 2.25));
+    comparison.add(cell("a word, through three C004", 4.30, switched.word_us, 0.01 * 4.30));
+    comparison.notes = "that the slower pairs had three switches between them was inferred from their rate\n";
+    Replay replay{.comparisons = {comparison}};
+    replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to the start\n"
+                       "   The link is that of placedpar replay links, fitted to the time of a word among others.\n";
+    replay.fingerprint = runs.fingerprint();
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment poznan_experiment{
+    .name = "poznan",
+    .about = "messages to and fro between two T805s, as measured in Poznan in 2008",
+    .chapter = "machine",
+    .number = 2,
+    .run = replay_poznan,
+};
+
+} // namespace placedpar
