@@ -1,6 +1,7 @@
 #include "gaprocs/islands.hpp"
 
 #include "gaprocs/usual_settings.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -17,9 +18,9 @@ namespace {
 void require_generations_in_step(std::span<const SearchSettings> islands) {
     for (std::size_t i = 1; i < islands.size(); ++i)
         if (islands[i].window.trials != islands[0].window.trials)
-            throw UserError(fmt::format("island 0 makes {} generations per sample and island {} makes {}, expected the "
+            throw UserError(fmt::format("island 0 makes {} per sample and island {} makes {}, expected the "
                                         "same number: they exchange in the same generations",
-                                        islands[0].window.trials, i, islands[i].window.trials));
+                                        counted(islands[0].window.trials, "generation"), i, islands[i].window.trials));
 }
 
 void require_places(const IslandsSettings& settings, const Neighbours& neighbours) {
@@ -110,8 +111,8 @@ Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::ve
     : problem_(problem), settings_(settings_for(problem, std::move(settings))) {
     validate_islands(settings_);
     if (streams.size() != settings_.islands.size())
-        throw std::invalid_argument(
-            fmt::format("{} streams of random numbers for {} islands", streams.size(), settings_.islands.size()));
+        throw std::invalid_argument(fmt::format("{} of random numbers for {}", counted(streams.size(), "stream"),
+                                                counted(settings_.islands.size(), "island")));
     neighbours_ = settings_.topology.neighbours(streams.size());
     in_step_ = islands_in_step(settings_.schedule, neighbours_);
     fitness_.resize(streams.size());

@@ -1,6 +1,7 @@
 #include "gaprocs/recoding.hpp"
 
 #include "gaprocs/representation/coding.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -36,14 +37,14 @@ std::uint64_t code_around(std::uint64_t centre, std::uint64_t code, std::size_t 
 void Recoding::validate() const {
     if (bits.empty() || bits.size() != problem_bits.size())
         throw std::invalid_argument(
-            fmt::format("{} fields are bred for {} of the problem", bits.size(), problem_bits.size()));
+            fmt::format("{} to be bred for {} of the problem", counted(bits.size(), "field"), problem_bits.size()));
     if (coding == Coding::real)
         throw std::invalid_argument("real numbers have no bits");
     for (std::size_t i = 0; i < bits.size(); ++i)
         validate_field(i, bits[i], problem_bits[i]);
     if (around && around->size() != problem_length())
-        throw std::invalid_argument(
-            fmt::format("around a string of {} bits, the problem's has {}", around->size(), problem_length()));
+        throw std::invalid_argument(fmt::format("around a string of {}, the problem's has {}",
+                                                counted(around->size(), "bit"), problem_length()));
 }
 
 std::size_t Recoding::length() const { return stuffed_bits(sum_of(bits), coding.dont_care()); }

@@ -1,5 +1,6 @@
 #include "gaprocs/search.hpp"
 
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +21,8 @@ BitString strings_of(const std::vector<Genome>& population) {
 
 void require_initial_length(const Representation& representation, const Genome& genome) {
     if (genome.size() != representation.bits())
-        throw UserError(
-            fmt::format("an initial individual has {} bits, expected {}", genome.size(), representation.bits()));
+        throw UserError(fmt::format("an initial individual has {}, expected {}", counted(genome.size(), "bit"),
+                                    representation.bits()));
 }
 
 } // namespace
@@ -47,12 +48,12 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
     settings.validate();
     require_fitting_operators(representation_, settings);
     if (population_.size() != settings.population)
-        throw std::invalid_argument(
-            fmt::format("{} strings are given for a population of {}", population_.size(), settings.population));
+        throw std::invalid_argument(fmt::format("a population of {} is given, expected {}",
+                                                counted(population_.size(), "string"), settings.population));
     for (const Genome& genome : population_)
         if (genome.size() != representation_.bits())
-            throw std::invalid_argument(
-                fmt::format("a population of strings of {} and of {} bits", representation_.bits(), genome.size()));
+            throw std::invalid_argument(fmt::format("a population of strings of {} and of {}", representation_.bits(),
+                                                    counted(genome.size(), "bit")));
 }
 
 void Search::next_generation(std::span<const double> fitness) {
@@ -125,8 +126,9 @@ Places Search::accept_among_offspring(std::span<const Individual> immigrants) {
 
 void Search::require_length(const Individual& immigrant) const {
     if (immigrant.genome.size() != representation_.bits())
-        throw std::invalid_argument(fmt::format("an immigrant of {} bits comes to an island of {} bits",
-                                                immigrant.genome.size(), representation_.bits()));
+        throw std::invalid_argument(fmt::format("an immigrant of {} comes to an island of {}",
+                                                counted(immigrant.genome.size(), "bit"),
+                                                counted(representation_.bits(), "bit")));
 }
 
 void Search::require_fitness(std::span<const double> fitness) const {

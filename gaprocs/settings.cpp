@@ -1,6 +1,7 @@
 #include "gaprocs/settings.hpp"
 
 #include "gaprocs/fitness.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,8 @@ void WindowSettings::validate() const {
     if (length == 0)
         throw UserError("the window holds 0 samples, expected at least 1");
     if (length > exact_fitness_terms)
-        throw UserError(fmt::format("the window holds {} samples, expected at most {}", length, exact_fitness_terms));
+        throw UserError(
+            fmt::format("the window holds {}, expected at most {}", counted(length, "sample"), exact_fitness_terms));
     if (first == 0)
         throw UserError("the first generation waits for 0 samples, expected at least 1");
     if (trials == 0)
@@ -43,7 +45,8 @@ void WindowSettings::validate() const {
 void WindowSettings::validate_for(std::size_t record_length) const {
     validate();
     if (length > record_length)
-        throw UserError(fmt::format("the window holds {} samples, the record only {}", length, record_length));
+        throw UserError(
+            fmt::format("the window holds {}, the record only {}", counted(length, "sample"), record_length));
 }
 
 void SearchSettings::validate() const {

@@ -1,5 +1,6 @@
 #include "gaprocs/usual_settings.hpp"
 
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -42,8 +43,8 @@ void require_fitting_reproduction(const SearchProblem& problem, const Reproducti
 void require_channels(const SearchProblem& problem, std::span<const Sample> record) {
     for (std::size_t i = 0; i < record.size(); ++i)
         if (record[i].size() != problem.channels())
-            throw std::invalid_argument(
-                fmt::format("sample {} has {} numbers, expected {}", i, record[i].size(), problem.channels()));
+            throw std::invalid_argument(fmt::format("sample {} has {}, expected {}", i,
+                                                    counted(record[i].size(), "number"), problem.channels()));
 }
 
 std::vector<Sample> empty_record(std::size_t generations) {

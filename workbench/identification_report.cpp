@@ -1,5 +1,7 @@
 #include "workbench/identification_report.hpp"
 
+#include "text/counted.hpp"
+
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -41,9 +43,10 @@ std::string print_flags(const LinkIdentified& link) {
 }
 
 std::string print_search(const Identified& identified, const ComplianceSearch& prepared, const IdentificationWay& way) {
-    return fmt::format("{} usable samples from {:.3f} to {:.3f} s; {} search{} of {} individuals, {} generations\n",
-                       prepared.samples.size(), prepared.samples.front().time_s, prepared.samples.back().time_s,
-                       way.searches, way.searches == 1 ? "" : "es", way.search.population, identified.generations);
+    return fmt::format("{} from {:.3f} to {:.3f} s; {} of {}, {}\n", counted(prepared.samples.size(), "usable sample"),
+                       prepared.samples.front().time_s, prepared.samples.back().time_s,
+                       counted(way.searches, "search", "searches"), counted(way.search.population, "individual"),
+                       counted(identified.generations, "generation"));
 }
 
 double spool_offset_in(const ComplianceSearch& prepared) {

@@ -5,6 +5,7 @@
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "app/watch.hpp"
+#include "text/counted.hpp"
 #include "text/output_file.hpp"
 #include "text/paint.hpp"
 #include "text/user_error.hpp"
@@ -123,8 +124,8 @@ std::string print_run(std::uint64_t seed, const RunResult& result) {
 
 /// So many as were asked for, or as were begun before the interruption.
 std::string print_seeds(std::size_t begun, std::size_t asked) {
-    return begun == asked ? fmt::format("{} seeds", asked)
-                          : fmt::format("{} of {} seeds, then interrupted", begun, asked);
+    return begun == asked ? counted(asked, "seed")
+                          : fmt::format("{} of {}, then interrupted", begun, counted(asked, "seed"));
 }
 
 std::string print_runs(const Network& network, std::span<const FinishedRun> runs, std::span<const SeededLog> logs,

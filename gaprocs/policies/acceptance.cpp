@@ -1,6 +1,7 @@
 #include "gaprocs/policies/acceptance.hpp"
 
 #include "runtime/random.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -80,9 +81,10 @@ Places OffspringAcceptance::operator()(const IslandPopulation& island, std::span
 
 void Acceptance::validate_for(std::size_t immigrants, std::size_t population, std::size_t elite) {
     if (immigrants > population - elite)
-        throw UserError(fmt::format("{} immigrants come at once to an island of {} individuals, {} of them elite, "
+        throw UserError(fmt::format("{} {} at once to an island of {}, {} of them elite, "
                                     "expected at most {}",
-                                    immigrants, population, elite, population - elite));
+                                    counted(immigrants, "immigrant"), immigrants == 1 ? "comes" : "come",
+                                    counted(population, "individual"), elite, population - elite));
 }
 
 Places Acceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,

@@ -2,6 +2,7 @@
 
 #include "gaprocs/policies/individual.hpp"
 #include "runtime/random.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -57,8 +58,8 @@ std::size_t Emigration::count() const {
 
 void Emigration::validate_for(std::size_t population) const {
     if (count() > population)
-        throw UserError(
-            fmt::format("{} emigrants from a population of {}, expected at most {}", count(), population, population));
+        throw UserError(fmt::format("{} from a population of {}, expected at most {}", counted(count(), "emigrant"),
+                                    population, population));
 }
 
 std::vector<std::size_t> Emigration::operator()(std::span<const double> fitness, RandomStream& random) const {

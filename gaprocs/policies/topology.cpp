@@ -1,5 +1,6 @@
 #include "gaprocs/policies/topology.hpp"
 
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -100,8 +101,8 @@ Neighbours HypercubeTopology::operator()(std::size_t islands) const {
 
 Neighbours TorusTopology::operator()(std::size_t islands) const {
     if (islands % rows != 0)
-        throw UserError(fmt::format("a torus of {} islands in {} rows, expected rows that divide {}: {}", islands, rows,
-                                    islands, fmt::join(divisors(islands), ", ")));
+        throw UserError(fmt::format("a torus of {} in {} rows, expected rows that divide {}: {}",
+                                    counted(islands, "island"), rows, islands, fmt::join(divisors(islands), ", ")));
     std::size_t columns = islands / rows;
     return neighbours_by(islands, [&](std::size_t i, NeighbourList& list) {
         std::size_t row = i / columns, column = i % columns;
@@ -129,8 +130,8 @@ Neighbours CompleteTopology::operator()(std::size_t islands) const {
 
 Neighbours GivenTopology::operator()(std::size_t islands) const {
     if (neighbours.size() != islands)
-        throw UserError(
-            fmt::format("the neighbours of {} islands are given, expected those of {}", neighbours.size(), islands));
+        throw UserError(fmt::format("the neighbours of {} are given, expected those of {}",
+                                    counted(neighbours.size(), "island"), islands));
     for (std::size_t i = 0; i < islands; ++i)
         for (std::size_t other : neighbours[i])
             require_given_neighbour(neighbours, i, other);

@@ -6,6 +6,7 @@
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/slave_tree.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -138,7 +139,8 @@ private:
     void check_generations_agree(const ProcessInstance& first) {
         if (integer(process_, "trials") != integer(first, "trials"))
             refuse("trials",
-                   fmt::format("{} generations per sample on \"{}\", but {} on \"{}\"", integer(process_, "trials"),
+                   fmt::format("{} per sample on \"{}\", but {} on \"{}\"",
+                               counted(static_cast<std::size_t>(integer(process_, "trials")), "generation"),
                                process_.name, integer(first, "trials"), first.name),
                    "they exchange in the same generations");
         auto ours = samples_sent_to(process_), theirs = samples_sent_to(first);

@@ -6,6 +6,7 @@
 #include "gaprocs/processes/slave_tree.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/network/names.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -131,8 +132,8 @@ private:
     void refuse_generations() {
         if (given("generations"))
             refuse("generations",
-                   fmt::format("generations is of problems without a record: \"{}\" has one of {} samples",
-                               text("problem"), record_length()),
+                   fmt::format("generations is of problems without a record: \"{}\" has one of {}", text("problem"),
+                               counted(recorded_->samples(), "sample")),
                    "\"samples\" says how many of them are sent, \"trials\" of a master how many generations are made "
                    "for each");
     }

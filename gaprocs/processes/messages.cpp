@@ -1,5 +1,6 @@
 #include "gaprocs/processes/messages.hpp"
 
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -9,9 +10,8 @@ namespace placedpar {
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others) {
     auto bytes = static_cast<std::int64_t>(individuals) * bytes_each + others;
     if (bytes > largest_message_bytes)
-        throw UserError(
-            fmt::format("a message for {} individuals would have {} bytes, more than the {} that one can have",
-                        individuals, bytes, largest_message_bytes));
+        throw UserError(fmt::format("a message for {} would have {} bytes, more than the {} that one can have",
+                                    counted(individuals, "individual"), bytes, largest_message_bytes));
     return static_cast<std::uint32_t>(bytes);
 }
 

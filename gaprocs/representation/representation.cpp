@@ -1,6 +1,7 @@
 #include "gaprocs/representation/representation.hpp"
 
 #include "runtime/random.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/algorithm/string/classification.hpp>
@@ -83,7 +84,7 @@ std::vector<T> read_numbers(std::string_view text, std::size_t count) {
     boost::algorithm::trim(trimmed);
     boost::algorithm::split(words, trimmed, boost::is_any_of(" ,\t"), boost::token_compress_on);
     if (words.size() != count)
-        throw UserError(fmt::format("\"{}\" has {} numbers, expected {}", trimmed, words.size(), count));
+        throw UserError(fmt::format("\"{}\" has {}, expected {}", trimmed, counted(words.size(), "number"), count));
     std::vector<T> numbers(count);
     for (std::size_t i = 0; i < count; ++i) {
         const char* end = words[i].data() + words[i].size();

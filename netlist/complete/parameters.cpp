@@ -128,10 +128,10 @@ private:
         auto number = integer != nullptr ? static_cast<double>(*integer) : std::get<double>(value);
         if (in_range(known, number))
             return;
-        auto unit = known.unit.empty() ? "" : " " + known.unit;
-        c_.reporter.error(setting.at,
-                          fmt::format("the parameter \"{}\" is out of range: {}{}", known.name, number, unit),
-                          range_of(known));
+        c_.reporter.error(
+            setting.at,
+            fmt::format("the parameter \"{}\" is out of range: {}", known.name, with_unit(number, known.unit)),
+            range_of(known));
     }
 
     std::optional<Value> convert(const Setting& setting, ParameterType type) {

@@ -1,16 +1,17 @@
 #include "netlist/kinds/parameter.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 
 namespace placedpar {
 
 std::string range_of(const ParameterDescription& parameter) {
-    auto unit = parameter.unit.empty() ? "" : " " + parameter.unit;
     if (parameter.least && parameter.most)
-        return fmt::format("it goes from {} to {}{}", *parameter.least, *parameter.most, unit);
+        return fmt::format("it goes from {} to {}", *parameter.least, with_unit(*parameter.most, parameter.unit));
     if (parameter.least)
-        return fmt::format("it is at least {}{}", *parameter.least, unit);
-    return fmt::format("it is at most {}{}", parameter.most.value(), unit);
+        return fmt::format("it is at least {}", with_unit(*parameter.least, parameter.unit));
+    return fmt::format("it is at most {}", with_unit(parameter.most.value(), parameter.unit));
 }
 
 bool in_range(const ParameterDescription& parameter, double number) {

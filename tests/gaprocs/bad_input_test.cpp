@@ -125,11 +125,11 @@ TEST_CASE("a sample of another size than the problem's is refused before it is r
     auto record = line_record(12);
     record[7].pop_back();
     CHECK_THROWS_WITH_AS(run_traditional(*line, record, SearchSettings(), RandomStream(1, "bad")),
-                         "sample 7 has 1 numbers, expected 2", std::invalid_argument);
+                         "sample 7 has 1 number, expected 2", std::invalid_argument);
     IslandsSettings settings;
     settings.islands.assign(2, SearchSettings());
     CHECK_THROWS_WITH_AS(run_islands(*line, record, settings, island_streams(1, 2)),
-                         "sample 7 has 1 numbers, expected 2", std::invalid_argument);
+                         "sample 7 has 1 number, expected 2", std::invalid_argument);
 }
 
 TEST_CASE("what is no number in a record, or of a user's error, is as bad as can be and ends nothing") {

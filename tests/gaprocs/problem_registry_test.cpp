@@ -30,7 +30,7 @@ TEST_CASE("what cannot be registered is refused with a reason") {
     CHECK_THROWS_WITH_AS(registry.add("line", nullptr, {}), "search problem 'line': there is none",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(registry.add("line", problem, {{1, 2}, {1}}),
-                         "search problem 'line': sample 1 has 1 numbers, expected 2", std::invalid_argument);
+                         "search problem 'line': sample 1 has 1 number, expected 2", std::invalid_argument);
     registry.add("line", problem, {});
     CHECK_THROWS_WITH_AS(registry.add("line", problem, {}), "search problem 'line' is named twice",
                          std::invalid_argument);
@@ -77,5 +77,5 @@ TEST_CASE("a made record that is not as promised is refused") {
     registry.add_to_make("short", problem, {3, [] { return line_record(2); }});
     CHECK_THROWS_WITH_AS(registry.find("short").record(), "2 samples were made, 3 were promised", std::logic_error);
     registry.add_to_make("narrow", problem, {1, [] { return std::vector<Sample>{{1}}; }});
-    CHECK_THROWS_WITH_AS(registry.find("narrow").record(), "sample 0 has 1 numbers, expected 2", std::invalid_argument);
+    CHECK_THROWS_WITH_AS(registry.find("narrow").record(), "sample 0 has 1 number, expected 2", std::invalid_argument);
 }

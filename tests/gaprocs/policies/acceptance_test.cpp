@@ -122,6 +122,12 @@ TEST_CASE("more immigrants than can be replaced are refused") {
     }
 }
 
+TEST_CASE("one immigrant and one individual are not many") {
+    CHECK_THROWS_WITH_AS(Acceptance::validate_for(1, 1, 1),
+                         "1 immigrant comes at once to an island of 1 individual, 1 of them elite, expected at most 0",
+                         UserError);
+}
+
 TEST_CASE("ways to accept have names") {
     CHECK(Acceptance().text() == "worst(only_if_better = 0)");
     CHECK(Acceptance::named("alike(1)").text() == "alike(only_if_better = 1)");

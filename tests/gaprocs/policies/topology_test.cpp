@@ -165,3 +165,8 @@ TEST_CASE("topologies have names") {
     for (const PolicyDescription& way : Topology::descriptions())
         CHECK(Topology::named(way.text()).text() == way.text());
 }
+
+TEST_CASE("a torus of one island is of one island") {
+    CHECK_THROWS_WITH_AS(Topology::named("torus(2)").neighbours(1),
+                         "a torus of 1 island in 2 rows, expected rows that divide 1: 1", UserError);
+}

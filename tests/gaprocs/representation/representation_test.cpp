@@ -62,7 +62,7 @@ TEST_CASE("a string as text and back") {
 TEST_CASE("a text that is no string of the representation is refused") {
     CHECK(refusal_of_text(bits_of_5, "0110") == "\"0110\" is no string of 5 characters 0 and 1");
     CHECK(refusal_of_text(bits_of_5, "01102") == "\"01102\" is no string of 5 characters 0 and 1");
-    CHECK(refusal_of_text(two_reals, "1") == "\"1\" has 1 numbers, expected 2");
+    CHECK(refusal_of_text(two_reals, "1") == "\"1\" has 1 number, expected 2");
     CHECK(refusal_of_text(two_reals, "1 x") == "\"x\" is no number");
     CHECK(refusal_of_text(two_reals, "1 1.5") == "1.5 is out of range: number 2 goes from -1 to 1");
     CHECK(refusal_of_text(two_reals, "nan 0") == "nan is out of range: number 1 goes from 0 to 10");
