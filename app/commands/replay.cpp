@@ -25,6 +25,8 @@ namespace placedpar {
 
 namespace {
 
+constexpr std::uint64_t most_seeds = 1'000'000; ///< ours: one typed with too many digits must not fill the memory
+
 /// What the command line may say; what is written has no file where it is empty.
 struct ReplayOptions {
     std::string experiment, json, plots, resume;
@@ -147,8 +149,7 @@ Action declare_replay(CLI::App& command, const std::string& typed) {
     add_seed(command, options->seed);
     add_file(command, "--json", options->json, "writes the cells for machines");
     add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG", "FOLDER");
-    add_count(command, "--seeds", options->seeds, "of a study, instead of its own number")
-        ->check(CLI::PositiveNumber.description(""));
+    add_number(command, "--seeds", options->seeds, 1, most_seeds, "of a study, instead of its own number");
     add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
     command.footer("experiments:\n" + list_experiments());
     return [options, typed] { return replay(*options, typed); };

@@ -8,12 +8,16 @@
 namespace placedpar {
 
 std::string not_a_whole_number(const std::string& text) {
+    return not_a_number_within(text, 0, std::numeric_limits<std::uint64_t>::max());
+}
+
+std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most) {
     std::uint64_t number = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     bool octal = text.size() > 1 && text[0] == '0'; // to CLI11
-    if (error == std::errc() && end == text.data() + text.size() && !octal)
-        return "";
-    return fmt::format("\"{}\" is no whole number from 0 to {}", text, std::numeric_limits<std::uint64_t>::max());
+    bool right =
+        error == std::errc() && end == text.data() + text.size() && !octal && number >= least && number <= most;
+    return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
 }
 
 std::string not_a_name(const std::string& text) { return text.empty() ? "it takes a name" : ""; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,10 @@
 namespace placedpar {
 
 // Options that mean the same wherever they stand, and refuse the same.
+
+/// For CLI::Option::check: what is wrong with it; "" if nothing is.
+std::string not_a_whole_number(const std::string& text);
+std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most);
 
 /// --seed, of every random stream unless `about` says of what.
 void add_seed(CLI::App&, std::uint64_t& seed,
@@ -19,14 +24,21 @@ void add_seed(CLI::App&, std::uint64_t& seed,
 CLI::Option* add_count(CLI::App&, const std::string& option, std::size_t& count, const std::string& about,
                        const std::string& unit = "N");
 
+/// An option that takes digits only, and a number from least to most.
+template <class Number>
+CLI::Option* add_number(CLI::App& command, const std::string& option, Number& value, std::uint64_t least,
+                        std::uint64_t most, const std::string& about) {
+    auto check = [least, most](const std::string& text) { return not_a_number_within(text, least, most); };
+    return command.add_option(option, value, about)
+        ->check(CLI::Validator(check, ""))
+        ->type_name(fmt::format("{}..{}", least, most));
+}
+
 /// An option that names a file, or what else `type` says; it cannot be "".
 CLI::Option* add_file(CLI::App&, const std::string& option, std::string& path, const std::string& about,
                       const std::string& type = "FILE");
 
 /// For CLI::Option::check, of a name that cannot be "".
 std::string not_a_name(const std::string& text);
-
-/// For CLI::Option::check, of options that add_count() does not fit.
-std::string not_a_whole_number(const std::string& text);
 
 } // namespace placedpar

@@ -6,8 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
-
 namespace placedpar {
 
 using namespace hydraulics;
@@ -20,21 +18,6 @@ CLI::Option* add_choice(CLI::App& command, const char* name, std::string& value,
     return command.add_option(name, value, about)
         ->check(CLI::IsMember(words).description(""))
         ->type_name(fmt::format("{}", fmt::join(words, "|")));
-}
-
-/// An option that takes digits only, and a number from least to most.
-template <class Number>
-CLI::Option* add_number(CLI::App& command, const char* name, Number& value, std::uint64_t least, std::uint64_t most,
-                        const char* about) {
-    auto check = [least, most](const std::string& text) {
-        std::uint64_t number = 0;
-        std::from_chars(text.data(), text.data() + text.size(), number);
-        bool right = not_a_whole_number(text).empty() && number >= least && number <= most;
-        return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
-    };
-    return command.add_option(name, value, about)
-        ->check(CLI::Validator(check, ""))
-        ->type_name(fmt::format("{}..{}", least, most));
 }
 
 constexpr std::uint64_t a_million = 1'000'000;

@@ -86,6 +86,12 @@ class Replay(unittest.TestCase):
             self.assertEqual(document["cells"], alone["cells"])
             self.assertEqual(len(kept.read_text(encoding="utf-8").splitlines()), 1 + 2 * 8)
 
+    def test_seeds_of_a_study_are_a_number_that_it_can_run(self):
+        for number in ("0", "-1", "100000000000", "many"):
+            run = placedpar("replay", "pga-4", "--seeds", number)
+            self.assertEqual((run.returncode, run.stdout), (1, ""))
+            self.assertIn(f'--seeds: "{number}" is no whole number from 1 to 1000000\n', run.stderr)
+
     def test_what_is_no_study_has_no_seeds_to_count(self):
         run = placedpar("replay", "table-e1", "--seeds", 3)
         self.assertEqual((run.returncode, run.stdout), (1, ""))
