@@ -55,11 +55,13 @@ std::vector<const ProcessKind*> group_of(const Catalogue& catalogue, std::string
     return kinds;
 }
 
-void refuse_kind(const Catalogue& catalogue, const std::string& name) {
+void refuse_kind(const Catalogue& catalogue, const std::string& name, const std::vector<std::string>& others) {
     std::string meant = nearest_name(name, known_names(catalogue));
     if (meant.empty())
         meant = kind_without_group(catalogue, name);
-    throw UserError(fmt::format("there is no process kind and no device \"{}\"; {}", name,
+    if (meant.empty())
+        meant = nearest_name(name, others);
+    throw UserError(fmt::format("there is no process kind, device, problem or policy \"{}\"; {}", name,
                                 meant.empty() ? "say placedpar kinds for those there are"
                                               : fmt::format("did you mean \"{}\"?", meant)));
 }

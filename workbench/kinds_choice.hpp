@@ -21,8 +21,9 @@ std::vector<std::string> known_names(const Catalogue&);
 /// The known name that this is but for the case of its letters, as DOS and the toolset have it; itself if it is none.
 std::string known_name(const Catalogue&, const std::string& name);
 
-/// Throws UserError: there is no kind, device or group of that name, but perhaps a similar one.
-[[noreturn]] void refuse_kind(const Catalogue&, const std::string& name);
+/// Throws UserError: there is nothing of that name, but perhaps a kind, device or group of a similar one, or one of the
+/// others.
+[[noreturn]] void refuse_kind(const Catalogue&, const std::string& name, const std::vector<std::string>& others = {});
 
 /// As a netlist writes it: "int", "double" or "string".
 const char* word(ParameterType);

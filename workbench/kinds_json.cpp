@@ -31,17 +31,6 @@ json::array list(const Things& things, Entry entry) {
     return array;
 }
 
-json::object parameter_json(const ParameterDescription& parameter) {
-    return {{"name", parameter.name},
-            {"type", word(parameter.type)},
-            {"unit", parameter.unit},
-            {"default", parameter.default_value ? value_json(*parameter.default_value) : json::value()},
-            {"least", value_or_null(parameter.least)},
-            {"most", value_or_null(parameter.most)},
-            {"choices", names_json(parameter.choices)},
-            {"about", parameter.about}};
-}
-
 json::object port_json(const PortDescription& port) {
     return {{"name", port.name},
             {"direction", word(port.direction)},
@@ -112,6 +101,18 @@ json::array processes_json(const Catalogue& catalogue, const std::string& name) 
 }
 
 } // namespace
+
+boost::json::object parameter_json(const ParameterDescription& parameter) {
+    return {{"name", parameter.name},
+            {"type", word(parameter.type)},
+            {"unit", parameter.unit},
+            {"default", parameter.default_value ? value_json(*parameter.default_value) : json::value()},
+            {"least", value_or_null(parameter.least)},
+            {"most", value_or_null(parameter.most)},
+            {"choices", names_json(parameter.choices)},
+            {"about", parameter.about},
+            {"decides", parameter.noun}};
+}
 
 json::object kinds_json(const Catalogue& catalogue, const std::string& name) {
     json::object document{{"processes", processes_json(catalogue, name)}, {"devices", devices_json(catalogue, name)}};

@@ -34,12 +34,6 @@ std::string print_range(const ParameterDescription& parameter) {
     return least + " .. " + most;
 }
 
-std::string print_parameter(const ParameterDescription& p, const std::optional<Value>& by_default) {
-    return fmt::format("  {:<28} {:<7} default {:<14} {:<28} {}\n", p.name, word(p.type),
-                       by_default ? print_value(*by_default) : "none", print_range(p), p.unit) +
-           fmt::format("  {:<28} {}\n", "", p.about);
-}
-
 std::string print_parameters(const ProcessKind& kind) {
     std::string out = painted(Paint::heading, "\nparameters\n");
     for (const ParameterDescription& parameter : kind.parameters)
@@ -162,6 +156,12 @@ std::string print_device(const std::string& name, const NodeType& type) {
 }
 
 } // namespace
+
+std::string print_parameter(const ParameterDescription& p, const std::optional<Value>& by_default) {
+    return fmt::format("  {:<28} {:<7} default {:<14} {:<28} {}\n", p.name, word(p.type),
+                       by_default ? print_value(*by_default) : "none", print_range(p), p.unit) +
+           fmt::format("  {:<28} {}\n", "", p.about);
+}
 
 std::string print_kinds(const Catalogue& catalogue) {
     return painted(Paint::heading, "processes\n") + print_process_lines(group_of(catalogue, processes_group)) + "\n" +

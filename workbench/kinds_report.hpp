@@ -4,6 +4,7 @@
 
 #include <boost/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace placedpar {
@@ -14,6 +15,11 @@ std::string print_kinds(const Catalogue&);
 /// declared with by this name. The name of a group, such as csp of csp.prefix, or "processes" or "devices": its kinds,
 /// a line for each. Throws UserError when there is none of that name, with the nearest one.
 std::string print_kind(const Catalogue&, const std::string& name);
+
+/// Its name, type, default and range in a line, what it is about in the next.
+std::string print_parameter(const ParameterDescription&, const std::optional<Value>& by_default);
+/// All of that.
+boost::json::object parameter_json(const ParameterDescription&);
 
 /// {"processes": [...], "devices": [...]}: all that print_kind says of the kinds that the name stands for; of all kinds
 /// where it is "". A range's ends and a default that are not there are null. Throws UserError as print_kind does.

@@ -1,6 +1,8 @@
 #include "workbench/problems_report.hpp"
 
+#include "text/counted.hpp"
 #include "text/paint.hpp"
+#include "workbench/policies_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,8 +26,8 @@ std::optional<PolicyDescription> family_named(const ProblemRegistry& problems, s
 std::string base_of(const std::string& name) { return name.substr(0, name.find('(')); }
 
 std::string record_of(const RecordedProblem& recorded) {
-    return fmt::format("identified over a record of {} samples of {} numbers", recorded.samples(),
-                       recorded.problem()->channels());
+    return fmt::format("identified over a record of {} of {}", counted(recorded.samples(), "sample"),
+                       counted(recorded.problem()->channels(), "number"));
 }
 
 std::string goal_of(const Objective& objective) {
@@ -37,11 +39,6 @@ std::string goal_of(const Objective& objective) {
 std::string what_is_searched(const RecordedProblem& recorded) {
     auto objective = recorded.problem()->objective();
     return objective ? goal_of(*objective) : record_of(recorded);
-}
-
-std::string print_number(const PolicyNumberDescription& number) {
-    return fmt::format("  {:<16} {:<7} default {:<14} {} .. {}\n", number.name, number.whole ? "int" : "double",
-                       number.by_default, number.least, number.most);
 }
 
 /// "C_BUi in^3/psi"; of many alike the first and the last.
@@ -57,17 +54,6 @@ std::string print_parameters(const SearchProblem& problem) {
 
 boost::json::value value_or_null(std::optional<double> value) {
     return value ? boost::json::value(*value) : boost::json::value();
-}
-
-boost::json::array numbers_json(const std::optional<PolicyDescription>& family) {
-    boost::json::array array;
-    for (const PolicyNumberDescription& number : family ? family->numbers : std::vector<PolicyNumberDescription>{})
-        array.push_back({{"name", number.name},
-                         {"whole", number.whole},
-                         {"default", number.by_default},
-                         {"least", number.least},
-                         {"most", number.most}});
-    return array;
 }
 
 /// A name too long for its column has a line of its own.
@@ -93,14 +79,9 @@ std::string print_problem(const ProblemRegistry& problems, const std::string& na
     auto family = family_named(problems, base_of(name));
     if (family)
         out += family->about + "\n";
-    out += fmt::format("{}\nstring: {} bits\n", what_is_searched(recorded), recorded.problem()->bits()) +
+    out += fmt::format("{}\nstring: {}\n", what_is_searched(recorded), counted(recorded.problem()->bits(), "bit")) +
            print_parameters(*recorded.problem());
-    if (!family || family->numbers.empty())
-        return out;
-    out += painted(Paint::heading, "\nnumbers\n");
-    for (const PolicyNumberDescription& number : family->numbers)
-        out += print_number(number);
-    return out;
+    return family ? out + print_numbers(*family) : out;
 }
 
 boost::json::object problem_json(const ProblemRegistry& problems, const std::string& name) {
@@ -109,7 +90,7 @@ boost::json::object problem_json(const ProblemRegistry& problems, const std::str
     auto objective = recorded.problem()->objective();
     return {{"name", name},
             {"about", family ? family->about : ""},
-            {"numbers", numbers_json(family)},
+            {"numbers", family ? numbers_json(*family) : boost::json::array()},
             {"goal", !objective                          ? ""
                      : objective->goal == Goal::minimise ? "minimise"
                                                          : "maximise"},

@@ -1,8 +1,10 @@
 #include "app/command.hpp"
+#include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "workbench/kinds_choice.hpp"
 #include "workbench/kinds_report.hpp"
 #include "workbench/manifest.hpp"
+#include "workbench/policies_report.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/problems_report.hpp"
 
@@ -21,8 +23,8 @@ namespace {
 std::string list_kinds(const Catalogue& catalogue) {
     return print_kinds(catalogue) +
            fmt::format("\nsay {0} kinds NAME for ports, parameters and measures, or a device's attributes; --json for "
-                       "all of it; {0} kinds {1} for what genetic algorithms can search for\n",
-                       program_name(), problems_group);
+                       "all of it; {0} kinds {1} for what genetic algorithms can search for, {0} kinds {2} for how\n",
+                       program_name(), problems_group, policies_group);
 }
 
 /// Whether it is the name of a problem, with its numbers or without.
@@ -31,21 +33,52 @@ bool is_problem(const ProblemRegistry& problems, const std::string& name) {
     return std::ranges::count(names, name.substr(0, name.find('('))) > 0;
 }
 
-std::string print_kinds_or_problems(const Catalogue& catalogue, const ProblemRegistry& problems,
-                                    const std::string& name) {
-    if (name.empty())
-        return list_kinds(catalogue);
-    if (name == problems_group)
-        return print_problems(problems);
-    return is_problem(problems, name) ? print_problem(problems, name)
-                                      : print_kind(catalogue, known_name(catalogue, name));
+/// What can be asked for besides processes and devices.
+std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) {
+    std::vector<std::string> names = problems.names(), policies = policy_names();
+    names.emplace_back(problems_group);
+    names.insert(names.end(), policies.begin(), policies.end());
+    return names;
+}
+
+/// What the name stands for.
+enum class Meant { kinds, all_problems, problem, all_policies, policy };
+
+/// Throws UserError where it stands for nothing.
+Meant meant_by(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
+    auto known = known_names(catalogue);
+    if (name.empty() || std::ranges::count(known, known_name(catalogue, name)) > 0)
+        return Meant::kinds;
+    if (lower_case(name) == problems_group)
+        return Meant::all_problems;
+    if (is_problem(problems, name))
+        return Meant::problem;
+    if (lower_case(name) == policies_group)
+        return Meant::all_policies;
+    if (is_policy(catalogue, name))
+        return Meant::policy;
+    refuse_kind(catalogue, name, problems_and_policies(problems));
+}
+
+std::string print(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
+    switch (meant_by(catalogue, problems, name)) {
+    case Meant::all_problems: return print_problems(problems);
+    case Meant::problem: return print_problem(problems, name);
+    case Meant::all_policies: return print_policies();
+    case Meant::policy: return print_policy(catalogue, name);
+    case Meant::kinds: break;
+    }
+    return name.empty() ? list_kinds(catalogue) : print_kind(catalogue, known_name(catalogue, name));
 }
 
 boost::json::object json_of(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
-    if (name == problems_group)
-        return {{problems_group, problems_json(problems)}};
-    if (is_problem(problems, name))
-        return {{problems_group, boost::json::array{problem_json(problems, name)}}};
+    switch (meant_by(catalogue, problems, name)) {
+    case Meant::all_problems: return {{problems_group, problems_json(problems)}};
+    case Meant::problem: return {{problems_group, boost::json::array{problem_json(problems, name)}}};
+    case Meant::all_policies:
+    case Meant::policy: return {{policies_group, policies_json(catalogue, lower_case(name))}};
+    case Meant::kinds: break;
+    }
     return kinds_json(catalogue, name.empty() ? name : known_name(catalogue, name));
 }
 
@@ -58,24 +91,24 @@ ExitCode kinds(const KindsOptions& options) {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
     print_out(options.json ? print_pretty(json_of(catalogue, problems, options.name))
-                           : print_kinds_or_problems(catalogue, problems, options.name));
+                           : print(catalogue, problems, options.name));
     return ExitCode::success;
 }
 
 std::vector<std::string> names_of_kinds() {
     ProblemRegistry problems = known_problems(0);
-    std::vector<std::string> names = known_names(known_kinds(problems)), searched = problems.names();
-    names.emplace_back(problems_group);
-    names.insert(names.end(), searched.begin(), searched.end());
+    std::vector<std::string> names = known_names(known_kinds(problems)), others = problems_and_policies(problems);
+    names.insert(names.end(), others.begin(), others.end());
     std::ranges::sort(names);
     return names;
 }
 
 Action declare_kinds(CLI::App& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
-    command.add_option(
-        "NAME", options->name,
-        "a kind or a search problem: everything about it; a group, such as csp: its kinds; problems: all of them");
+    command.add_option("NAME", options->name,
+                       "a kind, a search problem, what there is to decide about a genetic algorithm (selection, "
+                       "topology) or a policy: "
+                       "everything about it; a group, such as csp: its kinds; problems, policies: all of them");
     command.add_flag("--json", options->json, "prints everything about them for machines");
     return [options] { return kinds(*options); };
 }
@@ -84,7 +117,7 @@ Action declare_kinds(CLI::App& command, const std::string&) {
 
 extern const Command kinds_command{
     .name = "kinds",
-    .about = "Lists the kinds of processes and devices that a netlist can use",
+    .about = "Lists the kinds of processes and devices that a netlist can use, problems and policies",
     .place = 4,
     .declare = declare_kinds,
     .values = names_of_kinds,

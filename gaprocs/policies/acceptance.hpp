@@ -36,7 +36,8 @@ using Places = std::vector<std::optional<std::size_t>>;
 
 /// The least fit; the lower index first among equals. Draws nothing.
 struct WorstAcceptance {
-    static constexpr std::string_view name = "worst", about = "the least fit is replaced";
+    static constexpr std::string_view name = "worst", about = "the least fit is replaced",
+                                      source = "ours: the thesis does not say";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &WorstAcceptance::only_if_better, 0, 1});
@@ -46,7 +47,8 @@ struct WorstAcceptance {
 
 /// Anyone who is not of the elite, with the same chance. At least one number an immigrant.
 struct RandomAcceptance {
-    static constexpr std::string_view name = "random", about = "one drawn at random, not of the elite, is replaced";
+    static constexpr std::string_view name = "random", about = "one drawn at random, not of the elite, is replaced",
+                                      source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &RandomAcceptance::only_if_better, 0, 1});
@@ -58,7 +60,8 @@ struct RandomAcceptance {
 /// fewest bits) and is not of the elite; among equals the least fit, then
 /// the lowest index. Draws nothing.
 struct AlikeAcceptance {
-    static constexpr std::string_view name = "alike", about = "the most alike, not of the elite, is replaced";
+    static constexpr std::string_view name = "alike", about = "the most alike, not of the elite, is replaced",
+                                      source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1});
@@ -73,7 +76,8 @@ struct AlikeAcceptance {
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
                                       about = "one of the new population drawn at random, not of its elite, is "
-                                              "replaced; the immigrant is evaluated one generation later";
+                                              "replaced; the immigrant is evaluated one generation later",
+                                      source = "thesis 5.3.2, \"one generation later\"";
     static constexpr std::tuple<> numbers() { return {}; }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
@@ -83,6 +87,7 @@ struct OffspringAcceptance {
 class Acceptance : public OneOf<WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "acceptance", about = "who is replaced by an immigrant";
     static Acceptance named(std::string_view text) { return read<Acceptance>(text); }
 
     /// Whether immigrants come into the population that has just been bred, instead of the one that breeds.

@@ -16,27 +16,33 @@ namespace placedpar {
 /// In natural binary, as in the thesis, neighbours may differ in every bit: a search that stands at 0111 cannot step to
 /// 1000.
 struct NaturalCoding {
-    static constexpr std::string_view name = "natural", about = "fields in natural binary (thesis eq. 1.5)";
+    static constexpr std::string_view name = "natural", about = "fields in natural binary",
+                                      source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64}); }
 };
 
 /// In the (binary reflected) Gray code neighbours differ in one bit.
 struct GrayCoding {
-    static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit";
+    static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit",
+                                      source = "F. Gray, 1953; don't-care bits: thesis eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64}); }
 };
 
 /// No bits: the parameters themselves, each in the range of its field.
 struct RealCoding {
-    static constexpr std::string_view name = "real", about = "no bits: the parameters themselves, as real numbers";
+    static constexpr std::string_view name = "real", about = "no bits: the parameters themselves, as real numbers",
+                                      source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
 class Coding : public OneOf<NaturalCoding, GrayCoding, RealCoding> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view
+        noun = "representation",
+        about = "how a string stands for the parameters of a problem, a field of bits for each";
     static Coding named(std::string_view text) { return read<Coding>(text); }
     static const Coding natural, gray, real; ///< without don't-care bits
 

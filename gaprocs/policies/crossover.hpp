@@ -19,7 +19,8 @@ namespace placedpar {
 
 /// The characters 1 ... k, k uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). One number.
 struct OnePointCrossover {
-    static constexpr std::string_view name = "one-point", about = "the characters before a cut (thesis 1.1)";
+    static constexpr std::string_view name = "one-point", about = "the characters before a cut",
+                                      source = "thesis 1.1, eq. 1.1 and 1.2";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
@@ -28,7 +29,8 @@ struct OnePointCrossover {
 /// The characters between two cuts of the string closed to a ring, each pair of two of its L places equally likely.
 /// Two numbers.
 struct TwoPointCrossover {
-    static constexpr std::string_view name = "two-point", about = "the characters between two cuts";
+    static constexpr std::string_view name = "two-point", about = "the characters between two cuts",
+                                      source = "K. De Jong, 1975";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
@@ -37,7 +39,8 @@ struct TwoPointCrossover {
 /// Each character with an even chance (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). One number for
 /// each begun half word, or for each of real numbers.
 struct UniformCrossover {
-    static constexpr std::string_view name = "uniform", about = "each character with an even chance";
+    static constexpr std::string_view name = "uniform", about = "each character with an even chance",
+                                      source = "G. Syswerda, 1989";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
@@ -48,8 +51,8 @@ struct UniformCrossover {
 /// number.
 struct DifferenceCrossover {
     static constexpr std::string_view name = "by-difference",
-                                      about =
-                                          "a cut between bits that differ, of mates that differ in two (thesis 6.3)";
+                                      about = "a cut between bits that differ, of mates that differ in two",
+                                      source = "thesis 6.3";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
     /// REQUIRES: they differ in two bits or more.
@@ -61,7 +64,8 @@ struct DifferenceCrossover {
 /// beyond an end of the range lies that end. Two numbers for each.
 struct BlendCrossover {
     static constexpr std::string_view name = "blend",
-                                      about = "numbers between the parents', and `alpha` of their distance beyond";
+                                      about = "numbers between the parents', and `alpha` of their distance beyond",
+                                      source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10}); }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
@@ -73,7 +77,8 @@ struct BlendCrossover {
 /// those of TwoPointCrossover. Two numbers.
 struct OrderCrossover {
     static constexpr std::string_view name = "order",
-                                      about = "a stretch of one parent, the rest in the order of the other";
+                                      about = "a stretch of one parent, the rest in the order of the other",
+                                      source = "L. Davis, 1985";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;
@@ -86,6 +91,7 @@ class Crossover : public OneOf<OnePointCrossover, TwoPointCrossover, UniformCros
                                BlendCrossover, OrderCrossover> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
     static Crossover named(std::string_view text) { return read<Crossover>(text); }
 
     /// Each pair with the given probability: one number for the chance, and the way's own. The last of an odd number

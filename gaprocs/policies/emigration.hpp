@@ -17,7 +17,7 @@ class RandomStream;
 
 /// The best first; the lower index first among equals. Draws nothing.
 struct BestEmigration {
-    static constexpr std::string_view name = "best", about = "the `count` best";
+    static constexpr std::string_view name = "best", about = "the `count` best", source = "thesis 4.3 and 5.2.1";
     std::size_t count = 1;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"count", &BestEmigration::count, 1, 1e6}); }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
@@ -25,7 +25,8 @@ struct BestEmigration {
 
 /// Each individual with the same chance. At least one number for each that leaves.
 struct RandomEmigration {
-    static constexpr std::string_view name = "random", about = "`count` drawn at random";
+    static constexpr std::string_view name = "random", about = "`count` drawn at random",
+                                      source = "a control: not in the thesis";
     std::size_t count = 1;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"count", &RandomEmigration::count, 1, 1e6}); }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
@@ -34,7 +35,8 @@ struct RandomEmigration {
 /// Each the best of `size` individuals that are drawn with replacement from those not chosen yet; the first of equals.
 /// At least `size` numbers for each that leaves.
 struct TournamentEmigration {
-    static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random";
+    static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random",
+                                      source = "not in the thesis";
     std::size_t count = 1, size = 2;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"count", &TournamentEmigration::count, 1, 1e6},
@@ -47,6 +49,7 @@ struct TournamentEmigration {
 class Emigration : public OneOf<BestEmigration, RandomEmigration, TournamentEmigration> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "emigration", about = "who leaves an island, and how many";
     static Emigration named(std::string_view text) { return read<Emigration>(text); }
 
     /// How many leave.

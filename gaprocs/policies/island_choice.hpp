@@ -24,22 +24,24 @@ class RandomStream;
 
 /// The greatest Sw_i / SA_i to the letter of 5.3, 5.4 and 5.7, with the squares of 5.1.
 struct PrintedChoice {
-    static constexpr std::string_view name = "printed", about = "greatest Sw/SA as printed (5.7), squared errors";
+    static constexpr std::string_view name = "printed", about = "greatest Sw/SA as printed, squared errors",
+                                      source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
 /// The same to the letter of 5.2 too, in which errors of both signs cancel.
 struct PlainSumChoice {
-    static constexpr std::string_view name = "plain",
-                                      about = "greatest Sw/SA, plain errors summed with their signs (5.2)";
+    static constexpr std::string_view name = "plain", about = "greatest Sw/SA, plain errors summed with their signs",
+                                      source = "thesis eq. 5.2 to 5.7, to the letter";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
 /// Means in place of sums, so that a window is not worse for being longer.
 struct MeansChoice {
-    static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors";
+    static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors",
+                                      source = "a reading of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
@@ -47,14 +49,16 @@ struct MeansChoice {
 /// Divided by the error of the row's own island: Sw_i is how much worse the others are than island i in its window.
 /// With it, means and sums are the same.
 struct RowChoice {
-    static constexpr std::string_view name = "row", about = "greatest Sw/SA, divided by the row's own error";
+    static constexpr std::string_view name = "row", about = "greatest Sw/SA, divided by the row's own error",
+                                      source = "a reading of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
 /// Always the same island, counted from 0.
 struct FixedChoice {
-    static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0";
+    static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0",
+                                      source = "a control: not in the thesis";
     std::size_t island = 0;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6}); }
     /// Throws as IslandChoice::validate_for().
@@ -63,7 +67,8 @@ struct FixedChoice {
 
 /// An island at random: what a rule has to beat. One number.
 struct RandomChoice {
-    static constexpr std::string_view name = "random", about = "an island drawn anew each time";
+    static constexpr std::string_view name = "random", about = "an island drawn anew each time",
+                                      source = "a control: not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
@@ -72,6 +77,8 @@ struct RandomChoice {
 class IslandChoice : public OneOf<PrintedChoice, PlainSumChoice, MeansChoice, RowChoice, FixedChoice, RandomChoice> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "choice",
+                                      about = "of islands with windows of different lengths, whose best is the answer";
     static IslandChoice named(std::string_view text) { return read<IslandChoice>(text); }
 
     /// Throws UserError where it is of an island that there is not.

@@ -18,7 +18,7 @@ class RandomStream;
 
 /// Every bit is flipped with the given probability. One number of the stream a bit, and no other.
 struct BitMutation {
-    static constexpr std::string_view name = "bit", about = "a bit is flipped (thesis 1.1)";
+    static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
@@ -29,7 +29,8 @@ struct BitMutation {
 /// The same, drawing from each bit that is flipped the distance to the next, which is distributed geometrically: one
 /// number of the stream for each flip, and one for the end of the population. REQUIRES: all strings of one length.
 struct DistanceMutation {
-    static constexpr std::string_view name = "distance", about = "as bit, by drawing how far it is to the next flip";
+    static constexpr std::string_view name = "distance", about = "as bit, by drawing how far it is to the next flip",
+                                      source = "thesis 1.1, drawn in another way";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
@@ -39,7 +40,8 @@ struct DistanceMutation {
 
 /// A normal deviate is added; beyond an end of the range lies that end. Two numbers.
 struct GaussianMutation {
-    static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range";
+    static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range",
+                                      source = "I. Rechenberg, 1973";
     double deviation = 0.1;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"deviation", &GaussianMutation::deviation, 0, 10});
@@ -53,7 +55,8 @@ struct GaussianMutation {
 /// H. Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Two numbers.
 struct BreederMutation {
     static constexpr std::string_view name = "breeder",
-                                      about = "a step of any size from `range` down to `range` 2^-precision";
+                                      about = "a step of any size from `range` down to `range` 2^-precision",
+                                      source = "H. Mühlenbein and D. Schlierkamp-Voosen, 1993";
     double range = 0.1, precision = 24;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"range", &BreederMutation::range, 0, 1},
@@ -66,7 +69,8 @@ struct BreederMutation {
 
 /// Anew, uniform in the range. One number.
 struct UniformMutation {
-    static constexpr std::string_view name = "uniform", about = "a number is drawn anew from its range";
+    static constexpr std::string_view name = "uniform", about = "a number is drawn anew from its range",
+                                      source = "Z. Michalewicz, 1992";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -75,7 +79,7 @@ struct UniformMutation {
 
 /// Changes places with another. One number.
 struct SwapMutation {
-    static constexpr std::string_view name = "swap", about = "two places are exchanged";
+    static constexpr std::string_view name = "swap", about = "two places are exchanged", source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -85,7 +89,8 @@ struct SwapMutation {
 /// The places from here to another, across the end where that comes before, are turned round: of a closed tour, two
 /// edges change. One number.
 struct InversionMutation {
-    static constexpr std::string_view name = "inversion", about = "the places from one to another are turned round";
+    static constexpr std::string_view name = "inversion", about = "the places from one to another are turned round",
+                                      source = "the 2-opt step of G. Croes, 1958";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -97,6 +102,7 @@ class Mutation : public OneOf<BitMutation, DistanceMutation, GaussianMutation, B
                               SwapMutation, InversionMutation> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "mutation", about = "how an offspring is changed by chance alone";
     static Mutation named(std::string_view text) { return read<Mutation>(text); }
 
     /// Each place of each string with the given probability: one number for the chance, and the way's own. A

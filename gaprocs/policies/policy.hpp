@@ -14,7 +14,8 @@ namespace placedpar {
 // A policy is one way to do a step of a genetic algorithm, a plain struct such as
 //
 //     struct TournamentReproduction {
-//         static constexpr std::string_view name = "tournament", about = "the best of `size` drawn at random";
+//         static constexpr std::string_view name = "tournament", about = "the best of `size` drawn at random",
+//                                           source = "D. Goldberg and K. Deb, 1991";
 //         std::size_t size = 2;
 //         static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1,
 //         1000}); }
@@ -45,6 +46,8 @@ struct PolicyDescription {
     std::string name;
     std::string about; ///< one line
     std::vector<PolicyNumberDescription> numbers;
+    std::string source = ""; ///< where it is from: chapter or equation of the thesis, else who proposed it
+    std::vector<std::string> strings = {}; ///< of what strings it works on; empty: of all
 
     /// "tournament(size = 2)": as text() of the policy with these numbers.
     std::string text(const std::vector<double>& values) const;
@@ -72,7 +75,11 @@ PolicyDescription describe_policy() {
     auto describe_all = [&](const auto&... number) {
         return std::vector<PolicyNumberDescription>{describe(number)...};
     };
-    return {std::string(Policy::name), std::string(Policy::about), std::apply(describe_all, Policy::numbers())};
+    PolicyDescription described{std::string(Policy::name), std::string(Policy::about),
+                                std::apply(describe_all, Policy::numbers())};
+    if constexpr (requires { Policy::source; })
+        described.source = Policy::source;
+    return described;
 }
 
 template <class Policy>

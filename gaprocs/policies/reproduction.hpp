@@ -20,7 +20,8 @@ using Parents = std::optional<std::vector<std::size_t>>;
 /// that individuals of fitness <= 0 (or not a number) are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
     static constexpr std::string_view name = "roulette",
-                                      about = "a spin for each parent; individuals of fitness <= 0 are discarded";
+                                      about = "a spin for each parent; individuals of fitness <= 0 are discarded",
+                                      source = "thesis 1.1 and 3.1.1, step 4";
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
@@ -34,7 +35,8 @@ struct RouletteReproduction {
 /// takes neighbours for mates.
 struct UniversalReproduction {
     static constexpr std::string_view name = "universal",
-                                      about = "stochastic universal sampling: one spin with evenly spaced balls";
+                                      about = "stochastic universal sampling: one spin with evenly spaced balls",
+                                      source = "J. Baker, 1987";
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
@@ -47,7 +49,8 @@ struct UniversalReproduction {
 /// give the worst less than none, the line goes through the mean and the worst instead. It depends on differences of
 /// fitness only, so that fitness may be negative. Sampled as UniversalReproduction.
 struct ScaledReproduction {
-    static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average";
+    static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average",
+                                      source = "D. Goldberg, 1989, p. 76";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100}); }
@@ -60,7 +63,8 @@ struct ScaledReproduction {
 /// average, the worst 2 - best, those between by their rank; equals share their ranks. Sampled as
 /// UniversalReproduction.
 struct RankingReproduction {
-    static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average";
+    static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average",
+                                      source = "J. Baker, 1985";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2}); }
@@ -72,7 +76,8 @@ struct RankingReproduction {
 /// Tournament: each parent is the best of `size` individuals that are drawn with replacement; the first of equals.
 struct TournamentReproduction {
     static constexpr std::string_view name = "tournament",
-                                      about = "the best of `size` drawn at random, for each parent";
+                                      about = "the best of `size` drawn at random, for each parent",
+                                      source = "D. Goldberg and K. Deb, 1991";
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6}); }
@@ -86,6 +91,7 @@ class Reproduction : public OneOf<RouletteReproduction, UniversalReproduction, S
                                   TournamentReproduction> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "selection", about = "how parents are chosen";
     static Reproduction named(std::string_view text) { return read<Reproduction>(text); }
 
     /// Whether individuals of fitness <= 0 never become parents.

@@ -17,7 +17,8 @@ namespace placedpar {
 // generations `every`, 2 `every`, 3 `every`, ..., the first of all being generation 1.
 
 struct BroadcastSchedule {
-    static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once";
+    static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once",
+                                      source = "thesis 5.3.2; every third generation: 4.3";
     std::size_t every = 3;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &BroadcastSchedule::every, 1, 1e6}); }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
@@ -27,7 +28,8 @@ struct BroadcastSchedule {
 /// dimensions i xor 1 and i xor 2 alternately (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations to one neighbour, each in its turn";
+                                      about = "every `every` generations to one neighbour, each in its turn",
+                                      source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &SequentialSchedule::every, 1, 1e6}); }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
@@ -37,7 +39,8 @@ struct SequentialSchedule {
 /// each neighbour the last that it sent. On a machine that depends on its times, and is the same in every run of it.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations to all neighbours, waiting for none";
+                                      about = "every `every` generations to all neighbours, waiting for none",
+                                      source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &AsynchronousSchedule::every, 1, 1e6}); }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
@@ -47,6 +50,8 @@ struct AsynchronousSchedule {
 class Schedule : public OneOf<BroadcastSchedule, SequentialSchedule, AsynchronousSchedule> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "schedule",
+                                      about = "when emigrants leave an island, and to which neighbours they go";
     static Schedule named(std::string_view text) { return read<Schedule>(text); }
 
     /// Whether islands that exchange wait for each other, so that all are in the same generation.

@@ -22,7 +22,8 @@ using Neighbours = std::vector<std::vector<std::size_t>>;
 
 /// The next, of the last the first; both ways also the one before.
 struct RingTopology {
-    static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before";
+    static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before",
+                                      source = "thesis, appendix E";
     std::size_t ways = 1;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"ways", &RingTopology::ways, 1, 2}); }
     Neighbours operator()(std::size_t islands) const;
@@ -31,7 +32,8 @@ struct RingTopology {
 /// The islands whose number differs in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
 /// dimensions). A power of two of islands.
 struct HypercubeTopology {
-    static constexpr std::string_view name = "hypercube", about = "to those whose number differs in one binary digit";
+    static constexpr std::string_view name = "hypercube", about = "to those whose number differs in one binary digit",
+                                      source = "thesis 5.2.1 and 5.3.2";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
@@ -39,7 +41,8 @@ struct HypercubeTopology {
 /// Island i stands in row i / columns and column i % columns of a rectangle closed in both directions: to the east,
 /// south, west, north.
 struct TorusTopology {
-    static constexpr std::string_view name = "torus", about = "a closed rectangle, to the east, south, west and north";
+    static constexpr std::string_view name = "torus", about = "a closed rectangle, to the east, south, west and north",
+                                      source = "not in the thesis";
     std::size_t rows = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6}); }
     Neighbours operator()(std::size_t islands) const;
@@ -47,20 +50,22 @@ struct TorusTopology {
 
 /// Island 0 to 1, 2, 3, ...; all others to island 0.
 struct StarTopology {
-    static constexpr std::string_view name = "star", about = "island 0 with all others, which have only that one";
+    static constexpr std::string_view name = "star", about = "island 0 with all others, which have only that one",
+                                      source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 /// All others, from the next on: i + 1, i + 2, ... and after the last island from the first on.
 struct CompleteTopology {
-    static constexpr std::string_view name = "complete", about = "to all others, from the next on";
+    static constexpr std::string_view name = "complete", about = "to all others, from the next on",
+                                      source = "thesis 5.3.2, broadcasting";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 struct NoTopology {
-    static constexpr std::string_view name = "none", about = "no exchange";
+    static constexpr std::string_view name = "none", about = "no exchange", source = "a control: not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
@@ -68,7 +73,8 @@ struct NoTopology {
 /// As listed. The list is no part of its text: who names it by text lists the neighbours elsewhere, as a netlist does
 /// by its connections. An island may only send or only receive, but not be without both.
 struct GivenTopology {
-    static constexpr std::string_view name = "given", about = "neighbours as they are listed";
+    static constexpr std::string_view name = "given", about = "neighbours as they are listed",
+                                      source = "as a netlist connects islands";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
     /// Throws UserError: lists of another number of islands, a neighbour that does not exist, is the island itself or
@@ -81,6 +87,7 @@ class Topology : public OneOf<RingTopology, HypercubeTopology, TorusTopology, St
                               NoTopology, GivenTopology> {
 public:
     using OneOf::OneOf;
+    static constexpr std::string_view noun = "topology", about = "which islands exchange individuals";
     static Topology named(std::string_view text) { return read<Topology>(text); }
 
     bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }

@@ -19,9 +19,11 @@ namespace {
 using namespace search_description;
 
 Parameters exchange_parameters() {
-    return {description::integer("exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
-                                 "how often the islands exchange individuals (thesis 4.3), where the schedule does not "
-                                 "say"),
+    return {description::deciding(
+                "schedule", description::integer(
+                                "exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
+                                "how often the islands exchange individuals (thesis 4.3), where the schedule does not "
+                                "say")),
             policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours"),
             policy<Emigration>("emigration", Emigration().text(), "of whom copies leave, and how many"),
             policy<Acceptance>("acceptance", Acceptance().text(), "who is replaced by an immigrant"),

@@ -35,11 +35,15 @@ Parameters operator_parameters() {
     return {
         real("bias", {.unit = "(unit of the error)^2", .by_default = 400, .least = 1e-300, .most = fitness_term_limit},
              "B of the fitness (eq. 3.9)"),
-        real("crossover", {.by_default = 0.8, .least = 0, .most = 1}, "probability that a pair is crossed over"),
-        real("mutation", {.by_default = 0.01, .least = 0, .most = 1},
-             "probability that a bit is flipped (or a number, or a place of a permutation changed)"),
-        integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
-                "best individuals that go over unchanged; evaluated again in every generation (thesis: none)"),
+        deciding("crossover", real("crossover", {.by_default = 0.8, .least = 0, .most = 1},
+                                   "probability that a pair is crossed over")),
+        deciding("mutation",
+                 real("mutation", {.by_default = 0.01, .least = 0, .most = 1},
+                      "probability that a bit is flipped (or a number, or a place of a permutation changed)")),
+        deciding(
+            "elitism",
+            integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
+                    "best individuals that go over unchanged; evaluated again in every generation (thesis: none)")),
         usual_policy<Reproduction>(
             "reproduction", "how parents are chosen (usual: roulette, thesis; of a problem without a record ranking)"),
         usual_policy<Crossover>("crossover_operator",
@@ -50,8 +54,9 @@ Parameters operator_parameters() {
                                "permutations inversion)"),
         policy<Coding>("coding", Coding().text(),
                        "how a field of the string stands for a number (thesis: natural); the slaves are told"),
-        text("initial", {.by_default = ""},
-             "a file with the first of the first population, a string in each line; the others are drawn at random"),
+        deciding("initial-population", text("initial", {.by_default = ""},
+                                            "a file with the first of the first population, a string in each line; the "
+                                            "others are drawn at random")),
         text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
     };
 }
@@ -127,22 +132,31 @@ PortDescription from_host() {
 Parameters farm_parameters() {
     using namespace description;
     return {
-        integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
-                "slaves in all, where any are connected: as many as there are"),
-        text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
-             "how the evaluations are dealt out: whole individuals, individuals one by one to the next idle "
-             "evaluator, or single error evaluations"),
-        text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
-             "when the slaves are sent the measurements: with each new sample, or in every generation"),
-        integer("tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
+        deciding("farm", integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
+                                 "slaves in all, where any are connected: as many as there are")),
+        deciding("farm",
+                 text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
+                      "how the evaluations are dealt out: whole individuals, individuals one by one to the next idle "
+                      "evaluator, or single error evaluations")),
+        deciding("farm",
+                 text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
+                      "when the slaves are sent the measurements: with each new sample, or in every generation")),
+        deciding(
+            "farm",
+            integer(
+                "tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
                 "with the split demand: tasks that a slave is sent before it has answered the first; with 2, the next "
-                "is there when one is done"),
-        text("sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
-             "how the master sends tasks: one after the other, or each channel by a process of its own, so that all "
-             "links are busy at once"),
-        text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
-             "how results come back: in the order of the chain, the farthest first, and chain by chain where there are "
-             "several; or as they are ready; on demand always as they are ready"),
+                "is there when one is done")),
+        deciding(
+            "farm",
+            text(
+                "sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
+                "how the master sends tasks: one after the other, or each channel by a process of its own, so that all "
+                "links are busy at once")),
+        deciding("farm", text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
+                              "how results come back: in the order of the chain, the farthest first, and chain by "
+                              "chain where there are "
+                              "several; or as they are ready; on demand always as they are ready")),
         integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
                 "rounds of communication with nothing to evaluate, to measure C_time2: after the work, in none of its "
                 "totals; 0 for no measurement"),

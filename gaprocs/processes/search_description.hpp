@@ -24,11 +24,12 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
     std::vector<std::string> examples;
     for (const PolicyDescription& each : Step::descriptions())
         examples.push_back(each.text());
-    return description::text(std::move(name),
-                             {.by_default = std::move(by_default),
-                              .choices = std::move(examples),
-                              .check = [](const std::string& text) { Step::named(text); }},
-                             std::move(about));
+    return description::deciding(std::string(Step::noun),
+                                 description::text(std::move(name),
+                                                   {.by_default = std::move(by_default),
+                                                    .choices = std::move(examples),
+                                                    .check = [](const std::string& text) { Step::named(text); }},
+                                                   std::move(about)));
 }
 
 /// What a netlist says of a step that is to take the policy that suits the problem: usual_settings().

@@ -44,4 +44,9 @@ ParameterDescription text(std::string name, TextTraits traits, std::string about
             .check = std::move(traits.check)};
 }
 
+ParameterDescription deciding(std::string noun, ParameterDescription parameter) {
+    parameter.noun = std::move(noun);
+    return parameter;
+}
+
 } // namespace placedpar::description

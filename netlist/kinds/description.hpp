@@ -40,6 +40,9 @@ ParameterDescription integer(std::string name, IntegerTraits traits, std::string
 ParameterDescription real(std::string name, RealTraits traits, std::string about);
 ParameterDescription text(std::string name, TextTraits traits, std::string about);
 
+/// The same parameter, which is one of those that decide this: ParameterDescription::noun.
+ParameterDescription deciding(std::string noun, ParameterDescription parameter);
+
 /// A channel end for messages of type T.
 template <class T>
 PortDescription port(std::string name, Direction direction, std::string protocol, std::string about) {

@@ -22,6 +22,7 @@ struct ParameterDescription {
     std::string about;                  ///< one line
     /// For text that is more than a word: throws UserError, saying what would be right. `choices` are then examples.
     std::function<void(const std::string&)> check = {};
+    std::string noun = ""; ///< what it decides, by a name under which the program tells more; "" where it does not
 };
 
 /// "it goes from 2 to 100 bytes", "it is at least 2 bytes", "it is at most 100 bytes". REQUIRES: it has a range.

@@ -134,13 +134,42 @@ class Kinds(unittest.TestCase):
             if line.rstrip() not in alone:
                 self.assertEqual((line[44], line[45] != " "), (" ", True), line)
 
+    def test_policies_are_the_same_in_both_forms(self):
+        listed = said("policies")
+        nouns = json.loads(said("policies", "--json"))["policies"]
+        self.assertEqual([line.split()[0] for line in listed.splitlines()[1:] if line[2] != " "],
+                         [noun["name"] for noun in nouns])
+        for noun in nouns:
+            text = said(noun["name"])
+            self.assertTrue(text.startswith(f"{noun['name']}\n{noun['about']}\n"))
+            for parameter in noun["parameters"]:
+                self.check_parameter(parameter, text, parameter["default"])
+                self.assertIn(f"of {', '.join(parameter['kinds'])}\n", text)
+                self.assertEqual(parameter["decides"], noun["name"])
+            for policy in noun["policies"]:
+                self.assertIn(f"{policy['name']}", listed)
+                self.assertIn(f"\n{policy['written']}\n  {policy['about']}\n", text)
+                self.assertIn(f"  source: {policy['source']}\n", text)
+                for each in policy["numbers"]:
+                    self.assertRegex(text, rf"{each['name']} +(int|double) +default {default_of(each['default'])} +"
+                                           rf"{number(each['least'])} .. {number(each['most'])}\n")
+        self.assertIn("initial-population", listed)
+
+    def test_a_policy_with_numbers_of_its_own(self):
+        self.assertIn('reproduction = "tournament(size = 3)"', said("Tournament(3)"))
+        self.assertEqual([noun["name"] for noun in json.loads(said("uniform", "--json"))["policies"]],
+                         ["crossover", "mutation"])
+        self.assertEqual(refusal("kinds", "ranking(3)"),
+                         "placedpar: best = 3 is out of range: best is a number from 1 to 2\n")
+
     def test_a_misspelt_name_gets_the_nearest(self):
         for wrong, right in (("mastr", "ga.master"), ("master", "ga.master"), ("ga.mastr", "ga.master"), ("cps", "csp"),
                              ("T80", "T800"), ("t80", "t800"), ("workstaton", "workstation"), ("device", "devices"),
-                             ("csp.prod", "csp.producer"), ("trad", "ga.traditional")):
+                             ("csp.prod", "csp.producer"), ("trad", "ga.traditional"), ("rastrigen", "rastrigin"),
+                             ("selecton", "selection"), ("rouletta", "roulette"), ("polices", "policies")):
             for form in ((), ("--json",)):
-                self.assertEqual(refusal("kinds", wrong, *form), "placedpar: there is no process kind and no device "
-                                                                 f'"{wrong}"; did you mean "{right}"?\n')
+                self.assertEqual(refusal("kinds", wrong, *form), "placedpar: there is no process kind, device, problem "
+                                                                 f'or policy "{wrong}"; did you mean "{right}"?\n')
         self.assertIn("say placedpar kinds for those", refusal("kinds", "zebra"))
 
 

@@ -1,0 +1,84 @@
+#include "gaprocs/policies/nouns.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+/// Every policy of every noun, with the noun.
+template <class Visit>
+void for_each_policy(Visit visit) {
+    for (const Noun& noun : policy_nouns())
+        for (const PolicyDescription& policy : noun.policies)
+            visit(noun, policy);
+}
+
+/// The numbers by default, but for one.
+std::vector<double> with_number(const PolicyDescription& policy, std::size_t which, double value) {
+    std::vector<double> values;
+    for (const PolicyNumberDescription& number : policy.numbers)
+        values.push_back(number.by_default);
+    values[which] = value;
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("what is listed of every policy is what its parser takes and prints") {
+    std::size_t policies = 0;
+    for_each_policy([&](const Noun& noun, const PolicyDescription& policy) {
+        CAPTURE(noun.name + ": " + policy.name);
+        ++policies;
+        auto printed_alone = noun.printed(policy.name), printed_whole = noun.printed(policy.text());
+        CHECK(printed_alone == printed_whole);
+        CHECK(noun.printed(printed_whole) == printed_whole);
+        CHECK(policy.text().starts_with(printed_whole)); // a coding without don't-care bits is printed without them
+    });
+    CHECK(policies == 38);
+}
+
+TEST_CASE("the ranges that are listed are those that the parser keeps") {
+    for_each_policy([](const Noun& noun, const PolicyDescription& policy) {
+        for (std::size_t i = 0; i < policy.numbers.size(); ++i) {
+            const PolicyNumberDescription& number = policy.numbers[i];
+            CAPTURE(noun.name + ": " + policy.name + ": " + number.name);
+            for (double end : {number.least, number.most}) {
+                auto text = policy.text(with_number(policy, i, end));
+                CHECK(text.starts_with(noun.printed(text)));
+            }
+            CHECK_THROWS_AS(noun.printed(policy.text(with_number(policy, i, number.least - 1))), UserError);
+            CHECK_THROWS_AS(noun.printed(policy.text(with_number(policy, i, number.most + 1))), UserError);
+        }
+    });
+}
+
+TEST_CASE("every noun and policy says what it is, and every policy where it is from") {
+    std::set<std::string> nouns, policies;
+    for (const Noun& noun : policy_nouns()) {
+        CHECK(nouns.insert(noun.name).second);
+        CHECK_FALSE(noun.about.empty());
+    }
+    for_each_policy([&](const Noun& noun, const PolicyDescription& policy) {
+        CAPTURE(noun.name + ": " + policy.name);
+        CHECK_FALSE(policy.about.empty());
+        CHECK_FALSE(policy.source.empty());
+        CHECK(nouns.count(policy.name) == 0);
+        CHECK(policies.insert(noun.name + "/" + policy.name).second);
+    });
+}
+
+TEST_CASE("operators say on what strings they work") {
+    for_each_policy([](const Noun& noun, const PolicyDescription& policy) {
+        bool is_operator = noun.name == "crossover" || noun.name == "mutation";
+        CHECK(policy.strings.empty() == !is_operator);
+        if (policy.name == "order")
+            CHECK(policy.strings == std::vector<std::string>{"permutations"});
+        if (noun.name == "crossover" && policy.name == "uniform")
+            CHECK(policy.strings == std::vector<std::string>{"binary strings", "real vectors"});
+    });
+}

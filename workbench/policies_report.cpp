@@ -1,0 +1,240 @@
+#include "workbench/policies_report.hpp"
+
+#include "gaprocs/policies/nouns.hpp"
+#include "text/nearest.hpp"
+#include "text/paint.hpp"
+#include "text/user_error.hpp"
+#include "workbench/kinds_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+/// A parameter that decides something, and the kinds of processes that have it.
+struct Deciding {
+    const ParameterDescription* parameter;
+    std::vector<std::string> kinds;
+};
+
+/// What was asked for of a noun.
+struct Asked {
+    Noun noun;                        ///< of its policies, those asked for
+    std::vector<std::string> written; ///< each of them as a netlist writes it, with the numbers asked for
+    std::vector<Deciding> parameters;
+};
+
+void add_parameter(std::vector<Deciding>& all, const ParameterDescription& parameter, const std::string& kind) {
+    auto is_it = [&](const Deciding& each) { return each.parameter->name == parameter.name; };
+    auto found = std::ranges::find_if(all, is_it);
+    if (found == all.end())
+        all.push_back({&parameter, {kind}});
+    else
+        found->kinds.push_back(kind);
+}
+
+std::vector<Deciding> parameters_deciding(const Catalogue& catalogue, const std::string& noun) {
+    std::vector<Deciding> all;
+    for (const auto& [name, kind] : catalogue.kinds())
+        for (const ParameterDescription& parameter : kind.parameters)
+            if (parameter.noun == noun)
+                add_parameter(all, parameter, name);
+    return all;
+}
+
+/// "tournament" of "Tournament (3)".
+std::string name_alone(const std::string& name) { return lower_case(name.substr(0, name.find_first_of(" ("))); }
+
+bool has_numbers(const std::string& name) { return name.find('(') != std::string::npos; }
+
+bool is_whole_noun(const Asked& asked, const std::string& name) {
+    auto has_name = [&](const Deciding& each) { return each.parameter->name == name; };
+    return name == policies_group || name == asked.noun.name || std::ranges::any_of(asked.parameters, has_name);
+}
+
+/// With its policies as a netlist writes them.
+Asked ask_all(const Catalogue& catalogue, Noun noun) {
+    Asked asked{.noun = std::move(noun), .written = {}, .parameters = {}};
+    asked.parameters = parameters_deciding(catalogue, asked.noun.name);
+    for (const PolicyDescription& policy : asked.noun.policies)
+        asked.written.push_back(asked.noun.printed(policy.text()));
+    return asked;
+}
+
+/// Only the policy of that name, and what is written of it; nothing where there is none.
+std::optional<Asked> ask_one(Asked asked, const std::string& base) {
+    auto found = std::ranges::find(asked.noun.policies, base, &PolicyDescription::name);
+    if (found == asked.noun.policies.end())
+        return std::nullopt;
+    asked.written = {asked.written[static_cast<std::size_t>(found - asked.noun.policies.begin())]};
+    asked.noun.policies = {*found};
+    return asked;
+}
+
+/// Whatever the name stands for, by its name_alone(): nouns as a whole, or else those that have a policy of it.
+std::vector<Asked> find_asked(const Catalogue& catalogue, const std::string& name) {
+    std::vector<Asked> whole, parts;
+    for (Noun& noun : policy_nouns()) {
+        Asked asked = ask_all(catalogue, std::move(noun));
+        auto part = ask_one(asked, name_alone(name));
+        if (!has_numbers(name) && is_whole_noun(asked, lower_case(name)))
+            whole.push_back(std::move(asked));
+        else if (part)
+            parts.push_back(std::move(*part));
+    }
+    return whole.empty() ? parts : whole;
+}
+
+/// The same with the numbers that the name has: only those that take them. Throws UserError where none does.
+std::vector<Asked> with_numbers(std::vector<Asked> all, const std::string& name) {
+    std::vector<Asked> taking;
+    std::exception_ptr refusal;
+    for (Asked& asked : all)
+        try {
+            asked.written = {asked.noun.printed(lower_case(name))};
+            taking.push_back(std::move(asked));
+        } catch (const UserError&) {
+            refusal = std::current_exception();
+        }
+    if (taking.empty())
+        std::rethrow_exception(refusal);
+    return taking;
+}
+
+std::vector<Asked> ask(const Catalogue& catalogue, const std::string& name) {
+    auto asked = find_asked(catalogue, name);
+    return has_numbers(name) ? with_numbers(std::move(asked), name) : asked;
+}
+
+std::string print_number(const PolicyNumberDescription& number) {
+    return fmt::format("  {:<16} {:<7} default {:<14} {} .. {}\n", number.name, number.whole ? "int" : "double",
+                       number.by_default, number.least, number.most);
+}
+
+std::string print_deciding(const Deciding& deciding) {
+    return print_parameter(*deciding.parameter, deciding.parameter->default_value) +
+           fmt::format("  {:<28} of {}\n", "", fmt::join(deciding.kinds, ", "));
+}
+
+/// How a netlist writes it: `reproduction = "roulette"`. "" where no parameter takes it.
+std::string assignment(const Asked& asked, const std::string& written) {
+    auto takes_policies = [](const Deciding& each) { return each.parameter->check != nullptr; };
+    auto found = std::ranges::find_if(asked.parameters, takes_policies);
+    return found == asked.parameters.end() ? "" : fmt::format("{} = \"{}\"", found->parameter->name, written);
+}
+
+std::string print_one(const Asked& asked, const PolicyDescription& policy, const std::string& written) {
+    std::string in_netlist = assignment(asked, written);
+    std::string out = fmt::format("\n{}\n  {}\n", painted(Paint::heading, written), policy.about);
+    if (!policy.strings.empty())
+        out += fmt::format("  of {}\n", fmt::join(policy.strings, ", "));
+    if (!in_netlist.empty())
+        out += fmt::format("  in a netlist: {}\n", in_netlist);
+    out += fmt::format("  source: {}\n", policy.source);
+    for (const PolicyNumberDescription& number : policy.numbers)
+        out += print_number(number);
+    return out;
+}
+
+std::string print_asked(const Asked& asked) {
+    std::string out = fmt::format("{}\n{}\n", painted(Paint::heading, asked.noun.name), asked.noun.about) +
+                      painted(Paint::heading, "\nparameters\n");
+    for (const Deciding& deciding : asked.parameters)
+        out += print_deciding(deciding);
+    if (asked.parameters.empty())
+        out += "  none of any process: the library has it alone\n";
+    for (std::size_t i = 0; i < asked.written.size(); ++i)
+        out += print_one(asked, asked.noun.policies[i], asked.written[i]);
+    return out;
+}
+
+boost::json::array texts_json(const std::vector<std::string>& texts) {
+    return boost::json::array(texts.begin(), texts.end());
+}
+
+boost::json::object asked_json(const Asked& asked) {
+    boost::json::array parameters, policies;
+    for (const Deciding& deciding : asked.parameters) {
+        parameters.push_back(parameter_json(*deciding.parameter));
+        parameters.back().as_object()["kinds"] = texts_json(deciding.kinds);
+    }
+    for (std::size_t i = 0; i < asked.written.size(); ++i) {
+        const PolicyDescription& policy = asked.noun.policies[i];
+        policies.push_back({{"name", policy.name},
+                            {"about", policy.about},
+                            {"written", asked.written[i]},
+                            {"strings", texts_json(policy.strings)},
+                            {"source", policy.source},
+                            {"numbers", numbers_json(policy)}});
+    }
+    return {{"name", asked.noun.name},
+            {"about", asked.noun.about},
+            {"parameters", std::move(parameters)},
+            {"policies", std::move(policies)}};
+}
+
+} // namespace
+
+std::vector<std::string> policy_names() {
+    std::vector<std::string> names{std::string(policies_group)};
+    for (const Noun& noun : policy_nouns()) {
+        names.push_back(noun.name);
+        for (const PolicyDescription& policy : noun.policies)
+            names.push_back(policy.name);
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+bool is_policy(const Catalogue& catalogue, const std::string& name) { return !find_asked(catalogue, name).empty(); }
+
+std::string print_policies() {
+    std::string out = painted(Paint::heading, "policies\n");
+    for (const Noun& noun : policy_nouns()) {
+        out += fmt::format("  {:<34} {}\n", noun.name, noun.about);
+        for (const PolicyDescription& policy : noun.policies)
+            out += fmt::format("    {:<34} {}\n", policy.text(), policy.about);
+    }
+    return out;
+}
+
+std::string print_policy(const Catalogue& catalogue, const std::string& name) {
+    std::string out;
+    for (const Asked& asked : ask(catalogue, name))
+        out += (out.empty() ? "" : "\n\n") + print_asked(asked);
+    return out;
+}
+
+boost::json::array policies_json(const Catalogue& catalogue, const std::string& name) {
+    boost::json::array array;
+    for (const Asked& asked : ask(catalogue, name))
+        array.push_back(asked_json(asked));
+    return array;
+}
+
+std::string print_numbers(const PolicyDescription& policy) {
+    std::string out = policy.numbers.empty() ? "" : painted(Paint::heading, "\nnumbers\n");
+    for (const PolicyNumberDescription& number : policy.numbers)
+        out += print_number(number);
+    return out;
+}
+
+boost::json::array numbers_json(const PolicyDescription& policy) {
+    boost::json::array array;
+    for (const PolicyNumberDescription& number : policy.numbers)
+        array.push_back({{"name", number.name},
+                         {"whole", number.whole},
+                         {"default", number.by_default},
+                         {"least", number.least},
+                         {"most", number.most}});
+    return array;
+}
+
+} // namespace placedpar
