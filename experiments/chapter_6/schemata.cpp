@@ -1,35 +1,47 @@
 #include "experiments/kit/experiment.hpp"
-#include "experiments/kit/record_seeds.hpp"
+#include "experiments/kit/interval.hpp"
+#include "experiments/kit/seed_runs.hpp"
 #include "gaprocs/schema_theorem.hpp"
 #include "gaprocs/search.hpp"
 
 #include <fmt/format.h>
 
+#include <numeric>
+#include <utility>
+
 namespace placedpar {
 
 namespace {
 
-constexpr std::size_t schema_bits = 8, schema_population = 50, schema_generations = 10, schema_runs = 100;
+constexpr std::size_t schema_bits = 8, schema_population = 50, schema_generations = 10;
+constexpr double schema_crossover = 0.8, schema_mutation = 0.01;
+constexpr double least_of_bound = 0.99; ///< the claim: so much of the bound is counted at least
 
-/// What equation 6.2 said of some schemata, and what came.
+/// Of the schemata of one class, in one run: what equation 6.2 expects at least, what reproduction alone would make of
+/// them, and what came.
 struct SchemaCounts {
-    double bound = 0, measured = 0;
-    std::size_t outcomes = 0, below = 0; ///< single counts, and those that were less than the bound
+    double bound = 0, reproduced = 0, counted = 0;
+    double outcomes = 0, below = 0; ///< single counts, and those that were less than the bound
 
-    void add(double expected, double counted) {
-        if (expected <= 0)
-            return;
+    void add(double expected, double selected, double came) {
         bound += expected;
-        measured += counted;
+        reproduced += selected;
+        counted += came;
         ++outcomes;
-        below += counted < expected;
+        below += came < expected;
     }
-    double ratio() const { return measured / bound; }
-    double below_percent() const { return 100 * static_cast<double>(below) / static_cast<double>(outcomes); }
 };
 
-/// By defining length, of order 2; and of order 1, at 0.
-using CountsByLength = std::vector<SchemaCounts>;
+/// Schemata by the fitness of their strings, each time they are counted. Together, all schemata of the same positions
+/// are always as many as there are strings, whatever a generation does: what becomes of them shows only apart.
+enum class Fit : unsigned char { above, below }; ///< the mean of the population
+
+/// By defining length, of order 2; and of order 1, at 0. First those above the mean, then those below.
+using CountsByClass = std::vector<SchemaCounts>;
+
+std::size_t class_of(std::size_t defining_length, Fit fit) {
+    return defining_length + (fit == Fit::above ? 0 : schema_bits);
+}
 
 std::vector<Schema> counted_schemata() {
     std::vector<Schema> schemata = schemata_of_order(schema_bits, 1);
@@ -43,87 +55,162 @@ double square_of(const Genome& genome) {
     return x * x;
 }
 
+/// What a generation makes of a schema.
+struct SchemaBefore {
+    double strings, reproduced, bound;
+};
+
+SchemaBefore look_before(const Schema& schema, const Search& search, const std::vector<double>& fitness,
+                         const SearchSettings& settings) {
+    return {static_cast<double>(count_matches(schema, search.population())),
+            schema_bound(schema, search.population(), fitness, 0, 0),
+            schema_bound(schema, search.population(), fitness, settings.crossover_probability,
+                         settings.mutation_probability)};
+}
+
 /// A generation of a run on f(x) = x^2.
 void count_generation(Search& search, const SearchSettings& settings, const std::vector<Schema>& schemata,
-                      CountsByLength& counts) {
-    std::vector<double> fitness, bounds;
+                      CountsByClass& counts) {
+    std::vector<double> fitness;
+    std::vector<SchemaBefore> before;
     for (const Genome& genome : search.population())
         fitness.push_back(square_of(genome));
     for (const Schema& schema : schemata)
-        bounds.push_back(schema_bound(schema, search.population(), fitness, settings.crossover_probability,
-                                      settings.mutation_probability));
+        before.push_back(look_before(schema, search, fitness, settings));
     search.next_generation(fitness);
-    for (std::size_t i = 0; i < schemata.size(); ++i)
-        counts[schemata[i].defining_length()].add(bounds[i],
-                                                  static_cast<double>(count_matches(schemata[i], search.population())));
-}
-
-CountsByLength count_runs(const SearchSettings& settings, const ReplayContext& context, const char* what) {
-    CountsByLength counts(schema_bits);
-    std::vector<Schema> schemata = counted_schemata();
-    context.progress(what);
-    for (std::uint64_t seed : record_seeds(context.seed, schema_runs)) {
-        Search search(schema_bits, settings, RandomStream(seed, "schemata"));
-        for (std::size_t generation = 0; generation < schema_generations; ++generation)
-            count_generation(search, settings, schemata, counts);
+    for (std::size_t i = 0; i < schemata.size(); ++i) {
+        if (before[i].bound <= 0)
+            continue;
+        Fit fit = before[i].reproduced > before[i].strings ? Fit::above : Fit::below;
+        counts[class_of(schemata[i].defining_length(), fit)].add(
+            before[i].bound, before[i].reproduced,
+            static_cast<double>(count_matches(schemata[i], search.population())));
     }
-    return counts;
 }
 
-SearchSettings schema_settings(double crossover_probability, double mutation_probability) {
+/// Five figures for each class.
+Figures count_run(const SearchSettings& settings, std::uint64_t seed) {
+    CountsByClass counts(2 * schema_bits);
+    std::vector<Schema> schemata = counted_schemata();
+    Search search(schema_bits, settings, RandomStream(seed, "schemata"));
+    for (std::size_t generation = 0; generation < schema_generations; ++generation)
+        count_generation(search, settings, schemata, counts);
+    Figures figures;
+    for (const SchemaCounts& each : counts)
+        for (double figure : {each.bound, each.reproduced, each.counted, each.outcomes, each.below})
+            figures.push_back(figure);
+    return figures;
+}
+
+enum CountedFigure : std::size_t { bound, reproduced, counted_strings, outcomes, below_bound, figures_of_class };
+
+/// A way to breed, and its runs.
+struct SchemaStudy {
+    const char* name;
+    std::vector<Figures> runs;
+
+    std::vector<double> figures(std::size_t length, Fit fit, CountedFigure figure) const {
+        return column(runs, figures_of_class * class_of(length, fit) + figure);
+    }
+    double sum(std::size_t length, Fit fit, CountedFigure figure) const {
+        std::vector<double> all = figures(length, fit, figure);
+        return std::accumulate(all.begin(), all.end(), 0.0);
+    }
+    double quotient(std::size_t length, Fit fit, CountedFigure above, CountedFigure under) const {
+        return sum(length, fit, above) / sum(length, fit, under);
+    }
+    Interval interval(std::size_t length, Fit fit, CountedFigure above, CountedFigure under) const {
+        return quotient_interval(figures(length, fit, above), figures(length, fit, under));
+    }
+};
+
+SchemaStudy study_schemata(const ReplayContext& context, const char* name, double crossover, double mutation) {
     SearchSettings settings;
     settings.population = schema_population;
-    settings.crossover_probability = crossover_probability;
-    settings.mutation_probability = mutation_probability;
-    return settings;
+    settings.crossover_probability = crossover;
+    settings.mutation_probability = mutation;
+    return {name, run_seeds(context, name, [&](std::uint64_t seed) { return count_run(settings, seed); })};
 }
 
 std::string length_row(std::size_t length) {
     return length == 0 ? "order 1" : fmt::format("order 2, defining length {}", length);
 }
 
-/// The measured counts over their bounds, in two columns.
-void add_counts(Comparison& comparison, const char* column, const CountsByLength& counts, bool equality) {
-    for (std::size_t length = 0; length < counts.size(); ++length) {
+/// Counts over their bounds, with the ends of the interval: none may be shown to lie below.
+void add_bounds(Comparison& comparison, const SchemaStudy& study, Fit fit) {
+    std::string name = study.name;
+    for (std::size_t length = 0; length < schema_bits; ++length) {
+        Interval interval = study.interval(length, fit, counted_strings, bound);
         std::string row = length_row(length);
-        Cell ratio = equality ? judged_cell(row, column, "", 1, counts[length].ratio(), 0.02, 3)
-                              : at_least(0.99, plain_cell(row, column, "", counts[length].ratio(), 3));
-        comparison.add(ratio);
+        comparison.add(plain_cell(row, name, "", study.quotient(length, fit, counted_strings, bound), 3));
+        comparison.add(plain_cell(row, name + " >=", "", interval.low, 3));
+        comparison.add(at_least(least_of_bound, plain_cell(row, name + " <=", "", interval.high, 3)));
     }
 }
 
-void add_single_outcomes(Comparison& comparison, const CountsByLength& counts) {
-    for (std::size_t length = 0; length < counts.size(); ++length)
-        comparison.add(
-            plain_cell(length_row(length), "single counts below [%]", "", counts[length].below_percent(), 0));
+Comparison compare_bounds(const std::vector<SchemaStudy>& studies, Fit fit) {
+    Comparison comparison{
+        .name = fmt::format("schemata {} the mean fitness: counted in {} runs of {} generations, over "
+                            "what equation 6.2 expects at least",
+                            fit == Fit::above ? "above" : "below", studies.front().runs.size(), schema_generations),
+        .against = "claim",
+        .judged = true};
+    for (const SchemaStudy& study : studies)
+        add_bounds(comparison, study, fit);
+    return comparison;
 }
 
-Series ratios(const char* name, const CountsByLength& counts) {
-    Series series{name};
-    for (std::size_t length = 1; length < counts.size(); ++length)
-        series.points.push_back({static_cast<double>(length), counts[length].ratio()});
-    return series;
+/// Of what reproduction alone would make of the fit, what is there after crossover and mutation, beside the share that
+/// equation 6.2 leaves of it.
+Comparison compare_survival(const SchemaStudy& study) {
+    Comparison comparison{.name = "schemata above the mean fitness, counted over what reproduction alone would make of "
+                                  "them",
+                          .against = "eq. 6.2"};
+    for (std::size_t length = 0; length < schema_bits; ++length) {
+        std::string row = length_row(length), name = study.name;
+        Interval interval = study.interval(length, Fit::above, counted_strings, reproduced);
+        comparison.add(compared_cell(row, name, "", study.quotient(length, Fit::above, bound, reproduced),
+                                     study.quotient(length, Fit::above, counted_strings, reproduced), 3));
+        comparison.add(plain_cell(row, name + " >=", "", interval.low, 3));
+        comparison.add(plain_cell(row, name + " <=", "", interval.high, 3));
+        comparison.add(plain_cell(row, "single counts below [%]", "",
+                                  100 * study.quotient(length, Fit::above, below_bound, outcomes), 0));
+    }
+    return comparison;
+}
+
+/// Quotients by defining length, and their intervals.
+std::vector<Series> quotients(const SchemaStudy& study, CountedFigure under, int colour) {
+    std::vector<Series> all{{.name = study.name, .points = {}, .colour = colour}};
+    for (std::size_t length = 1; length < schema_bits; ++length) {
+        auto x = static_cast<double>(length);
+        all.front().points.push_back({x, study.quotient(length, Fit::above, counted_strings, under)});
+        all.push_back(interval_bar(x, study.interval(length, Fit::above, counted_strings, under), colour));
+    }
+    return all;
+}
+
+Panel schemata_panel(const std::vector<SchemaStudy>& studies, CountedFigure under, std::string title, Axis y) {
+    Panel panel{.title = std::move(title), .x = {"defining length", 1, 7}, .y = std::move(y)};
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        auto series = quotients(studies[i], under, static_cast<int>(i));
+        panel.series.insert(panel.series.end(), series.begin(), series.end());
+    }
+    return panel;
 }
 
 Replay replay_schemata(const ReplayContext& context) {
-    CountsByLength all = count_runs(schema_settings(0.8, 0.01), context, "crossover .8, mutation .01"),
-                   no_crossover = count_runs(schema_settings(0, 0.01), context, "no crossover"),
-                   selection = count_runs(schema_settings(0, 0), context, "reproduction alone");
-    Comparison comparison{.name = fmt::format("schemata counted in {} runs of {} generations, over what equation 6.2 "
-                                              "expects at least",
-                                              schema_runs, schema_generations),
-                          .against = "known"};
-    add_counts(comparison, "rates .8 and .01", all, false);
-    add_counts(comparison, "no crossover", no_crossover, false);
-    add_counts(comparison, "reproduction alone", selection, true);
-    add_single_outcomes(comparison, all);
-    Panel panel{.title = "strings counted over strings expected at least, schemata of order 2",
-                .x = {"defining length", 1, 7},
-                .y = {"counted / bound", 0, std::nullopt},
-                .series = {ratios("rates .8 and .01", all), ratios("no crossover", no_crossover),
-                           ratios("reproduction alone", selection)},
-                .marks = {{"the bound", 1}}};
-    return replay_of({comparison}, {{"schemata", {"Equation 6.2 and what comes", {panel}}}});
+    std::vector<SchemaStudy> studies{study_schemata(context, "rates .8 and .01", schema_crossover, schema_mutation),
+                                     study_schemata(context, "no crossover", 0, schema_mutation),
+                                     study_schemata(context, "reproduction alone", 0, 0)};
+    Panel bounds = schemata_panel(studies, bound, "schemata of order 2 above the mean fitness",
+                                  {"counted / bound", 0, std::nullopt});
+    bounds.marks = {{"the bound", 1}};
+    Panel survival = schemata_panel({studies.front()}, reproduced, "the same: what survives crossover and mutation",
+                                    {"counted / reproduced", 0, 1.2});
+    return replay_of(
+        {compare_bounds(studies, Fit::above), compare_bounds(studies, Fit::below), compare_survival(studies.front())},
+        {{"schemata", {"Equation 6.2 and what comes", {bounds, survival}}}});
 }
 
 } // namespace
@@ -134,6 +221,7 @@ extern const Experiment schemata_experiment{
     .chapter = "6",
     .number = 2,
     .run = replay_schemata,
+    .seeds = 100,
 };
 
 } // namespace placedpar

@@ -19,6 +19,10 @@ struct Interval {
 /// quantiles. The same values give the same interval. REQUIRES: not empty.
 Interval median_interval(const std::vector<double>& values);
 
+/// Of the quotient of what two figures of each run are in sum, by the bootstrap over runs as median_interval().
+/// REQUIRES: as many figures of both, at least one; those below positive.
+Interval quotient_interval(const std::vector<double>& above, const std::vector<double>& below);
+
 /// Of the probability of a success, by `successes` of `runs` (C. Clopper and E. Pearson, 1934), in percent. REQUIRES:
 /// successes <= runs, runs > 0.
 Interval success_interval(std::size_t successes, std::size_t runs);

@@ -34,3 +34,18 @@ TEST_CASE("the interval of a median holds it, and narrows with more values") {
     // Of 1000 even values the median's deviation is 500 / sqrt(1000): 31 to either side at 95 %.
     CHECK(of_many.high - of_many.low == doctest::Approx(62).epsilon(0.15));
 }
+
+TEST_CASE("the interval of a quotient is of the sums, and is none where all runs have the same") {
+    Interval same = quotient_interval({2, 4, 6}, {1, 2, 3});
+    CHECK(same.low == 2);
+    CHECK(same.high == 2);
+    std::vector<double> above, below;
+    for (int i = 0; i < 400; ++i) {
+        above.push_back(i % 2 == 0 ? 4 : 2);
+        below.push_back(3);
+    }
+    Interval around = quotient_interval(above, below);
+    CHECK(around.contains(1));
+    // The mean of 400 values 4/3 or 2/3 has the deviation 1/60: 1.96 of it to either side.
+    CHECK(around.high - around.low == doctest::Approx(2 * 1.96 / 60).epsilon(0.15));
+}
