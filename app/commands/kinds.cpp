@@ -45,7 +45,7 @@ std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) 
 enum class Meant { kinds, all_problems, problem, all_policies, policy };
 
 /// Throws UserError where it stands for nothing.
-Meant meant_by(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
+Meant kind_of_name(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
     auto known = known_names(catalogue);
     if (name.empty() || std::ranges::count(known, known_name(catalogue, name)) > 0)
         return Meant::kinds;
@@ -60,8 +60,8 @@ Meant meant_by(const Catalogue& catalogue, const ProblemRegistry& problems, cons
     refuse_kind(catalogue, name, problems_and_policies(problems));
 }
 
-std::string print(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
-    switch (meant_by(catalogue, problems, name)) {
+std::string print_named(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
+    switch (kind_of_name(catalogue, problems, name)) {
     case Meant::all_problems: return print_problems(problems);
     case Meant::problem: return print_problem(problems, name);
     case Meant::all_policies: return print_policies();
@@ -72,7 +72,7 @@ std::string print(const Catalogue& catalogue, const ProblemRegistry& problems, c
 }
 
 boost::json::object json_of(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
-    switch (meant_by(catalogue, problems, name)) {
+    switch (kind_of_name(catalogue, problems, name)) {
     case Meant::all_problems: return {{problems_group, problems_json(problems)}};
     case Meant::problem: return {{problems_group, boost::json::array{problem_json(problems, name)}}};
     case Meant::all_policies:
@@ -91,7 +91,7 @@ ExitCode kinds(const KindsOptions& options) {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
     print_out(options.json ? print_pretty(json_of(catalogue, problems, options.name))
-                           : print(catalogue, problems, options.name));
+                           : print_named(catalogue, problems, options.name));
     return ExitCode::success;
 }
 

@@ -34,11 +34,11 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
     Known known;
     auto nouns = policy_nouns();
     std::set<std::string> decided;
-    for (const auto& [name, kind] : known.catalogue.kinds())
-        for (const ParameterDescription& parameter : kind.parameters) {
+    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda, which Clang 14 lets capture no binding
+        for (const ParameterDescription& parameter : each.second.parameters) {
             if (parameter.noun.empty())
                 continue;
-            CAPTURE(name + ": " + parameter.name);
+            CAPTURE(each.first + ": " + parameter.name);
             auto noun = std::ranges::find(nouns, parameter.noun, &Noun::name);
             REQUIRE(noun != nouns.end());
             decided.insert(noun->name);
