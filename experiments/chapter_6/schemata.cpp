@@ -34,13 +34,13 @@ struct SchemaCounts {
 
 /// Schemata by the fitness of their strings, each time they are counted. Together, all schemata of the same positions
 /// are always as many as there are strings, whatever a generation does: what becomes of them shows only apart.
-enum class Fit : unsigned char { above, below }; ///< the mean of the population
+enum class SchemaFit : unsigned char { above, below }; ///< the mean of the population
 
 /// By defining length, of order 2; and of order 1, at 0. First those above the mean, then those below.
 using CountsByClass = std::vector<SchemaCounts>;
 
-std::size_t class_of(std::size_t defining_length, Fit fit) {
-    return defining_length + (fit == Fit::above ? 0 : schema_bits);
+std::size_t class_of(std::size_t defining_length, SchemaFit fit) {
+    return defining_length + (fit == SchemaFit::above ? 0 : schema_bits);
 }
 
 std::vector<Schema> counted_schemata() {
@@ -81,7 +81,7 @@ void count_generation(Search& search, const SearchSettings& settings, const std:
     for (std::size_t i = 0; i < schemata.size(); ++i) {
         if (before[i].bound <= 0)
             continue;
-        Fit fit = before[i].reproduced > before[i].strings ? Fit::above : Fit::below;
+        SchemaFit fit = before[i].reproduced > before[i].strings ? SchemaFit::above : SchemaFit::below;
         counts[class_of(schemata[i].defining_length(), fit)].add(
             before[i].bound, before[i].reproduced,
             static_cast<double>(count_matches(schemata[i], search.population())));
@@ -109,17 +109,17 @@ struct SchemaStudy {
     const char* name;
     std::vector<Figures> runs;
 
-    std::vector<double> figures(std::size_t length, Fit fit, CountedFigure figure) const {
+    std::vector<double> figures(std::size_t length, SchemaFit fit, CountedFigure figure) const {
         return column(runs, figures_of_class * class_of(length, fit) + figure);
     }
-    double sum(std::size_t length, Fit fit, CountedFigure figure) const {
+    double sum(std::size_t length, SchemaFit fit, CountedFigure figure) const {
         std::vector<double> all = figures(length, fit, figure);
         return std::accumulate(all.begin(), all.end(), 0.0);
     }
-    double quotient(std::size_t length, Fit fit, CountedFigure above, CountedFigure under) const {
+    double quotient(std::size_t length, SchemaFit fit, CountedFigure above, CountedFigure under) const {
         return sum(length, fit, above) / sum(length, fit, under);
     }
-    Interval interval(std::size_t length, Fit fit, CountedFigure above, CountedFigure under) const {
+    Interval interval(std::size_t length, SchemaFit fit, CountedFigure above, CountedFigure under) const {
         return quotient_interval(figures(length, fit, above), figures(length, fit, under));
     }
 };
@@ -137,7 +137,7 @@ std::string length_row(std::size_t length) {
 }
 
 /// Counts over their bounds, with the ends of the interval: none may be shown to lie below.
-void add_bounds(Comparison& comparison, const SchemaStudy& study, Fit fit) {
+void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit) {
     std::string name = study.name;
     for (std::size_t length = 0; length < schema_bits; ++length) {
         Interval interval = study.interval(length, fit, counted_strings, bound);
@@ -148,13 +148,14 @@ void add_bounds(Comparison& comparison, const SchemaStudy& study, Fit fit) {
     }
 }
 
-Comparison compare_bounds(const std::vector<SchemaStudy>& studies, Fit fit) {
-    Comparison comparison{
-        .name = fmt::format("schemata {} the mean fitness: counted in {} runs of {} generations, over "
-                            "what equation 6.2 expects at least",
-                            fit == Fit::above ? "above" : "below", studies.front().runs.size(), schema_generations),
-        .against = "claim",
-        .judged = true};
+Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit) {
+    Comparison comparison{.name =
+                              fmt::format("schemata {} the mean fitness: counted in {} runs of {} generations, over "
+                                          "what equation 6.2 expects at least",
+                                          fit == SchemaFit::above ? "above" : "below", studies.front().runs.size(),
+                                          schema_generations),
+                          .against = "claim",
+                          .judged = true};
     for (const SchemaStudy& study : studies)
         add_bounds(comparison, study, fit);
     return comparison;
@@ -168,13 +169,13 @@ Comparison compare_survival(const SchemaStudy& study) {
                           .against = "eq. 6.2"};
     for (std::size_t length = 0; length < schema_bits; ++length) {
         std::string row = length_row(length), name = study.name;
-        Interval interval = study.interval(length, Fit::above, counted_strings, reproduced);
-        comparison.add(compared_cell(row, name, "", study.quotient(length, Fit::above, bound, reproduced),
-                                     study.quotient(length, Fit::above, counted_strings, reproduced), 3));
+        Interval interval = study.interval(length, SchemaFit::above, counted_strings, reproduced);
+        comparison.add(compared_cell(row, name, "", study.quotient(length, SchemaFit::above, bound, reproduced),
+                                     study.quotient(length, SchemaFit::above, counted_strings, reproduced), 3));
         comparison.add(plain_cell(row, name + " >=", "", interval.low, 3));
         comparison.add(plain_cell(row, name + " <=", "", interval.high, 3));
         comparison.add(plain_cell(row, "single counts below [%]", "",
-                                  100 * study.quotient(length, Fit::above, below_bound, outcomes), 0));
+                                  100 * study.quotient(length, SchemaFit::above, below_bound, outcomes), 0));
     }
     return comparison;
 }
@@ -184,8 +185,8 @@ std::vector<Series> quotients(const SchemaStudy& study, CountedFigure under, int
     std::vector<Series> all{{.name = study.name, .points = {}, .colour = colour}};
     for (std::size_t length = 1; length < schema_bits; ++length) {
         auto x = static_cast<double>(length);
-        all.front().points.push_back({x, study.quotient(length, Fit::above, counted_strings, under)});
-        all.push_back(interval_bar(x, study.interval(length, Fit::above, counted_strings, under), colour));
+        all.front().points.push_back({x, study.quotient(length, SchemaFit::above, counted_strings, under)});
+        all.push_back(interval_bar(x, study.interval(length, SchemaFit::above, counted_strings, under), colour));
     }
     return all;
 }
@@ -208,9 +209,9 @@ Replay replay_schemata(const ReplayContext& context) {
     bounds.marks = {{"the bound", 1}};
     Panel survival = schemata_panel({studies.front()}, reproduced, "the same: what survives crossover and mutation",
                                     {"counted / reproduced", 0, 1.2});
-    return replay_of(
-        {compare_bounds(studies, Fit::above), compare_bounds(studies, Fit::below), compare_survival(studies.front())},
-        {{"schemata", {"Equation 6.2 and what comes", {bounds, survival}}}});
+    return replay_of({compare_bounds(studies, SchemaFit::above), compare_bounds(studies, SchemaFit::below),
+                      compare_survival(studies.front())},
+                     {{"schemata", {"Equation 6.2 and what comes", {bounds, survival}}}});
 }
 
 } // namespace
