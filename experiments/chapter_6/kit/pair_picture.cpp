@@ -96,7 +96,7 @@ std::vector<PairField> pair_fields(const CoarseFineSettings& settings, const std
 }
 
 /// What goes from one to the other. `right` is where the strings end.
-std::string ways(double right) {
+std::string both_ways(double right) {
     double middle = (string_left + right) / 2, below = problem_row + row_height;
     return pair_arrow(middle, coarse_row + row_height, middle, problem_row - 6) +
            pair_text(middle + 10, (coarse_row + problem_row + row_height) / 2 + 4, "",
@@ -133,7 +133,7 @@ std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std:
                width, picture_height, pair_style, arrow_head) +
            pair_text(20, 30, "title", "A coarse and a fine genetic algorithm (Figure 6.6)") +
            search_box(coarse_row, "coarse", settings.coarse, settings.coarse_reading) +
-           search_box(fine_row, "fine", settings.fine, fine) + window_of(settings) + strings + ways(right) +
+           search_box(fine_row, "fine", settings.fine, fine) + window_of(settings) + strings + both_ways(right) +
            pair_text(right + 8, problem_row + row_height / 2 + 5, "",
                      fmt::format("{} bits of the problem", settings.coarse_reading.problem_length())) +
            "</svg>\n";
