@@ -99,10 +99,11 @@ TEST_CASE("rings, one-way connections and islands that are all alone are good") 
 }
 
 TEST_CASE("populations of 0 and 1 are out of range") {
-    for (int population : {0, 1})
-        check_says(said_of(3, fmt::format("island (problem = \"line\", population = {});", population), ring(3)),
-                   fmt::format("islands.cfs:4:27: error: the parameter \"population\" is out of range: {} individuals",
-                               population));
+    auto said = [](int population) {
+        return said_of(3, fmt::format("island (problem = \"line\", population = {});", population), ring(3));
+    };
+    check_says(said(0), "islands.cfs:4:27: error: the parameter \"population\" is out of range: 0 individuals");
+    check_says(said(1), "islands.cfs:4:27: error: the parameter \"population\" is out of range: 1 individual\n");
 }
 
 TEST_CASE("an island without neighbours among others that have some") {

@@ -167,7 +167,7 @@ TEST_CASE("what cannot be bred is refused at its place") {
     wrong.bits_of_coarse = "9";
     check_pair_refused(wrong, ":4:", "field 0: 9 bits for 8 of the problem");
     wrong.bits_of_coarse = "4 4";
-    check_pair_refused(wrong, ":4:", "2 fields are bred for 1 of the problem");
+    check_pair_refused(wrong, ":4:", "2 fields to be bred for 1 of the problem");
     for (const char* text : {"", "4.5", "0", "64", "four", "4,4"}) {
         wrong.bits_of_coarse = text;
         check_pair_refused(wrong, ":4:", "expected the bits of each field, numbers from 1 to 63");
