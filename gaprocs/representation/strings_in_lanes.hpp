@@ -34,10 +34,10 @@ public:
             std::memcpy(words_[word], words[word], sizeof words_[word]);
     }
 
-    /// As Genome::field(). REQUIRES also: bits <= 52, so that a double holds the number.
+    /// As Genome::field(). REQUIRES also: 1 <= bits <= 52, so that a double holds the number.
     [[gnu::always_inline]] Lanes<width> field(std::size_t first, std::size_t bits) const {
         const std::size_t word = first / 64, offset = first % 64;
-        Codes codes[registers];
+        alignas(alignment) Codes codes[registers];
         for (std::size_t i = 0; i < registers; ++i) {
             codes[i] = words_[word][i] << offset;
             if (offset + bits > 64)
@@ -53,8 +53,9 @@ public:
 private:
     using Codes = typename Registers<width>::Words;
     static constexpr std::size_t registers = count / width;
+    static constexpr std::size_t alignment = sizeof(std::uint64_t) * width; // as of Lanes
 
-    Codes words_[most_words][registers];
+    alignas(alignment) Codes words_[most_words][registers];
 };
 
 } // namespace placedpar
