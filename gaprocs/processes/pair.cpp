@@ -46,8 +46,7 @@ ProcessKind coarse_kind(const ProblemRegistry& problems, SearchObserver* observe
     return searching_recoded(
         "ga.coarse",
         "The coarse one of a pair of genetic algorithms (thesis 6.2, Figure 6.6): it breeds the most significant bits "
-        "of "
-        "each field, the others are 0. Its best of each generation goes to the fine one.",
+        "of each field, the others are 0. Its best of each generation goes to the fine one.",
         optional(output<BiasPoint>("to_fine", "bias point", "the best, as a string of the problem")), problems,
         observer);
 }
@@ -56,8 +55,8 @@ ProcessKind fine_kind(const ProblemRegistry& problems, SearchObserver* observer)
     using namespace description;
     return searching_recoded("ga.fine",
                              "The fine one of a pair of genetic algorithms (thesis 6.2, Figure 6.6): fields of fewer "
-                             "bits than the problem's "
-                             "count its steps around the best of the coarse one in the same generation.",
+                             "bits than the problem's count its steps around the best of the coarse one in the same "
+                             "generation.",
                              input<BiasPoint>("from_coarse", "bias point", "where it searches, in each generation"),
                              problems, observer);
 }
