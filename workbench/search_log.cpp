@@ -42,7 +42,7 @@ void require_searches(const Network& network) {
     if (std::ranges::none_of(network.processes, searches))
         throw UserError(
             fmt::format("no process of {} searches, so that there are no generations to log: ga.traditional, "
-                        "ga.master and ga.island do",
+                        "ga.master, ga.island, ga.coarse and ga.fine do",
                         network.source_path));
 }
 

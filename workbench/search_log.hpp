@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Does it hold a population, as ga.traditional, ga.master and ga.island do?
+/// Does it hold a population, as ga.traditional, ga.master, ga.island, ga.coarse and ga.fine do?
 bool searches(const ProcessInstance&);
 
 /// Throws UserError when no process searches.
