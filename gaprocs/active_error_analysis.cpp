@@ -5,15 +5,26 @@
 
 namespace placedpar {
 
+namespace {
+
+/// Of each of the bests in a window.
+std::vector<std::vector<double>> errors_in(const SearchProblem& problem, std::span<const Individual> bests,
+                                           std::span<const Sample> window) {
+    std::vector<std::vector<double>> errors;
+    for (const Individual& best : bests)
+        errors.push_back(problem.errors(best.genome, window));
+    return errors;
+}
+
+} // namespace
+
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples) {
-    ErrorsOfBest result{{windows.begin(), windows.end()}, {}};
-    std::span<const Sample> newest = samples.last(*std::ranges::max_element(windows));
-    for (const Individual& best : bests) {
-        std::vector<double>& errors = result.errors.emplace_back();
-        for (const Sample& sample : newest)
-            errors.push_back(problem.error(best.genome, sample));
-    }
+    std::size_t longest = *std::ranges::max_element(windows);
+    ErrorsOfBest result{{windows.begin(), windows.end()}, errors_in(problem, bests, samples.last(longest))};
+    if (problem.depends_on_window())
+        for (std::size_t window : windows)
+            result.by_window.push_back(errors_in(problem, bests, samples.last(window)));
     return result;
 }
 

@@ -18,19 +18,20 @@ namespace placedpar {
 
 /// The loop over the lanes of a population: sums[i] is the sum over the samples of term(parameters of individual i,
 /// sample), found for several individuals at once. `parameters_from.operator()<width>(i)` are the parameters of
-/// individual i and of those behind it, a container of Lanes; `term(std::span<const T>, sample)` gives the T of a
-/// sample, T being any Lanes. The bits are those of one individual after the other: every operation rounds the same way
-/// in a lane as alone (runtime/vector_width.hpp).
-template <typename ParametersFrom, typename Samples, typename Term>
-void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Term& term,
+/// individual i and of those behind it, a container of Lanes; `terms(std::span<const T>)` gives what is called with one
+/// sample after the other and gives the T of each, T being any Lanes. The bits are those of one individual after the
+/// other: every operation rounds the same way in a lane as alone (runtime/vector_width.hpp).
+template <typename ParametersFrom, typename Samples, typename Terms>
+void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
                        std::span<double> sums) {
     in_vectors([&]<std::size_t width>() __attribute__((flatten)) {
         using Several = Lanes<width>;
         for (std::size_t first = 0; first < sums.size(); first += Several::count) {
             const auto parameters = parameters_from.template operator()<width>(first);
+            auto term = terms(std::span<const Several>(parameters.data(), parameters.size()));
             Several sum = 0.0;
             for (const auto& sample : samples)
-                sum += term(std::span<const Several>(parameters.data(), parameters.size()), sample);
+                sum += term(sample);
             const auto found = sum.numbers();
             for (std::size_t lane = 0; lane < std::min(Several::count, sums.size() - first); ++lane)
                 sums[first + lane] = found[lane];
@@ -39,8 +40,9 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
 }
 
 /// The same of parameters that are found one individual after the other: `parameters_of(i)`, as many for each.
-template <typename ParametersOf, typename Samples, typename Term>
-void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
+template <typename ParametersOf, typename Samples, typename Terms>
+void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Terms& terms,
+                        std::span<double> sums) {
     auto side_by_side = [&]<std::size_t width>(std::size_t first) __attribute__((always_inline)) {
         constexpr std::size_t count = Lanes<width>::count;
         std::vector<std::array<double, count>> numbers;
@@ -53,7 +55,16 @@ void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, con
         }
         return std::vector<Lanes<width>>(numbers.begin(), numbers.end());
     };
-    sum_in_lanes_from(side_by_side, samples, term, sums);
+    sum_in_lanes_from(side_by_side, samples, terms, sums);
+}
+
+/// The same where the term of a sample does not depend on those before it: `term(std::span<const T>, sample)`.
+template <typename ParametersOf, typename Samples, typename Term>
+void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
+    auto terms = [&]<class T>(std::span<const T> parameters) {
+        return [&term, parameters](const auto& sample) __attribute__((flatten)) { return term(parameters, sample); };
+    };
+    sum_terms_in_lanes(parameters_of, samples, terms, sums);
 }
 
 /// A problem whose error is stated as a function of its parameters, for doubles and for Lanes alike, so that several
@@ -67,6 +78,25 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
     { problem.template error_of<Lanes<2>>(parameters, sample) } -> std::convertible_to<Lanes<2>>;
 };
 
+/// A problem whose error at a sample depends on the samples before it in the window, as that of a simulation does:
+/// `errors_along<T>(parameters)` gives what is called with the samples of a window, oldest first, and gives the error at
+/// each. `parameters_of` as for ErrorOfParameters; its error_of() is of the first sample of a window.
+template <typename P>
+concept ErrorAlongWindow =
+    requires(const P& problem, std::span<const double> parameters, std::span<const double> sample) {
+        { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
+    };
+
+/// What gives the error at each sample of a window, oldest first.
+template <typename T, typename P>
+[[gnu::always_inline]] inline auto errors_along(const P& problem, std::span<const T> parameters) {
+    if constexpr (ErrorAlongWindow<P>)
+        return problem.template errors_along<T>(parameters);
+    else
+        return [&problem, parameters](std::span<const double> sample)
+                   __attribute__((flatten)) { return problem.template error_of<T>(parameters, sample); };
+}
+
 /// One that decodes several strings at once as well: `parameters_of_several(StringsInLanes)` gives Lanes.
 template <typename P, bool gray>
 concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2, gray>& strings) {
@@ -79,18 +109,19 @@ template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {
     using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
-    auto term = [&]<class T>(std::span<const T> parameters, const auto& sample) __attribute__((flatten)) {
-        return fitness_term<T>(bias, problem.template error_of<T>(parameters, std::span<const double>(sample)));
+    auto terms = [&]<class T>(std::span<const T> parameters) {
+        return [bias, error = errors_along<T>(problem, parameters)](const auto& sample) mutable
+               __attribute__((flatten)) { return fitness_term<T>(bias, error(std::span<const double>(sample))); };
     };
     if constexpr (ParametersOfSeveral<P, gray>)
         if (problem.bits() <= 64 * StringsInLanes<2>::most_words) {
             auto decoded = [&]<std::size_t width>(std::size_t first) __attribute__((always_inline)) {
                 return problem.parameters_of_several(StringsInLanes<width, gray>(population, first));
             };
-            return sum_in_lanes_from(decoded, samples, term, fitness);
+            return sum_in_lanes_from(decoded, samples, terms, fitness);
         }
-    sum_in_lanes([&](std::size_t i) { return problem.parameters_of(StringRead(population[i])); }, samples, term,
-                 fitness);
+    sum_terms_in_lanes([&](std::size_t i) { return problem.parameters_of(StringRead(population[i])); }, samples, terms,
+                       fitness);
 }
 
 } // namespace placedpar

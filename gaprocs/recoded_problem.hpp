@@ -29,6 +29,10 @@ public:
     double error(const Genome& genome, std::span<const double> sample) const override {
         return problem_->error(to_problem(genome), sample);
     }
+    bool depends_on_window() const override { return problem_->depends_on_window(); }
+    std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const override {
+        return problem_->errors(to_problem(genome), window);
+    }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
         return problem_->fitness(to_problem(genome), samples, bias);
     }

@@ -24,6 +24,10 @@ public:
     double error(const Genome& genome, std::span<const double> sample) const override {
         return plain_->error(read(genome), sample);
     }
+    bool depends_on_window() const override { return plain_->depends_on_window(); }
+    std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const override {
+        return plain_->errors(read(genome), window);
+    }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
         return plain_->fitness(read(genome), samples, bias);
     }
@@ -48,6 +52,13 @@ private:
 };
 
 } // namespace
+
+std::vector<double> SearchProblem::errors(const Genome& genome, std::span<const Sample> window) const {
+    std::vector<double> errors;
+    for (const Sample& sample : window)
+        errors.push_back(error(genome, sample));
+    return errors;
+}
 
 std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
     auto plain = coded_plainly(coding.plain());

@@ -52,8 +52,13 @@ public:
     /// Of a problem that gives a number for an individual as it is, and is searched over no record: its fitness() is
     /// the objective's, whatever the samples and the bias. Nothing where a problem states the error at a sample.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
-    /// The error of one individual at one sample (eq. 3.8). REQUIRES: sizes as stated by bits(), channels(); no
-    /// objective().
+    /// Whether the error at a sample depends on where its window begins, so that evaluations of one individual cannot be
+    /// made apart.
+    virtual bool depends_on_window() const { return false; }
+    /// The errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
+    virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
+    /// The error of one individual at one sample (eq. 3.8), the first of a window. REQUIRES: sizes as stated by bits(),
+    /// channels(); no objective().
     virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
     /// The sum of fitness_term over the samples: one call an individual, the loop inside is not virtual.
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;
@@ -92,10 +97,15 @@ public:
     double error(const Genome& genome, std::span<const double> sample) const override {
         return problem_.error(as_coded(genome), sample);
     }
+    bool depends_on_window() const override { return ErrorAlongWindow<P>; }
+    std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const override {
+        std::vector<double> errors;
+        each_error(genome, window, [&](double error) { errors.push_back(error); });
+        return errors;
+    }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
         double sum = 0;
-        for (const Sample& sample : samples)
-            sum += fitness_term(bias, problem_.error(as_coded(genome), std::span<const double>(sample)));
+        each_error(genome, samples, [&](double error) { sum += fitness_term(bias, error); });
         return sum;
     }
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
@@ -128,6 +138,19 @@ private:
             if (coding == Coding::gray)
                 return std::make_shared<SearchProblemOf<P, true>>(problem_);
         refuse_coding(coding);
+    }
+
+    template <class Take>
+    void each_error(const Genome& genome, std::span<const Sample> window, Take take) const {
+        if constexpr (ErrorAlongWindow<P>) {
+            const auto parameters = problem_.parameters_of(as_coded(genome));
+            auto error = problem_.template errors_along<double>(std::span(parameters.data(), parameters.size()));
+            for (const Sample& sample : window)
+                take(error(std::span<const double>(sample)));
+        } else {
+            for (const Sample& sample : window)
+                take(problem_.error(as_coded(genome), std::span<const double>(sample)));
+        }
     }
 
     using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;

@@ -19,9 +19,9 @@ double error_of_window(std::span<const double> errors, ErrorMatrix::Sum sum) {
 } // namespace
 
 ErrorMatrix::ErrorMatrix(const ErrorsOfBest& bests, Sum sum) : islands_(bests.windows.size()) {
-    for (std::size_t window : bests.windows)
-        for (const std::vector<double>& errors : bests.errors)
-            errors_.push_back(error_of_window(std::span(errors).last(window), sum));
+    for (std::size_t window = 0; window < islands_; ++window)
+        for (std::size_t island = 0; island < islands_; ++island)
+            errors_.push_back(error_of_window(bests.in_window(window, island), sum));
 }
 
 double ErrorMatrix::normalised(std::size_t window, std::size_t island, Normaliser normaliser) const {

@@ -10,6 +10,14 @@ namespace placedpar {
 struct ErrorsOfBest {
     std::vector<std::size_t> windows;        ///< in samples, none longer than the errors known
     std::vector<std::vector<double>> errors; ///< [j]: y - y-hat of A_j at each sample, oldest first, the newest for all
+    /// [i][j]: of A_j in window i, where errors depend on where their window begins; else none.
+    std::vector<std::vector<std::vector<double>>> by_window = {};
+
+    /// Of the best of an island at each sample of a window.
+    std::span<const double> in_window(std::size_t window, std::size_t island) const {
+        return by_window.empty() ? std::span(errors[island]).last(windows[window])
+                                 : std::span(by_window[window][island]);
+    }
 };
 
 /// The matrix of Figure 5.2: Error(w_i, A_j), of the newest w_i samples, in row i and column j.

@@ -21,6 +21,7 @@ class RandomStream;
 //   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, the contrary of 5.5 in every case;
 //   terms are at least 1 in row 1 and column n, at most 1 in row n and column 1:  SA_1 <= n <= SA_n, Sw_n <= n <= Sw_1;
 //   hence Sw_1 / SA_1 >= 1 >= Sw_n / SA_n: the shortest window is never preferred to the longest.
+// A simulation inside the window has other errors in each window: of it this need not be so.
 
 /// The greatest Sw_i / SA_i to the letter of 5.3, 5.4 and 5.7, with the squares of 5.1.
 struct PrintedChoice {

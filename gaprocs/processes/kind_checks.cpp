@@ -180,6 +180,12 @@ private:
         if (stated && integer("first_window") > integer("window"))
             refuse("first_window", fmt::format("the first generation waits for {} samples, but the window holds {}",
                                                integer("first_window"), integer("window")));
+        if (recorded_ && recorded_->problem()->depends_on_window() && given("split") && text("split") == "evaluations")
+            refuse("split",
+                   fmt::format("single evaluations of \"{}\" cannot be dealt out: its error at a sample depends on those "
+                               "before it in the window",
+                               text("problem")),
+                   "split = \"individuals\" deals out whole individuals");
     }
 
     void check_coding() {

@@ -8,8 +8,9 @@ namespace placedpar {
 
 namespace {
 
-/// A plant, with what its parameters are when its record ends.
-struct SimulatedPlant : PlantProblem {
+/// A plant problem, with what the plant's parameters are when its record ends.
+template <class Problem>
+struct PlantThatEnds : Problem {
     double a1;
 
     std::vector<double> true_parameters() const { return placedpar::parameters_of(Plant{.a1 = a1}); }
@@ -22,6 +23,7 @@ struct PlantFamily {
     double a1 = PlantChange().a1, from = PlantChange().from, lasts = PlantChange().lasts;
     double noise = PlantExperiment().noise, c1 = 0, c2 = 0;
     std::size_t generations = PlantExperiment().generations, per_sample = PlantExperiment().per_sample;
+    std::size_t simulated = 0; ///< 1: y-hat is simulated inside the window; 0: predicted from measured outputs
 
     static constexpr auto numbers() {
         constexpr double widest = 1.67; // with a2 = -.7 the poles are a complex pair
@@ -30,7 +32,8 @@ struct PlantFamily {
             PolicyNumber{"lasts", &PlantFamily::lasts, 0, 1e6}, PolicyNumber{"noise", &PlantFamily::noise, 0, 1e3},
             PolicyNumber{"c1", &PlantFamily::c1, -10, 10}, PolicyNumber{"c2", &PlantFamily::c2, -10, 10},
             PolicyNumber{"generations", &PlantFamily::generations, 1, 1e6},
-            PolicyNumber{"per_sample", &PlantFamily::per_sample, 1, 1e3});
+            PolicyNumber{"per_sample", &PlantFamily::per_sample, 1, 1e3},
+            PolicyNumber{"simulated", &PlantFamily::simulated, 0, 1});
     }
 
     PlantExperiment experiment() const {
@@ -46,10 +49,16 @@ PlantExperiment experiment_of(const std::vector<double>& numbers) {
     return make_policy<PlantFamily>(numbers).experiment();
 }
 
+template <class Problem>
+std::shared_ptr<const SearchProblem> plant_that_ends(double a1) {
+    return make_search_problem(PlantThatEnds<Problem>{{}, a1});
+}
+
 std::shared_ptr<const SearchProblem> plant_with(const std::vector<double>& numbers) {
     PlantExperiment experiment = experiment_of(numbers);
-    return make_search_problem(
-        SimulatedPlant{{}, a1_at(experiment.change, static_cast<double>(experiment.generations))});
+    double a1 = a1_at(experiment.change, static_cast<double>(experiment.generations));
+    return make_policy<PlantFamily>(numbers).simulated ? plant_that_ends<SimulatedPlantProblem>(a1)
+                                                       : plant_that_ends<PlantProblem>(a1);
 }
 
 } // namespace

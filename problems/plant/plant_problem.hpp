@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -90,15 +91,20 @@ public:
     }
     template <typename T>
     T error_of(std::span<const T> weights, std::span<const double> sample) const {
-        // Written out: a loop takes longer.
-        T predicted = weights[0] * sample[1] + weights[1] * sample[2] + weights[2] * sample[3] +
-                      weights[3] * sample[4] + weights[4] * sample[5] + weights[5] * sample[6] +
-                      weights[6] * sample[7] + weights[7] * sample[8];
-        return sample[0] - predicted;
+        return sample[0] - predicted(weights, sample[1], sample[2], sample);
     }
 
     std::vector<std::string> parameter_names() const { return {"d", "alpha", "beta", "gamma", "delta", "b0"}; }
     std::vector<std::string> parameter_units() const { return {"samples", "", "", "", "", ""}; }
+
+    /// y-hat(k) from two outputs before it, measured or simulated, and the inputs of sample k.
+    template <typename T, typename Output>
+    static T predicted(std::span<const T> weights, const Output& last, const Output& before,
+                       std::span<const double> sample) {
+        // Written out: a loop takes longer.
+        return weights[0] * last + weights[1] * before + weights[2] * sample[3] + weights[3] * sample[4] +
+               weights[4] * sample[5] + weights[5] * sample[6] + weights[6] * sample[7] + weights[7] * sample[8];
+    }
 
 private:
     template <typename T, typename Strings>
@@ -108,6 +114,21 @@ private:
     }
 
     ParameterCoding coding_;
+};
+
+/// The same with the error of a simulation: the two outputs before the first sample of a window are measured, those
+/// that come after are the plant's own y-hat.
+class SimulatedPlantProblem : public PlantProblem {
+public:
+    template <typename T>
+    auto errors_along(std::span<const T> weights) const {
+        return [weights, last = T(), before = T(), first = true](std::span<const double> sample) mutable {
+            if (std::exchange(first, false))
+                last = sample[1], before = sample[2];
+            before = std::exchange(last, predicted<T>(weights, last, before, sample));
+            return sample[0] - last;
+        };
+    }
 };
 
 } // namespace placedpar

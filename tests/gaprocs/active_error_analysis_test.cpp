@@ -29,6 +29,20 @@ TEST_CASE("the errors of each island's best are those of the newest samples") {
     CHECK(found.errors == std::vector<std::vector<double>>{{0, -0.5}, {0.25, 0}});
 }
 
+TEST_CASE("errors that depend on where a window begins are found for each window anew") {
+    auto problem = make_search_problem(LineAlongWindow());
+    std::vector<Sample> samples{{100, 0}, {1, 0.75}, {2, 0.5}, {4, 2}};
+    std::vector<Individual> bests{line_of(128), line_of(64)};
+    std::vector<std::size_t> windows{3, 2};
+    ErrorsOfBest found = errors_of_best(*problem, bests, windows, samples);
+    CHECK(found.by_window == std::vector<std::vector<std::vector<double>>>{{{.25, -.25, -.25}, {.5, .5, 1.5}},
+                                                                           {{-.5, -.5}, {0, 1}}});
+    ErrorMatrix matrix(found, ErrorMatrix::Sum::squares);
+    CHECK(matrix.error(0, 0) == 3 * .0625);
+    CHECK(matrix.error(1, 0) == .5); // more than in the longer window, which holds it: not nested
+    CHECK(matrix.error(1, 1) == 1);
+}
+
 TEST_CASE("the answer is the chosen island's best, held until the next analysis") {
     auto problem = make_search_problem(LineProblem());
     ActiveErrorAnalysis analysis(*problem, {4, 2}, IslandChoice::named("row"), RandomStream(1, "answer"));

@@ -50,6 +50,7 @@ struct Kinds {
     Kinds() {
         problems.add("line", make_search_problem(LineProblem{}), line_record(samples));
         problems.add("other line", make_search_problem(LineProblem{}), line_record(samples));
+        problems.add("along", make_search_problem(LineAlongWindow{}), line_record(samples));
         problems.add("sphere", minimise(PlainSphere{}));
         add_genetic_algorithm_kinds(catalogue, problems);
     }
@@ -134,6 +135,16 @@ TEST_CASE("as many slaves as the chain has, and no more than there is work for")
     says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
          "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slave at the most");
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
+}
+
+TEST_CASE("errors that depend on those before them are not dealt out one by one") {
+    auto text = refusal("master", "master (problem = \"along\", slaves = 2,\nsplit = \"evaluations\");");
+    says(text, "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample depends "
+               "on those before it in the window");
+    says(text, "hint: split = \"individuals\" deals out whole individuals");
+    for (const char* split : {"individuals", "demand"})
+        CHECK(refusal("master", fmt::format("master (problem = \"along\", slaves = 2, split = \"{}\");", split))
+                  .find("dealt out") == std::string::npos);
 }
 
 TEST_CASE("a slave is reached once") {

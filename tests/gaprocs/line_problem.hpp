@@ -25,6 +25,20 @@ struct LineProblem {
     std::vector<std::string> parameter_units() const { return {"1"}; }
 };
 
+/// The same, with an error that adds up from the window's first sample on.
+struct LineAlongWindow : LineProblem {
+    template <typename G>
+    std::vector<double> parameters_of(const G& genome) const {
+        return decode(genome);
+    }
+    template <typename T>
+    auto errors_along(std::span<const T> slope) const {
+        return [slope = slope[0], sum = T(0.0)](std::span<const double> sample) mutable {
+            return sum += sample[1] - slope * sample[0];
+        };
+    }
+};
+
 /// Samples of the line y = 0.59375 u: code 152.
 inline std::vector<std::vector<double>> line_record(std::size_t samples) {
     std::vector<std::vector<double>> record;

@@ -37,6 +37,12 @@ TEST_CASE("noise, its colour, the change and the length of the record are given 
     CHECK(plant_named("plant(noise = 0.3)").record() != plant_named("plant").record());
 }
 
+TEST_CASE("its error is that of a prediction, or of a simulation") {
+    CHECK_FALSE(plant_named("plant(simulated = 0)").problem()->depends_on_window());
+    CHECK(plant_named("plant(simulated = 1)").problem()->depends_on_window());
+    CHECK(plant_named("plant(simulated = 1)").record() == plant_named("plant").record());
+}
+
 TEST_CASE("the true parameters are those at the record's end") {
     CHECK(plant_named("plant").problem()->true_parameters()[1] == 0.25);
     CHECK(plant_named("plant(a1 = 1.5)").problem()->true_parameters()[1] == 0.75);

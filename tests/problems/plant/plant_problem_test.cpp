@@ -3,6 +3,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/traditional.hpp"
 #include "runtime/random.hpp"
+#include "tests/runtime/each_vector_width.hpp"
 
 #include <doctest/doctest.h>
 
@@ -82,6 +83,61 @@ TEST_CASE("a population of plants in lanes has the fitness of one after the othe
         auto together = evaluate(*problem, population, window, 10);
         for (std::size_t i = 0; i < population.size(); ++i)
             CHECK(together[i] == problem->fitness(population[i], window, 10));
+    }
+}
+
+TEST_CASE("a simulated plant goes on from its own outputs") {
+    SimulatedPlantProblem problem;
+    auto record = unchanging(0.3);
+    auto window = std::span<const Sample>(record).last(10);
+    Genome genome = string_of({1, 100, 80, 30, 90, 70});
+    PoleZeroPlant plant = problem.plant(genome);
+    double last = window[0][1], before = window[0][2];
+    std::vector<double> expected;
+    for (const Sample& sample : window) {
+        double forced = plant.b0 * (sample[4] - 2 * plant.gamma * sample[5] +
+                                    (plant.gamma * plant.gamma + plant.delta * plant.delta) * sample[6]);
+        double output =
+            2 * plant.alpha * last - (plant.alpha * plant.alpha + plant.beta * plant.beta) * before + forced;
+        before = last, last = output;
+        expected.push_back(sample[0] - output);
+    }
+    auto errors = make_search_problem(problem)->errors(genome, window);
+    REQUIRE(errors.size() == expected.size());
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        CHECK(errors[i] == doctest::Approx(expected[i]));
+    CHECK(errors[0] == make_search_problem(PlantProblem())->errors(genome, window)[0]); // both from measured outputs
+    CHECK(errors[1] != make_search_problem(PlantProblem())->errors(genome, window)[1]);
+}
+
+TEST_CASE("the true plant, simulated, has no error without noise, and as much as the noise with it") {
+    std::vector<double> truth = parameters_of(Plant{});
+    const auto weights = PoleZeroPlant{truth[0], truth[1], truth[2], truth[3], truth[4], truth[5]}.weights();
+    auto error = SimulatedPlantProblem().errors_along<double>(weights);
+    for (const Sample& sample : unchanging())
+        CHECK(error(sample) == doctest::Approx(0).epsilon(1e-9));
+}
+
+TEST_CASE("simulated plants in lanes have the fitness of one after the other, in both codings") {
+    auto record = unchanging(0.3);
+    auto window = std::span<const Sample>(record).last(30);
+    RandomStream random(4, "population");
+    auto population = random_population(37, 37, random);
+    for (Coding coding : {Coding::natural, Coding::gray, Coding::named("natural(2)")}) {
+        auto problem = make_search_problem(SimulatedPlantProblem(), coding);
+        CHECK(problem->depends_on_window());
+        auto strings = random_population(37, problem->bits(), random);
+        std::vector<double> together(strings.size());
+        test::in_each_vector_width([&] {
+            problem->fitness_of(strings, window, 100, together);
+            for (std::size_t i = 0; i < strings.size(); ++i) {
+                double sum = 0;
+                for (double error : problem->errors(strings[i], window))
+                    sum += fitness_term(100, error);
+                CHECK(together[i] == problem->fitness(strings[i], window, 100));
+                CHECK(together[i] == sum);
+            }
+        });
     }
 }
 
