@@ -96,6 +96,12 @@ public:
         return std::vector<std::string>(parameters());
     }
 
+    std::vector<std::size_t> fields() const override {
+        if constexpr (by_fields)
+            return problem_.representation().fields();
+        else
+            return {};
+    }
     Coding coding() const override { return coding_; }
 
 private:

@@ -62,7 +62,7 @@ void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& sample
 template <typename ParametersOf, typename Samples, typename Term>
 void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
     auto terms = [&]<class T>(std::span<const T> parameters) {
-        return [&term, parameters](const auto& sample) __attribute__((flatten)) { return term(parameters, sample); };
+        return [&term, parameters ](const auto& sample) __attribute__((flatten)) { return term(parameters, sample); };
     };
     sum_terms_in_lanes(parameters_of, samples, terms, sums);
 }
@@ -79,13 +79,13 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
 };
 
 /// A problem whose error at a sample depends on the samples before it in the window, as that of a simulation does:
-/// `errors_along<T>(parameters)` gives what is called with the samples of a window, oldest first, and gives the error at
-/// each. `parameters_of` as for ErrorOfParameters; its error_of() is of the first sample of a window.
+/// `errors_along<T>(parameters)` gives what is called with the samples of a window, oldest first, and gives the error
+/// at each. `parameters_of` as for ErrorOfParameters; its error_of() is of the first sample of a window.
 template <typename P>
-concept ErrorAlongWindow =
-    requires(const P& problem, std::span<const double> parameters, std::span<const double> sample) {
-        { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
-    };
+concept ErrorAlongWindow = requires(const P& problem, std::span<const double> parameters,
+                                    std::span<const double> sample) {
+    { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
+};
 
 /// What gives the error at each sample of a window, oldest first.
 template <typename T, typename P>
@@ -93,8 +93,9 @@ template <typename T, typename P>
     if constexpr (ErrorAlongWindow<P>)
         return problem.template errors_along<T>(parameters);
     else
-        return [&problem, parameters](std::span<const double> sample)
-                   __attribute__((flatten)) { return problem.template error_of<T>(parameters, sample); };
+        return [&problem, parameters ](std::span<const double> sample) __attribute__((flatten)) {
+            return problem.template error_of<T>(parameters, sample);
+        };
 }
 
 /// One that decodes several strings at once as well: `parameters_of_several(StringsInLanes)` gives Lanes.
@@ -104,14 +105,16 @@ concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2,
 };
 
 /// The fitness of each of the strings over the samples, the bits of one individual evaluated after the other.
-/// REQUIRES: fitness.size() == population.size().
+/// REQUIRES: strings of problem.bits(); fitness.size() == population.size().
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {
     using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
     auto terms = [&]<class T>(std::span<const T> parameters) {
-        return [bias, error = errors_along<T>(problem, parameters)](const auto& sample) mutable
-               __attribute__((flatten)) { return fitness_term<T>(bias, error(std::span<const double>(sample))); };
+        return [ bias, error = errors_along<T>(problem, parameters) ](const auto& sample) mutable
+            __attribute__((flatten)) {
+            return fitness_term<T>(bias, error(std::span<const double>(sample)));
+        };
     };
     if constexpr (ParametersOfSeveral<P, gray>)
         if (problem.bits() <= 64 * StringsInLanes<2>::most_words) {

@@ -3,6 +3,7 @@
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -16,6 +17,9 @@ RecodedProblem::RecodedProblem(const SearchProblem& problem, Recoding recoding)
     if (recoding_.problem_length() != problem_->bits())
         throw UserError(fmt::format("the fields have {} bits in all, but the problem's string {}",
                                     recoding_.problem_length(), problem_->bits()));
+    if (auto fields = problem_->fields(); !fields.empty() && fields != recoding_.problem_bits)
+        throw UserError(fmt::format("the problem's fields have {} bits, not {}", fmt::join(fields, " "),
+                                    fmt::join(recoding_.problem_bits, " ")));
 }
 
 std::shared_ptr<const SearchProblem> RecodedProblem::coded_plainly(Coding coding) const {

@@ -14,14 +14,20 @@ namespace placedpar {
 
 namespace {
 
+constexpr std::size_t most_field_bits = 63; // of codes that are counted from one below
+
 std::size_t sum_of(const std::vector<std::size_t>& bits) {
     return std::accumulate(bits.begin(), bits.end(), std::size_t{0});
 }
 
 void validate_field(std::size_t number, std::size_t bits, std::size_t problem_bits) {
-    if (problem_bits < 1 || problem_bits > 63 || bits < 1 || bits > problem_bits)
-        throw std::invalid_argument(fmt::format(
-            "field {}: {} bits for {} of the problem, expected 1 to as many, and 63", number, bits, problem_bits));
+    if (problem_bits < 1 || problem_bits > most_field_bits)
+        throw std::invalid_argument(fmt::format("field {} has {} in the problem, expected 1 to {}", number + 1,
+                                                counted(problem_bits, "bit"), most_field_bits));
+    if (bits < 1 || bits > problem_bits)
+        throw std::invalid_argument(
+            fmt::format("field {} is bred with {}, expected 1 to {}, which it has in the problem", number + 1,
+                        counted(bits, "bit"), problem_bits));
 }
 
 /// The code that lies `code` steps above the lowest one around the centre, within a field of so many bits.

@@ -71,9 +71,13 @@ std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
 }
 
 void refuse_coding(Coding coding) {
-    throw UserError(fmt::format("this problem does not read its {0} by fields, so that the coding \"{1}\" has no "
-                                "meaning for it",
-                                coding == Coding::real ? "string" : "binary string", coding.text()));
+    if (coding == Coding::real)
+        throw UserError(
+            "this problem has no real numbers to be bred, so that the coding \"real\" has no meaning for it");
+    throw UserError(
+        fmt::format("this problem does not read its binary string by fields, so that the coding \"{}\" has no "
+                    "meaning for it",
+                    coding.text()));
 }
 
 } // namespace placedpar

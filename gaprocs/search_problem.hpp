@@ -25,8 +25,8 @@ using Sample = std::vector<double>;
 
 /// What a search needs to know of a problem. A plain struct satisfies it without including this header: where it
 /// takes the genome as a template parameter and reads it by field(first, count), any Coding can be used with it.
-/// Optional: `true_parameters()`, the values a simulated record was made with; the members of ErrorOfParameters, with
-/// which a population is evaluated faster.
+/// Optional: `coding()`, the ParameterCoding of its string; `true_parameters()`, the values a simulated record was made
+/// with; the members of ErrorOfParameters, with which a population is evaluated faster.
 template <typename P, typename G = Genome>
 concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;
@@ -52,8 +52,8 @@ public:
     /// Of a problem that gives a number for an individual as it is, and is searched over no record: its fitness() is
     /// the objective's, whatever the samples and the bias. Nothing where a problem states the error at a sample.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
-    /// Whether the error at a sample depends on where its window begins, so that evaluations of one individual cannot be
-    /// made apart.
+    /// Whether the error at a sample depends on where its window begins, so that evaluations of one individual cannot
+    /// be made apart.
     virtual bool depends_on_window() const { return false; }
     /// The errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
     virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
@@ -73,6 +73,8 @@ public:
     /// Empty where they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
+    /// Bits of each field of the string, in its order; empty where the problem does not say.
+    virtual std::vector<std::size_t> fields() const { return {}; }
     /// How the string is read.
     virtual Coding coding() const = 0;
     /// The same problem with its string read another way. Throws UserError when it cannot be.
@@ -128,6 +130,12 @@ public:
             return {};
     }
 
+    std::vector<std::size_t> fields() const override {
+        if constexpr (requires { problem_.coding().fields(); })
+            return problem_.coding().fields();
+        else
+            return {};
+    }
     Coding coding() const override { return gray ? Coding::gray : Coding::natural; }
 
 private:

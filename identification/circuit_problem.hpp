@@ -37,6 +37,7 @@ public:
     std::size_t channels() const { return circuit_.size() * hydraulics::LinkSample::channels; }
     const hydraulics::Circuit& circuit() const { return circuit_; }
     hydraulics::InletFlow inlet_flow() const { return form_; }
+    const ParameterCoding& coding() const { return coding_; }
     /// That of every compliance.
     const ParameterField& field() const { return coding_.field(0); }
 

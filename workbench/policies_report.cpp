@@ -49,7 +49,10 @@ std::vector<Deciding> parameters_deciding(const Catalogue& catalogue, const std:
 }
 
 /// "tournament" of "Tournament (3)".
-std::string name_alone(const std::string& name) { return lower_case(name.substr(0, name.find_first_of(" ("))); }
+std::string name_alone(const std::string& name) {
+    std::string alone = lower_case(name.substr(0, name.find('(')));
+    return alone.substr(0, alone.find_last_not_of(' ') + 1);
+}
 
 bool has_numbers(const std::string& name) { return name.find('(') != std::string::npos; }
 
@@ -100,7 +103,8 @@ std::vector<Asked> with_numbers(std::vector<Asked> all, const std::string& name)
             asked.written = {asked.noun.printed(lower_case(name))};
             taking.push_back(std::move(asked));
         } catch (const UserError&) {
-            refusal = std::current_exception();
+            if (!refusal) // of the noun that comes first
+                refusal = std::current_exception();
         }
     if (taking.empty())
         std::rethrow_exception(refusal);

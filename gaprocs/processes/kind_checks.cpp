@@ -59,7 +59,7 @@ public:
         check_operators();
         auto host = other_end(network_, process_, "from_host");
         if (host && !host->at_edge() && network_.processes[host->process].kind == "ga.host")
-            check_problem(host->process, process_);
+            check_host(host->process);
         if (other_end(network_, process_, "to_slaves"))
             check_slaves();
     }
@@ -181,11 +181,22 @@ private:
             refuse("first_window", fmt::format("the first generation waits for {} samples, but the window holds {}",
                                                integer("first_window"), integer("window")));
         if (recorded_ && recorded_->problem()->depends_on_window() && given("split") && text("split") == "evaluations")
-            refuse("split",
-                   fmt::format("single evaluations of \"{}\" cannot be dealt out: its error at a sample depends on those "
-                               "before it in the window",
-                               text("problem")),
-                   "split = \"individuals\" deals out whole individuals");
+            refuse(
+                "split",
+                fmt::format("single evaluations of \"{}\" cannot be dealt out: its error at a sample depends on those "
+                            "before it in the window",
+                            text("problem")),
+                "split = \"individuals\" deals out whole individuals");
+    }
+
+    void check_host(std::size_t host) {
+        check_problem(host, process_);
+        auto sent = integer_of(host, "samples"), first = integer("first_window"); // 0: all that there are
+        if (recorded_ && !has_objective() && sent > 0 && sent < first)
+            refuse(
+                "first_window",
+                fmt::format("the first generation waits for {} samples, but \"{}\" sends {}", first, name(host), sent),
+                fmt::format("samples of \"{}\" is that many at least", name(host)));
     }
 
     void check_coding() {

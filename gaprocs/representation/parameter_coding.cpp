@@ -32,6 +32,13 @@ ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(s
     }
 }
 
+std::vector<std::size_t> ParameterCoding::fields() const {
+    std::vector<std::size_t> bits;
+    for (const ParameterField& field : fields_)
+        bits.push_back(field.bits);
+    return bits;
+}
+
 RealVector ParameterCoding::reals() const {
     std::vector<RealRange> ranges;
     for (const ParameterField& field : fields_)

@@ -54,6 +54,8 @@ public:
 
     std::size_t parameters() const { return fields_.size(); }
     const ParameterField& field(std::size_t parameter) const { return fields_[parameter]; }
+    /// Bits of each.
+    std::vector<std::size_t> fields() const;
     /// Length of the whole string.
     std::size_t bits() const { return bits_; }
     /// The parameters without bits: numbers of their ranges, of which a whole one is to be rounded().

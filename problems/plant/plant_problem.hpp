@@ -25,7 +25,7 @@ struct PoleZeroPlantOf {
 
     using Weights = std::array<T, plant_channels - 1>;
 
-    /// What y-hat(k) is made of: of y(k-1), y(k-2), u(k-1), ..., u(k-6).
+    /// What y-hat(k) is made of: of y(k-1), y(k-2), u(k-1), ..., u(k-6). REQUIRES: 1 <= d < 5, whole where T is Lanes.
     Weights weights() const {
         using std::abs;
         Weights weights;

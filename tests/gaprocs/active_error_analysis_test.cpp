@@ -35,8 +35,8 @@ TEST_CASE("errors that depend on where a window begins are found for each window
     std::vector<Individual> bests{line_of(128), line_of(64)};
     std::vector<std::size_t> windows{3, 2};
     ErrorsOfBest found = errors_of_best(*problem, bests, windows, samples);
-    CHECK(found.by_window == std::vector<std::vector<std::vector<double>>>{{{.25, -.25, -.25}, {.5, .5, 1.5}},
-                                                                           {{-.5, -.5}, {0, 1}}});
+    CHECK(found.by_window ==
+          std::vector<std::vector<std::vector<double>>>{{{.25, -.25, -.25}, {.5, .5, 1.5}}, {{-.5, -.5}, {0, 1}}});
     ErrorMatrix matrix(found, ErrorMatrix::Sum::squares);
     CHECK(matrix.error(0, 0) == 3 * .0625);
     CHECK(matrix.error(1, 0) == .5); // more than in the longer window, which holds it: not nested

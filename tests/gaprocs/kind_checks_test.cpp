@@ -137,10 +137,23 @@ TEST_CASE("as many slaves as the chain has, and no more than there is work for")
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
 }
 
+TEST_CASE("a host that sends too few samples for the first generation is refused") {
+    auto host = [](int sent) {
+        auto lines = statements();
+        lines.at("host") = fmt::format("host (problem = \"line\", samples = {});", sent);
+        lines.at("master") = "master (problem = \"line\", slaves = 2,\nfirst_window = 6);";
+        return refusal_of(lines);
+    };
+    says(host(5), "farm.cfs:6:1: error: the first generation waits for 6 samples, but \"host\" sends 5");
+    CHECK(host(6).empty());
+    CHECK(host(0).empty()); // all there are
+}
+
 TEST_CASE("errors that depend on those before them are not dealt out one by one") {
     auto text = refusal("master", "master (problem = \"along\", slaves = 2,\nsplit = \"evaluations\");");
-    says(text, "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample depends "
-               "on those before it in the window");
+    says(text,
+         "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample depends "
+         "on those before it in the window");
     says(text, "hint: split = \"individuals\" deals out whole individuals");
     for (const char* split : {"individuals", "demand"})
         CHECK(refusal("master", fmt::format("master (problem = \"along\", slaves = 2, split = \"{}\");", split))
@@ -309,7 +322,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused where t
     auto line = [](const char* given) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", given));
     };
-    says(line("coding = \"real\""), "farm.cfs:5:39: error: this problem does not read its string by fields");
+    says(line("coding = \"real\""), "farm.cfs:5:39: error: this problem has no real numbers to be bred");
     says(line("coding = \"grey\""), "did you mean \"gray\"?");
     says(line("coding = \"gray(65)\""), "dont_care = 65 is out of range");
     says(line("mutation_operator = \"swap\""), "does not fit binary strings: expected bit");

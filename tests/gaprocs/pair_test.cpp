@@ -165,7 +165,7 @@ TEST_CASE("the answer of a pair is the best ever where a problem has an objectiv
 TEST_CASE("what cannot be bred is refused at its place") {
     PairNetlist wrong;
     wrong.bits_of_coarse = "9";
-    check_pair_refused(wrong, ":4:", "field 0: 9 bits for 8 of the problem");
+    check_pair_refused(wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, which it has in the problem");
     wrong.bits_of_coarse = "4 4";
     check_pair_refused(wrong, ":4:", "2 fields to be bred for 1 of the problem");
     for (const char* text : {"", "4.5", "0", "64", "four", "4,4"}) {
@@ -178,6 +178,10 @@ TEST_CASE("what cannot be bred is refused at its place") {
     wrong = {};
     wrong.both.replace(wrong.both.find("\"8\""), 3, "\"9\"");
     check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string 8");
+    wrong = {};
+    wrong.both = "problem = \"valley\", fields = \"3 5\"";
+    wrong.bits_of_coarse = wrong.bits_of_fine = "3 3";
+    check_pair_refused(wrong, "error", "the problem's fields have 4 4 bits, not 3 5");
     wrong = {};
     wrong.both.replace(wrong.both.find("line"), 4, "seats");
     check_pair_refused(wrong, "error", "host");

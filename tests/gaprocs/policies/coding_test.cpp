@@ -76,10 +76,9 @@ TEST_CASE("the same fields without bits are real numbers of their ranges") {
 }
 
 TEST_CASE("a coding that has no meaning for a problem is refused") {
-    CHECK_THROWS_WITH_AS(make_search_problem(LineProblem{})->coded(Coding::real),
-                         "this problem does not read its string by fields, so that the coding \"real\" has no meaning "
-                         "for it",
-                         UserError);
+    CHECK_THROWS_WITH_AS(
+        make_search_problem(LineProblem{})->coded(Coding::real),
+        "this problem has no real numbers to be bred, so that the coding \"real\" has no meaning for it", UserError);
     CHECK_THROWS_AS(minimise(Seats{})->coded(Coding::gray), UserError);
     CHECK_THROWS_AS(maximise(Comb{})->coded(Coding::gray), UserError);
     CHECK_THROWS_WITH_AS(minimise(Seats{})->coded(Coding::named("natural(1)")),
