@@ -7,9 +7,9 @@ namespace placedpar {
 namespace {
 
 template <class WayToMutate>
-Answer follow(const Chase& chase, Coding coding, std::size_t width) {
+Answer follow(const Chase& chase, Coding coding, std::size_t width, std::size_t population = Chase::population) {
     SearchSettings settings;
-    settings.population = Chase::population;
+    settings.population = population;
     settings.crossover_probability = Chase::crossover;
     settings.mutation_probability = Chase::mutation;
     settings.elite = 1;
@@ -32,6 +32,10 @@ Answer distances(const Chase& chase) {
 }
 Answer bits(const Chase& chase) { return follow<BitMutation>(chase, Coding::natural, widest_vector_width()); }
 Answer gray(const Chase& chase) { return follow<DistanceMutation>(chase, Coding::gray, widest_vector_width()); }
+/// As near to the pole as the nearest rival.
+Answer large(const Chase& chase) {
+    return follow<DistanceMutation>(chase, Coding::gray, widest_vector_width(), 3 * Chase::population);
+}
 
 } // namespace
 
@@ -42,6 +46,7 @@ std::vector<Contestant> ours() {
     if (widest_vector_width() >= 8)
         all.push_back({"PlacedPar, 8 doubles at once", distances<8>});
     all.push_back({"... Gray code", gray});
+    all.push_back({"... Gray code, 300 individuals", large});
     all.push_back({"... a number for every bit", bits});
     return all;
 }
