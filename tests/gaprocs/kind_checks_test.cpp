@@ -253,7 +253,7 @@ TEST_CASE("settings that do not fit together are refused at the parameter") {
 
 TEST_CASE("problems are known, and all work on the same") {
     says(refusal("slave 0", "slave[0] (problem = \"curve\");"),
-         "farm.cfs:6:11: error: there is no search problem 'curve'; known: line, other line, sphere");
+         "farm.cfs:6:11: error: there is no search problem 'curve'; known: along, line, other line, sphere");
     says(refusal("slave 1", "slave[1] (problem = \"other line\");"),
          "farm.cfs:7:11: error: \"slave[1]\" works on the problem \"other line\", but \"master\" on \"line\"");
     says(refusal("host", "host (problem = \"other line\");"), "\"host\" works on the problem \"other line\"");

@@ -179,10 +179,8 @@ TEST_CASE("what cannot be bred is refused at its place") {
     wrong.both.replace(wrong.both.find("\"8\""), 3, "\"9\"");
     check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string 8");
     wrong = {};
-    wrong.both = "problem = \"valley\", fields = \"3 5\"";
-    wrong.bits_of_coarse = wrong.bits_of_fine = "3 3";
-    check_pair_refused(wrong, "error", "the problem's fields have 4 4 bits, not 3 5");
-    wrong = {};
+    CHECK_THROWS_WITH_AS(RecodedProblem(*minimise(Valley{}), natural_recoding({3, 5})),
+                         "the problem's fields have 4 4 bits, not 3 5", UserError);
     wrong.both.replace(wrong.both.find("line"), 4, "seats");
     check_pair_refused(wrong, "error", "host");
 }
