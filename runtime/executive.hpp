@@ -19,7 +19,6 @@ struct OperationCosts {
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< of a PAR, for each but the last, which its process runs itself
-    Cycles run_component{};   ///< the same, of another priority than its process, as the high one of a PRI PAR
     Cycles end_component{};   ///< paid by the component when it ends
 
     Cycles timer_read{};
