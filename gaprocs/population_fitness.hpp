@@ -111,8 +111,7 @@ void fitness_in_lanes(const P& problem, std::span<const Genome> population, cons
                       std::span<double> fitness) {
     using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
     auto terms = [&]<class T>(std::span<const T> parameters) {
-        return [ bias, error = errors_along<T>(problem, parameters) ](const auto& sample) mutable
-            __attribute__((flatten)) {
+        return [bias, error = errors_along<T>(problem, parameters)](const auto& sample) mutable {
             return fitness_term<T>(bias, error(std::span<const double>(sample)));
         };
     };
