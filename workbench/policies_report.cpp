@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace placedpar {
 
@@ -25,13 +27,14 @@ struct Deciding {
 
 /// What was asked for of a noun.
 struct Asked {
-    Noun noun;                        ///< of its policies, those asked for
-    std::vector<std::string> written; ///< each of them as a netlist writes it, with the numbers asked for
+    Noun noun;                        ///< of its policies and forms, those asked for
+    std::vector<std::string> written; ///< each of the policies as a netlist writes it, with the numbers asked for
     std::vector<Deciding> parameters;
 };
 
+/// Kinds that have the same parameter to the letter share an entry.
 void add_parameter(std::vector<Deciding>& all, const ParameterDescription& parameter, const std::string& kind) {
-    auto is_it = [&](const Deciding& each) { return each.parameter->name == parameter.name; };
+    auto is_it = [&](const Deciding& each) { return parameter_json(*each.parameter) == parameter_json(parameter); };
     auto found = std::ranges::find_if(all, is_it);
     if (found == all.end())
         all.push_back({&parameter, {kind}});
@@ -48,17 +51,22 @@ std::vector<Deciding> parameters_deciding(const Catalogue& catalogue, const std:
     return all;
 }
 
-/// "tournament" of "Tournament (3)".
+/// "tournament" of "Tournament (3)"; "initial-population" of "initial population".
 std::string name_alone(const std::string& name) {
     std::string alone = lower_case(name.substr(0, name.find('(')));
-    return alone.substr(0, alone.find_last_not_of(' ') + 1);
+    alone.resize(alone.find_last_not_of(' ') + 1);
+    std::ranges::replace_if(
+        alone, [](char c) { return c == ' ' || c == '_'; }, '-');
+    return alone;
 }
 
 bool has_numbers(const std::string& name) { return name.find('(') != std::string::npos; }
 
 bool is_whole_noun(const Asked& asked, const std::string& name) {
     auto has_name = [&](const Deciding& each) { return each.parameter->name == name; };
-    return name == policies_group || name == asked.noun.name || std::ranges::any_of(asked.parameters, has_name);
+    return name == policies_group || name_alone(name) == asked.noun.name ||
+           std::ranges::count(asked.noun.also_called, name_alone(name)) > 0 ||
+           std::ranges::any_of(asked.parameters, has_name);
 }
 
 /// With its policies as a netlist writes them.
@@ -70,13 +78,16 @@ Asked ask_all(const Catalogue& catalogue, Noun noun) {
     return asked;
 }
 
-/// Only the policy of that name, and what is written of it; nothing where there is none.
+/// Only the policy or form of that name, and what is written of it; nothing where there is none.
 std::optional<Asked> ask_one(Asked asked, const std::string& base) {
-    auto found = std::ranges::find(asked.noun.policies, base, &PolicyDescription::name);
-    if (found == asked.noun.policies.end())
+    std::vector<PolicyDescription>& policies = asked.noun.policies;
+    std::erase_if(asked.noun.forms, [&](const Form& form) { return form.name != base; });
+    std::erase_if(policies, [&](const PolicyDescription& policy) { return policy.name != base; });
+    if (policies.empty() && asked.noun.forms.empty())
         return std::nullopt;
-    asked.written = {asked.written[static_cast<std::size_t>(found - asked.noun.policies.begin())]};
-    asked.noun.policies = {*found};
+    asked.written.clear();
+    for (const PolicyDescription& policy : policies)
+        asked.written.push_back(asked.noun.printed(policy.text()));
     return asked;
 }
 
@@ -96,10 +107,14 @@ std::vector<Asked> find_asked(const Catalogue& catalogue, const std::string& nam
 
 /// The same with the numbers that the name has: only those that take them. Throws UserError where none does.
 std::vector<Asked> with_numbers(std::vector<Asked> all, const std::string& name) {
+    std::erase_if(all, [](const Asked& asked) { return asked.noun.policies.empty(); });
+    if (all.empty())
+        throw UserError(fmt::format("{} takes no number", name_alone(name)));
     std::vector<Asked> taking;
     std::exception_ptr refusal;
     for (Asked& asked : all)
         try {
+            asked.noun.forms.clear();
             asked.written = {asked.noun.printed(lower_case(name))};
             taking.push_back(std::move(asked));
         } catch (const UserError&) {
@@ -146,15 +161,26 @@ std::string print_one(const Asked& asked, const PolicyDescription& policy, const
     return out;
 }
 
+std::string print_form(const Form& form) {
+    std::string in_netlist = form.written.empty() ? "of the library alone" : "in a netlist: " + form.written;
+    return fmt::format("\n{}\n  {}\n  {}\n  source: {}\n  example: placedpar {}\n", painted(Paint::heading, form.name),
+                       form.about, in_netlist, form.source, form.example);
+}
+
+std::string print_parameters_deciding(const std::vector<Deciding>& all) {
+    std::string out = all.empty() ? "" : painted(Paint::heading, "\nparameters\n");
+    for (const Deciding& deciding : all)
+        out += print_deciding(deciding);
+    return out;
+}
+
 std::string print_asked(const Asked& asked) {
     std::string out = fmt::format("{}\n{}\n", painted(Paint::heading, asked.noun.name), asked.noun.about) +
-                      painted(Paint::heading, "\nparameters\n");
-    for (const Deciding& deciding : asked.parameters)
-        out += print_deciding(deciding);
-    if (asked.parameters.empty())
-        out += "  none of any process: the library has it alone\n";
+                      print_parameters_deciding(asked.parameters);
     for (std::size_t i = 0; i < asked.written.size(); ++i)
         out += print_one(asked, asked.noun.policies[i], asked.written[i]);
+    for (const Form& form : asked.noun.forms)
+        out += print_form(form);
     return out;
 }
 
@@ -162,8 +188,17 @@ boost::json::array texts_json(const std::vector<std::string>& texts) {
     return boost::json::array(texts.begin(), texts.end());
 }
 
+boost::json::object form_json(const Form& form) {
+    return {{"name", form.name},
+            {"about", form.about},
+            {"written", form.written},
+            {"source", form.source},
+            {"example", form.example}};
+}
+
 boost::json::object asked_json(const Asked& asked) {
-    boost::json::array parameters, policies;
+    boost::json::array parameters, policies, forms;
+    std::ranges::transform(asked.noun.forms, std::back_inserter(forms), form_json);
     for (const Deciding& deciding : asked.parameters) {
         parameters.push_back(parameter_json(*deciding.parameter));
         parameters.back().as_object()["kinds"] = texts_json(deciding.kinds);
@@ -180,7 +215,32 @@ boost::json::object asked_json(const Asked& asked) {
     return {{"name", asked.noun.name},
             {"about", asked.noun.about},
             {"parameters", std::move(parameters)},
-            {"policies", std::move(policies)}};
+            {"policies", std::move(policies)},
+            {"forms", std::move(forms)},
+            {"also_called", texts_json(asked.noun.also_called)}};
+}
+
+struct Entry {
+    std::string name, about;
+};
+
+/// Its policies as they are written, and its forms.
+std::vector<Entry> entries_of(const Noun& noun) {
+    std::vector<Entry> entries;
+    for (const PolicyDescription& policy : noun.policies)
+        entries.push_back({policy.text(), policy.about});
+    for (const Form& form : noun.forms)
+        entries.push_back({form.name, form.about});
+    return entries;
+}
+
+/// Of the longest name of all entries.
+std::size_t width_of_names(const std::vector<Noun>& nouns) {
+    std::size_t width = 0;
+    for (const Noun& noun : nouns)
+        for (const Entry& entry : entries_of(noun))
+            width = std::max(width, entry.name.size());
+    return width;
 }
 
 } // namespace
@@ -191,6 +251,8 @@ std::vector<std::string> policy_names() {
         names.push_back(noun.name);
         for (const PolicyDescription& policy : noun.policies)
             names.push_back(policy.name);
+        for (const Form& form : noun.forms)
+            names.push_back(form.name);
     }
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -201,10 +263,12 @@ bool is_policy(const Catalogue& catalogue, const std::string& name) { return !fi
 
 std::string print_policies() {
     std::string out = painted(Paint::heading, "policies\n");
-    for (const Noun& noun : policy_nouns()) {
-        out += fmt::format("  {:<34} {}\n", noun.name, noun.about);
-        for (const PolicyDescription& policy : noun.policies)
-            out += fmt::format("    {:<34} {}\n", policy.text(), policy.about);
+    std::vector<Noun> nouns = policy_nouns();
+    std::size_t width = width_of_names(nouns);
+    for (const Noun& noun : nouns) {
+        out += fmt::format("  {:<{}} {}\n", noun.name, width + 2, noun.about);
+        for (const Entry& entry : entries_of(noun))
+            out += fmt::format("    {:<{}} {}\n", entry.name, width, entry.about);
     }
     return out;
 }

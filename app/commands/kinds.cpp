@@ -106,9 +106,8 @@ std::vector<std::string> names_of_kinds() {
 Action declare_kinds(CLI::App& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
     command.add_option("NAME", options->name,
-                       "a kind, a search problem, what there is to decide about a genetic algorithm (selection, "
-                       "topology) or a policy: "
-                       "everything about it; a group, such as csp: its kinds; problems, policies: all of them");
+                       "a kind, a problem, what there is to decide (selection) or a policy (tournament), for all about "
+                       "it. A group such as csp, or problems, or policies, for a list");
     command.add_flag("--json", options->json, "prints everything about them for machines");
     return [options] { return kinds(*options); };
 }

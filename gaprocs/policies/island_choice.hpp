@@ -25,7 +25,9 @@ class RandomStream;
 
 /// The greatest Sw_i / SA_i to the letter of 5.3, 5.4 and 5.7, with the squares of 5.1.
 struct PrintedChoice {
-    static constexpr std::string_view name = "printed", about = "greatest Sw/SA as printed, squared errors",
+    static constexpr std::string_view name = "printed",
+                                      about = "greatest Sw/SA as printed, squared errors: never the shortest window "
+                                              "before the longest, which it nearly always chooses",
                                       source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -50,7 +52,9 @@ struct MeansChoice {
 /// Divided by the error of the row's own island: Sw_i is how much worse the others are than island i in its window.
 /// With it, means and sums are the same.
 struct RowChoice {
-    static constexpr std::string_view name = "row", about = "greatest Sw/SA, divided by the row's own error",
+    static constexpr std::string_view name = "row",
+                                      about = "greatest Sw/SA, divided by the row's own error: of sums and of means "
+                                              "the same",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;

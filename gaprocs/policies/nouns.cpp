@@ -4,6 +4,7 @@
 #include "gaprocs/policies/coding.hpp"
 #include "gaprocs/policies/crossover.hpp"
 #include "gaprocs/policies/emigration.hpp"
+#include "gaprocs/policies/forms.hpp"
 #include "gaprocs/policies/island_choice.hpp"
 #include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
@@ -11,6 +12,7 @@
 #include "gaprocs/policies/topology.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace placedpar {
 
@@ -34,21 +36,37 @@ Noun noun_of_operator() {
     return noun;
 }
 
+/// The same, which is also looked for by other words.
+Noun also_called(std::vector<std::string> words, Noun noun) {
+    noun.also_called = std::move(words);
+    return noun;
+}
+
+Noun representation() {
+    Noun noun = noun_of<Coding>();
+    noun.forms = {forms::permutation()};
+    return noun;
+}
+
 } // namespace
 
 std::vector<Noun> policy_nouns() {
-    return {noun_of<Coding>(),
-            {.name = "initial-population", .about = "where a search begins: at random, or with strings of a file"},
+    return {also_called({"encoding", "genome"}, representation()),
+            forms::initial_population(),
+            forms::fitness(),
+            forms::window(),
             noun_of<Reproduction>(),
-            noun_of_operator<Crossover>(),
-            noun_of_operator<Mutation>(),
-            {.name = "elitism", .about = "how many of the best go over unchanged (thesis: none)"},
-            noun_of<Topology>(),
-            noun_of<Schedule>(),
-            noun_of<Emigration>(),
-            noun_of<Acceptance>(),
-            noun_of<IslandChoice>(),
-            {.name = "farm", .about = "how a master deals its population out to slaves (thesis, algorithm A)"}};
+            also_called({"crossover-rate", "operator"}, noun_of_operator<Crossover>()),
+            also_called({"mutation-rate", "operator"}, noun_of_operator<Mutation>()),
+            forms::elitism(),
+            also_called({"migration", "neighbours"}, noun_of<Topology>()),
+            also_called({"migration"}, noun_of<Schedule>()),
+            also_called({"migration", "emigrants", "migrants"}, noun_of<Emigration>()),
+            also_called({"migration", "immigration", "immigrants", "replacement"}, noun_of<Acceptance>()),
+            forms::distributed_fitness(),
+            also_called({"active-error-analysis", "error-matrix"}, noun_of<IslandChoice>()),
+            forms::coarse_fine(),
+            forms::farm()};
 }
 
 } // namespace placedpar

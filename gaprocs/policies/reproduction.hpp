@@ -75,9 +75,10 @@ struct RankingReproduction {
 
 /// Tournament: each parent is the best of `size` individuals that are drawn with replacement; the first of equals.
 struct TournamentReproduction {
-    static constexpr std::string_view name = "tournament",
-                                      about = "the best of `size` drawn at random, for each parent",
-                                      source = "D. Goldberg and K. Deb, 1991";
+    static constexpr std::string_view
+        name = "tournament",
+        about = "for each parent the best of `size` drawn at random, some of them more than once",
+        source = "D. Goldberg and K. Deb, 1991";
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
     static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6}); }

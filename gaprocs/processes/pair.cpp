@@ -18,8 +18,9 @@ namespace {
 using namespace search_description;
 
 ParameterDescription bits_of_fields(std::string name, std::string about) {
-    return description::text(std::move(name), {.check = [](const std::string& text) { bits_named(text); }},
-                             std::move(about));
+    return description::deciding(
+        "coarse-fine", description::text(std::move(name), {.check = [](const std::string& text) { bits_named(text); }},
+                                         std::move(about)));
 }
 
 ProcessKind searching_recoded(std::string name, std::string about, PortDescription other_one,

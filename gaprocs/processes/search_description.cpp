@@ -21,20 +21,22 @@ Parameters population_parameters() {
         problem(),
         integer("population", {.unit = "individuals", .by_default = 120, .least = 2, .most = largest_population},
                 "size of this process's population (thesis 4.3: 120 in all)"),
-        integer("window", {.unit = "samples", .by_default = 10, .least = 1, .most = 1024},
-                "samples that the fitness is summed over (eq. 3.9)"),
-        integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
-                "samples needed for the first generation; a shorter window must only be full"),
-        integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
-                "generations for each new sample (thesis 4.3)"),
+        deciding("window", integer("window", {.unit = "samples", .by_default = 10, .least = 1, .most = 1024},
+                                   "samples that the fitness is summed over (eq. 3.9)")),
+        deciding("window", integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
+                                   "samples needed for the first generation; a shorter window must only be full")),
+        deciding("window", integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
+                                   "generations for each new sample (thesis 4.3)")),
     };
 }
 
 Parameters operator_parameters() {
     using namespace description;
     return {
-        real("bias", {.unit = "(unit of the error)^2", .by_default = 400, .least = 1e-300, .most = fitness_term_limit},
-             "B of the fitness (eq. 3.9)"),
+        deciding("fitness",
+                 real("bias",
+                      {.unit = "(unit of the error)^2", .by_default = 400, .least = 1e-300, .most = fitness_term_limit},
+                      "B of the fitness (eq. 3.9)")),
         deciding("crossover", real("crossover", {.by_default = 0.8, .least = 0, .most = 1},
                                    "probability that a pair is crossed over")),
         deciding("mutation",

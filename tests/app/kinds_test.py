@@ -1,10 +1,12 @@
 """placedpar kinds: one, a group, all; for people and for machines."""
 
 import json
+import pathlib
 import re
+import shlex
 import unittest
 
-from program import CLUSTER, placedpar
+from program import CLUSTER, EXAMPLES, placedpar
 
 
 def said(*arguments):
@@ -153,7 +155,37 @@ class Kinds(unittest.TestCase):
                 for each in policy["numbers"]:
                     self.assertRegex(text, rf"{each['name']} +(int|double) +default {default_of(each['default'])} +"
                                            rf"{number(each['least'])} .. {number(each['most'])}\n")
+            for form in noun["forms"]:
+                self.assertRegex(listed, rf"(?m)^    {form['name']} +{re.escape(form['about'])}$")
+                self.assertIn(f"\n{form['name']}\n  {form['about']}\n", text)
+                self.assertIn(f"  in a netlist: {form['written']}\n" if form["written"] else "  of the library alone\n", text)
+                self.assertIn(f"  source: {form['source']}\n  example: placedpar {form['example']}\n", text)
         self.assertIn("initial-population", listed)
+
+    def test_what_no_policy_decides_is_seen_in_an_example(self):
+        for noun in json.loads(said("policies", "--json"))["policies"]:
+            for form in noun["forms"]:
+                command, *arguments = shlex.split(form["example"])
+                if command == "replay":
+                    self.assertIn(f"\n  {arguments[0]} ", refusal("replay", "everything"))
+                    continue
+                self.assertEqual(command, "run")
+                path = EXAMPLES.parent / arguments[0]
+                done = placedpar("check", *arguments, folder=EXAMPLES.parent)
+                self.assertEqual((done.returncode, done.stderr), (0, ""), form)
+                seen = path.read_text() + form["example"]
+                for parameter, kind, port in re.findall(r"(\w+) = |\"(ga\.\w+)\"|\.(\w+)", form["written"]):
+                    self.assertIn(parameter or kind or port, seen, form)
+
+    def test_every_noun_is_found_by_the_words_for_it(self):
+        for words, nouns in (("distributed fitness", ["distributed-fitness"]), ("coarse/fine", ["coarse-fine"]),
+                             ("Initial Population", ["initial-population"]), ("fitness", ["fitness"]),
+                             ("window", ["window"]), ("bias", ["fitness"]), ("farm", ["farm"]), ("tree", ["farm"]),
+                             ("permutation", ["representation"]), ("mutation_rate", ["mutation"]),
+                             ("migration", ["topology", "schedule", "emigration", "acceptance"]),
+                             ("active error analysis", ["choice"]), ("operator", ["crossover", "mutation"])):
+            found = json.loads(said(words, "--json"))["policies"]
+            self.assertEqual([noun["name"] for noun in found], nouns, words)
 
     def test_a_policy_with_numbers_of_its_own(self):
         self.assertIn('reproduction = "tournament(size = 3)"', said("Tournament(3)"))

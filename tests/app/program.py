@@ -10,10 +10,10 @@ CLUSTER = EXAMPLES / "03-table-e1" / "cluster.cfs"
 FIGURE_E2 = EXAMPLES / "04-figure-e2" / "figure-e2.cfs"
 
 
-def placedpar(*arguments, environment=None):
+def placedpar(*arguments, environment=None, folder=None):
     """The finished process: returncode, stdout, stderr."""
     return subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                          env={**os.environ, **(environment or {})}, timeout=120, check=False)
+                          env={**os.environ, **(environment or {})}, timeout=120, check=False, cwd=folder)
 
 
 def fingerprint(output):

@@ -50,8 +50,61 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
             for (const std::string& choice : parameter.choices)
                 CHECK_NOTHROW(parameter.check(choice));
         }
-    for (const Noun& noun : nouns)
-        CHECK(decided.count(noun.name) == 1);
+    for (const Noun& noun : nouns) // what no parameter decides says by its forms how a netlist has it
+        CHECK((decided.count(noun.name) == 1) == (noun.name != "distributed-fitness"));
+}
+
+TEST_CASE("what a number, the problem or the connections decide is listed, too, with how a netlist says it") {
+    Known known;
+    CHECK(says(print_policy(known.catalogue, "best"), "\n  in a netlist: elite = 1\n  source: K. De Jong, 1975\n"));
+    CHECK(says(print_policy(known.catalogue, "Distributed Fitness"), "\n\ndistributed\n  each island a window"));
+    CHECK(says(print_policy(known.catalogue, "permutation"), "problem = \"tour-circle(cities = 12)\""));
+    CHECK(says(print_policy(known.catalogue, "spread"), "\n  of the library alone\n"));
+    std::string star = print_policy(known.catalogue, "star"); // of islands, and of a master and its slaves
+    CHECK(says(star, "topology = \"star\""));
+    CHECK(says(star, "connect master.to_slaves[1] to slave[1].from_master;"));
+    CHECK_THROWS_WITH(print_policy(known.catalogue, "tree(3)"), "tree takes no number");
+    CHECK_FALSE(says(print_policy(known.catalogue, "best(2)"), "elitism"));
+}
+
+TEST_CASE("other words lead to what is meant") {
+    Known known;
+    std::string migration = print_policy(known.catalogue, "migration");
+    for (const char* noun : {"topology\n", "schedule\n", "emigration\n", "acceptance\n"})
+        CHECK(says(migration, noun));
+    CHECK(print_policy(known.catalogue, "mutation_rate") == print_policy(known.catalogue, "mutation"));
+    CHECK(print_policy(known.catalogue, "immigrants") == print_policy(known.catalogue, "acceptance"));
+    CHECK(says(print_policy(known.catalogue, "operator"), "crossover_operator"));
+    CHECK(says(print_policy(known.catalogue, "operator"), "mutation_operator"));
+    CHECK_FALSE(is_policy(known.catalogue, "roulette wheel"));
+}
+
+TEST_CASE("what a parameter is about stands in one column, however long a policy is") {
+    std::string listed = print_policies();
+    std::size_t line = listed.find("    breeder(range = 0.1, precision = 24) a step");
+    REQUIRE(line != std::string::npos);
+    auto column = [&](const char* about) {
+        std::size_t found = listed.find(about);
+        return found - listed.rfind('\n', found);
+    };
+    CHECK(column("a step of any size") == column("how parents are chosen"));
+    CHECK(column("a step of any size") == column("a channel from the master"));
+}
+
+TEST_CASE("kinds that have a parameter with another default are listed apart") {
+    Known known;
+    Catalogue other;
+    ProcessKind master = *known.catalogue.find("ga.master"), island = *known.catalogue.find("ga.island");
+    for (ParameterDescription& parameter : island.parameters)
+        if (parameter.name == "elite")
+            parameter.default_value = Value(std::int64_t{7});
+    other.add(master);
+    other.add(island);
+    std::string elitism = print_policy(other, "elitism");
+    CHECK(says(elitism, " of ga.master\n"));
+    CHECK(says(elitism, " of ga.island\n"));
+    CHECK(says(elitism, "default 7 "));
+    CHECK(says(print_policy(other, "mutation"), " of ga.island, ga.master\n"));
 }
 
 TEST_CASE("every name stands for one thing only") {

@@ -72,6 +72,32 @@ TEST_CASE("every noun and policy says what it is, and every policy where it is f
     });
 }
 
+TEST_CASE("every noun has policies or forms, and every form says what it is and where it is from") {
+    for (const Noun& noun : policy_nouns()) {
+        CAPTURE(noun.name);
+        CHECK(noun.policies.size() + noun.forms.size() > 0);
+        std::set<std::string> names;
+        for (const PolicyDescription& policy : noun.policies)
+            names.insert(policy.name);
+        for (const Form& form : noun.forms) {
+            CHECK(names.insert(form.name).second);
+            CHECK_FALSE(form.about.empty());
+            CHECK_FALSE(form.source.empty());
+            CHECK_FALSE(form.example.empty());
+        }
+    }
+}
+
+TEST_CASE("what there is to decide is all there") {
+    std::set<std::string> names;
+    for (const Noun& noun : policy_nouns())
+        names.insert(noun.name);
+    for (const char* name :
+         {"representation", "selection", "crossover", "mutation", "elitism", "initial-population", "fitness", "window",
+          "topology", "schedule", "emigration", "acceptance", "farm", "distributed-fitness", "choice", "coarse-fine"})
+        CHECK_MESSAGE(names.count(name) == 1, name);
+}
+
 TEST_CASE("operators say on what strings they work") {
     for_each_policy([](const Noun& noun, const PolicyDescription& policy) {
         bool is_operator = noun.name == "crossover" || noun.name == "mutation";

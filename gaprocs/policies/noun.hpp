@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A way that no text names, since a number, the problem or the connections of a netlist decide it.
+struct Form {
+    std::string name; ///< "star"
+    std::string about;
+    std::string written; ///< how a netlist says it; "" where the library alone has it
+    std::string source;  ///< as PolicyDescription::source
+    std::string example; ///< what follows `placedpar` to see it, below the folder that holds examples/
+};
+
+/// What there is to decide about a genetic algorithm, and the policies that there are for it, as netlists and library
+/// name them. Which parameters of a netlist decide it, those say: ParameterDescription::noun.
+struct Noun {
+    std::string name; ///< "selection"
+    std::string about;
+    std::vector<PolicyDescription> policies = {};
+    /// The policy that a text names, as it prints itself. Throws UserError as read_policy(). REQUIRES: there are
+    /// policies.
+    std::function<std::string(const std::string&)> printed = {};
+    std::vector<Form> forms = {};
+    /// Other words by which it is looked for, together with other nouns perhaps: "migration".
+    std::vector<std::string> also_called = {};
+};
+
+} // namespace placedpar
