@@ -11,7 +11,6 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace placedpar {
@@ -109,7 +108,6 @@ concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2,
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {
-    using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
     auto terms = [&]<class T>(std::span<const T> parameters) {
         return [bias, error = errors_along<T>(problem, parameters)](const auto& sample) mutable {
             return fitness_term<T>(bias, error(std::span<const double>(sample)));
@@ -122,8 +120,8 @@ void fitness_in_lanes(const P& problem, std::span<const Genome> population, cons
             };
             return sum_in_lanes_from(decoded, samples, terms, fitness);
         }
-    sum_terms_in_lanes([&](std::size_t i) { return problem.parameters_of(StringRead(population[i])); }, samples, terms,
-                       fitness);
+    sum_terms_in_lanes([&](std::size_t i) { return problem.parameters_of(StringRead<gray>(population[i])); }, samples,
+                       terms, fitness);
 }
 
 } // namespace placedpar

@@ -14,7 +14,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -112,7 +111,7 @@ public:
     }
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                     std::span<double> out) const override {
-        if constexpr (ErrorOfParameters<P, StringRead>)
+        if constexpr (ErrorOfParameters<P, StringRead<gray>>)
             fitness_in_lanes<gray>(problem_, population, samples, bias, out);
         else
             for (std::size_t i = 0; i < population.size(); ++i)
@@ -161,8 +160,7 @@ private:
         }
     }
 
-    using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
-    static StringRead as_coded(const Genome& genome) { return StringRead(genome); }
+    static StringRead<gray> as_coded(const Genome& genome) { return StringRead<gray>(genome); }
 
     P problem_;
 };

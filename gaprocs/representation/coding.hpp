@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace placedpar {
 
@@ -31,6 +32,10 @@ public:
 private:
     const G& genome_;
 };
+
+/// What a problem is given to read: the string itself, or its fields in Gray code.
+template <bool gray>
+using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
 
 /// The length of a string of `bits` with `dont_care` bits stuffed between every two neighbours (thesis eq. 6.15).
 /// REQUIRES: bits > 0.
