@@ -4,6 +4,7 @@
 #include "gaprocs/processes/analyst_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/search_description.hpp"
+#include "gaprocs/window.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/executive.hpp"
@@ -47,19 +48,21 @@ std::vector<std::size_t> windows_of(const std::vector<AnalysedIsland>& islands) 
 }
 
 /// Active error analysis beside the islands, which send it their bests: it holds their answer.
+/// REQUIRES: a network that has passed check_analyst(), so that there are islands, and all of them have one host.
 class Analyst {
 public:
     Analyst(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
         : environment_(environment), problem_(problem), observer_(observer),
           from_host_(environment.input<HostMessage>("from_host")), islands_(islands_of(environment)),
           longest_window_(std::ranges::max(windows_of(islands_))),
+          samples_({.length = longest_window_, .first = longest_window_}),
           analysis_(problem, windows_of(islands_), IslandChoice::named(environment.text("choice")),
                     environment.random_stream(environment.process())) {}
 
     void run() {
         for (auto reports = receive_reports(); !reports.front().end; reports = receive_reports()) {
             take_samples(reports.front().samples);
-            if (record_.size() >= longest_window_)
+            if (samples_.ready())
                 analyse(reports);
         }
         take_what_is_left();
@@ -76,8 +79,8 @@ private:
 
     /// Until there are so many, as the islands had when they found their bests.
     void take_samples(std::size_t count) {
-        while (record_.size() < count)
-            record_.push_back(from_host_.input().sample);
+        for (; taken_ < count; ++taken_)
+            samples_.push(from_host_.input().sample);
     }
 
     void take_what_is_left() {
@@ -91,7 +94,7 @@ private:
                 Cycles{environment_.integer("cycles_per_error")});
         std::vector<Individual> bests;
         std::ranges::transform(reports, std::back_inserter(bests), &IslandReport::best);
-        analysis_.analyse(bests, record_);
+        analysis_.analyse(bests, samples_.samples());
         ++answers_;
         if (observer_)
             observer_->observe(ObservedAnswer{environment_.process(), chosen(), reports.front().generation, now(),
@@ -118,12 +121,13 @@ private:
     Input<HostMessage> from_host_;
     std::vector<AnalysedIsland> islands_;
     std::size_t longest_window_;
+    SlidingWindow samples_; ///< the longest window's: all that an analysis needs
+    std::size_t taken_ = 0; ///< samples, as many as the islands had
     ActiveErrorAnalysis analysis_;
-    std::vector<Sample> record_;
     std::size_t answers_ = 0;
 };
 
-/// The problem is the islands', in their coding.
+/// The problem is the islands', in their coding, which check_analyst() and check_island() found to be one.
 void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
     const Network& network = environment.network();
     std::size_t first = reporters_to(network, environment.index()).front().process;

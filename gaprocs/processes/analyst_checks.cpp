@@ -2,6 +2,7 @@
 
 #include "gaprocs/policies/island_choice.hpp"
 #include "gaprocs/processes/archipelago.hpp"
+#include "gaprocs/processes/island_run.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/slave_tree.hpp"
 #include "netlist/network/names.hpp"
@@ -30,6 +31,8 @@ public:
             check_record();
             check_host();
             check_choice();
+            if (complaints_.empty())
+                warn_of_no_answer();
         }
         return std::move(complaints_);
     }
@@ -71,6 +74,7 @@ private:
                                    std::get<std::string>(island.parameters.at("problem")), name(analyst_)));
     }
 
+    /// REQUIRES: every from_host is connected, as ports must be that are not optional.
     void check_host() {
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
         for (const Reporter& each : reporters_)
@@ -87,6 +91,31 @@ private:
         } catch (const UserError& not_there) {
             refuse("choice", not_there.what());
         }
+    }
+
+    std::size_t longest_window() const {
+        std::int64_t longest = 0;
+        for (const Reporter& each : reporters_)
+            longest = std::max(longest, std::get<std::int64_t>(instance(each.process).parameters.at("window")));
+        return static_cast<std::size_t>(longest);
+    }
+
+    /// It answers after an exchange with as many samples as the longest window.
+    void warn_of_no_answer() {
+        Archipelago archipelago(network_);
+        auto run = run_of(network_, archipelago, archipelago.number_of(first_island()), problems_);
+        if (!run)
+            return;
+        std::size_t every = schedule_of(instance(first_island())).every(),
+                    last = run->generations() / every * every; // of the exchanges
+        if (last > 0 && run->samples_at(last) >= longest_window())
+            return;
+        std::string why = last == 0 ? fmt::format("the first exchange is due after {} generations, and the run has {}",
+                                                  every, run->generations())
+                                    : fmt::format("the last exchange is after {} samples, and the longest window holds "
+                                                  "{}",
+                                                  run->samples_at(last), longest_window());
+        complaints_.push_back({analyst_, "", fmt::format("\"{}\" answers nothing: {}", name(analyst_), why), "", true});
     }
 
     const Network& network_;

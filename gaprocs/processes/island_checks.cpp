@@ -3,6 +3,7 @@
 #include "gaprocs/policies/acceptance.hpp"
 #include "gaprocs/policies/emigration.hpp"
 #include "gaprocs/processes/archipelago.hpp"
+#include "gaprocs/processes/island_run.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/slave_tree.hpp"
@@ -38,6 +39,7 @@ public:
             check_neighbours_agree();
             check_room();
             warn_of_parts();
+            warn_of_no_exchange();
         }
         return std::move(complaints_);
     }
@@ -143,26 +145,14 @@ private:
                                counted(static_cast<std::size_t>(integer(process_, "trials")), "generation"),
                                process_.name, integer(first, "trials"), first.name),
                    "they exchange in the same generations");
-        auto ours = samples_sent_to(process_), theirs = samples_sent_to(first);
+        auto ours = samples_sent_to(network_, index_, problems_),
+             theirs =
+                 samples_sent_to(network_, static_cast<std::size_t>(&first - network_.processes.data()), problems_);
         if (ours && theirs && *ours != *theirs)
             refuse("",
                    fmt::format("\"{}\" and \"{}\" are not sent as many samples: {} and {}", process_.name, first.name,
                                *ours, *theirs),
                    "they exchange in the same generations");
-    }
-
-    /// By its ga.host; nothing where it is sent them by another process.
-    std::optional<std::int64_t> samples_sent_to(const ProcessInstance& island) const {
-        auto host = other_end(network_, static_cast<std::size_t>(&island - network_.processes.data()), "from_host");
-        if (!host || host->at_edge() || network_.processes[host->process].kind != "ga.host")
-            return std::nullopt;
-        auto samples = integer(network_.processes[host->process], "samples");
-        return samples > 0 ? samples : record_length();
-    }
-
-    std::optional<std::int64_t> record_length() const {
-        auto recorded = named_problem(problems_, process_);
-        return recorded ? std::optional(static_cast<std::int64_t>(recorded->samples())) : std::nullopt;
     }
 
     void check_room() {
@@ -182,18 +172,47 @@ private:
         return senders * most;
     }
 
+    void warn(std::size_t island, std::string about, std::string message, std::string hint = "") {
+        complaints_.push_back(
+            {archipelago_.islands()[island].process, std::move(about), std::move(message), std::move(hint), true});
+    }
+
     /// At the first island of the second part; the first one says it.
     void warn_of_parts() {
         auto parts = separate_parts(archipelago_.neighbours());
-        if (number_ != 0 || parts.size() == 1 || parts.size() == archipelago_.islands().size())
+        if (number_ != 0 || parts.size() == 1)
             return;
+        if (parts.size() == archipelago_.islands().size())
+            return warn_of_islands_alone();
         std::vector<std::string> listed;
         for (const auto& part : parts)
             listed.push_back(names(part));
-        complaints_.push_back({archipelago_.islands()[parts[1].front()].process, "",
-                               fmt::format("the islands are in {} parts that exchange nothing with each other: {}",
-                                           parts.size(), fmt::join(listed, "; ")),
-                               "", true});
+        warn(parts[1].front(), "",
+             fmt::format("the islands are in {} parts that exchange nothing with each other: {}", parts.size(),
+                         fmt::join(listed, "; ")));
+    }
+
+    /// At the first of those that do not say that it is meant.
+    void warn_of_islands_alone() {
+        for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
+            if (Topology::named(text(instance(island), "topology")).is_given())
+                return warn(island, "",
+                            fmt::format("none of {} islands is connected to another: they exchange nothing",
+                                        archipelago_.islands().size()),
+                            "connect to_neighbours[0] of each; or say topology = \"none\", if that is meant");
+    }
+
+    /// Islands in step do so all at once, and the first of them says it.
+    void warn_of_no_exchange() {
+        Schedule schedule = schedule_of(process_);
+        auto part = archipelago_.part_of(number_);
+        auto run = run_of(network_, archipelago_, number_, problems_);
+        if (!run || part.size() == 1 || run->generations() >= schedule.every() ||
+            (schedule.in_step() && part.front() != number_))
+            return;
+        warn(number_, process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
+             fmt::format("\"{}\" never exchanges: it would do so every {} generations, and the run has {}",
+                         process_.name, schedule.every(), run->generations()));
     }
 
     const ProblemRegistry& problems_;

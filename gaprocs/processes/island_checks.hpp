@@ -11,7 +11,8 @@ namespace placedpar {
 
 /// What ga.island refuses in a netlist before it runs: connections that no topology has, another topology than the
 /// parameter says, neighbours of which one would wait for the other for ever or could not understand it, more emigrants
-/// or immigrants than there is room for. Warns, once a netlist, of islands in parts that exchange nothing.
+/// or immigrants than there is room for. Warns, once a netlist, of islands in parts that exchange nothing, of islands
+/// none of which is connected where none says topology = "none", and of a run that ends before the first exchange.
 std::vector<Complaint> check_island(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

@@ -1,32 +1,16 @@
 #include "gaprocs/processes/island_exchange.hpp"
 
+#include "gaprocs/processes/island_run.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 namespace placedpar {
 
 namespace {
-
-std::size_t size_of(const ProcessInstance& process, const char* parameter) {
-    return static_cast<std::size_t>(std::get<std::int64_t>(process.parameters.at(parameter)));
-}
-
-/// Samples that an island needs, the others aside.
-std::size_t samples_needed(const ProcessInstance& process) {
-    return std::min(size_of(process, "first_window"), size_of(process, "window"));
-}
-
-std::size_t samples_needed(const Network& network, const Archipelago& archipelago, std::size_t island) {
-    std::size_t most = 0;
-    for (std::size_t other : archipelago.part_of(island))
-        most = std::max(most, samples_needed(network.processes[archipelago.islands()[other].process]));
-    return most;
-}
 
 /// Whether the fitness found by one island holds for the other.
 bool same_window(const ProcessInstance& a, const ProcessInstance& b) {
@@ -52,10 +36,8 @@ IslandExchange::IslandExchange(const ProcessEnvironment& environment, const Sear
     const PlacedIsland& self = archipelago.islands()[self_];
     neighbours_ = self.neighbours;
     has_neighbours_ = !self.ports_to.empty() || !self.ports_from.empty();
-    samples_to_begin_ = schedule_.in_step() ? samples_needed(network, archipelago, self_) : samples_needed(process);
     bool over_a_window = !problem.objective();
-    if (!over_a_window)
-        samples_to_begin_ = 0;
+    samples_to_begin_ = over_a_window ? samples_awaited(network, archipelago, self_) : 0;
     for (std::size_t to : neighbours_)
         outgoing_.push_back(
             std::make_unique<Outgoing>(to, environment.output<Emigrants>(self.ports_to.at(to)), environment.process()));

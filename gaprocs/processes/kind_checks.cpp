@@ -191,7 +191,8 @@ private:
 
     void check_host(std::size_t host) {
         check_problem(host, process_);
-        auto sent = integer_of(host, "samples"), first = integer("first_window"); // 0: all that there are
+        auto sent = integer_of(host, "samples"); // 0: all that there are
+        auto first = static_cast<std::int64_t>(samples_needed(network_.processes[process_]));
         if (recorded_ && !has_objective() && sent > 0 && sent < first)
             refuse(
                 "first_window",

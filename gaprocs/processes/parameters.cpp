@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <sstream>
 #include <system_error>
 #include <variant>
@@ -105,6 +107,11 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
                                     settings.slaves, environment.integer("population"),
                                     environment.integer("population") - 1));
     return settings;
+}
+
+std::size_t samples_needed(const ProcessInstance& process) {
+    auto samples = [&](const char* parameter) { return std::get<std::int64_t>(process.parameters.at(parameter)); };
+    return static_cast<std::size_t>(std::min(samples("first_window"), samples("window")));
 }
 
 bool breeds_recoded(const ProcessInstance& process) { return process.kind == "ga.coarse" || process.kind == "ga.fine"; }

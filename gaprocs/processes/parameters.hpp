@@ -26,6 +26,10 @@ Coding read_coding(const ProcessEnvironment&);
 SearchSettings read_search_settings(const ProcessEnvironment&, const SearchProblem&);
 Farm::Settings read_farm_settings(const ProcessEnvironment&);
 
+/// Samples that a search waits for before its first generation, other processes aside. REQUIRES: a problem with a
+/// record.
+std::size_t samples_needed(const ProcessInstance&);
+
 /// Does it breed other strings than the problem's, as ga.coarse and ga.fine do?
 bool breeds_recoded(const ProcessInstance&);
 /// "2 7 7": bits of each field. Throws UserError for anything else than numbers from 1 to 63.

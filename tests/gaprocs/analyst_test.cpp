@@ -178,6 +178,30 @@ TEST_CASE("what an analyst cannot compare is refused at its place") {
          "the samples of \"analyst\" come from another process than those of \"island[0]\"", "analyst.from_host");
 }
 
+TEST_CASE("an analyst that would never answer is a warning at its place") {
+    auto said = [](std::size_t every, const std::string& host = "host (problem = \"line\")") {
+        IslandNetlist netlist{nested_windows()};
+        netlist.settings.schedule = BroadcastSchedule{every};
+        ProblemRegistry problems;
+        problems.add("line", make_search_problem(LineProblem{}), line_record(line_samples));
+        Catalogue catalogue;
+        add_genetic_algorithm_kinds(catalogue, problems);
+        auto text = replaced(with_analyst(netlist, ""), "host (problem = \"line\")", host);
+        return render(read_netlist_text(text, catalogue, {}, "analyst.cfs").diagnostics);
+    };
+    // 12 samples, two generations each from the fifth on: 16, the 11th with the tenth sample, which the longest window
+    // needs.
+    CHECK(said(16) == "");
+    CHECK(said(11) == "");
+    std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");
+    CHECK(
+        never.find("warning: \"analyst\" answers nothing: the first exchange is due after 17 generations, and the run "
+                   "has 16") != std::string::npos);
+    CHECK(early.find("warning: \"analyst\" answers nothing: the last exchange is after 9 samples, and the longest "
+                     "window holds 10") != std::string::npos);
+    CHECK(early.find("process analyst;") != std::string::npos);
+}
+
 TEST_CASE("an analyst of a problem without a record is refused") {
     std::string text =
         "workstation sun; process h; process i; process a; place h on sun; place i on sun; place a on sun;\n"

@@ -84,11 +84,10 @@ TEST_CASE("the names that older netlists know an island's ports by are told the 
     check_says(text, "hint: it is called \"from_neighbours\" now");
 }
 
-TEST_CASE("rings, one-way connections and islands that are all alone are good") {
+TEST_CASE("rings, one-way connections and islands that shall be alone are good") {
     CHECK(said_of(3, all(""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"ring\""), ring(3)).empty());
     CHECK(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}).empty());
-    CHECK(said_of(3, all(""), {}).empty());
     CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
     CHECK(said_of(2,
                   all(", schedule = \"sequential(every = 5)\", emigration = \"tournament(2, 3)\", acceptance = "
@@ -118,6 +117,37 @@ TEST_CASE("a topology that is not connected is a warning, once") {
                   "island[0], island[1]; island[2], island[3]\n"
                   "    process island[n];\n"
                   "            ^\n");
+}
+
+TEST_CASE("islands of which none is connected are a warning, once, unless they say that it is meant") {
+    auto said = "islands.cfs:2:9: warning: none of 3 islands is connected to another: they exchange nothing\n"
+                "    process island[n];\n"
+                "            ^\n"
+                "hint: connect to_neighbours[0] of each; or say topology = \"none\", if that is meant\n";
+    CHECK(said_of(3, all(""), {}) == said);
+    CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
+    CHECK(said_of(1, all(""), {}).empty());
+}
+
+TEST_CASE("islands that never exchange, since the run ends before, are a warning, once") {
+    // 12 samples, the first generation with 5 of them, 5 for each: 40
+    CHECK(said_of(3, all(", exchange_every = 40"), ring(3)).empty());
+    CHECK(said_of(3, all(", exchange_every = 41"), ring(3)) ==
+          "islands.cfs:4:44: warning: \"island[0]\" never exchanges: it would do so every 41 generations, and the run "
+          "has 40\n"
+          "    island (problem = \"line\", population = 12, exchange_every = 41);\n"
+          "                                               ^\n");
+    check_says(said_of(3, all(", schedule = \"sequential(41)\""), ring(3)), "islands.cfs:4:44: warning: \"island[0]\"");
+    CHECK(said_of(3, all(", exchange_every = 41, topology = \"none\""), {}).empty());
+    // In step all wait for the one that needs the most samples; else each goes its own way.
+    auto last = [](const std::string& every, const std::string& other) {
+        return said_of(3, and_of_the_last(every, "problem = \"line\", first_window = 10, " + other), ring(3));
+    };
+    CHECK(last("exchange_every = 15", "exchange_every = 15").empty());
+    check_says(last("exchange_every = 16", "exchange_every = 16"), "every 16 generations, and the run has 15");
+    std::string by_mail = last("schedule = \"asynchronous(16)\"", "schedule = \"asynchronous(16)\"");
+    check_says(by_mail, "warning: \"island[2]\" never exchanges");
+    CHECK(by_mail.find("\"island[0]\"") == std::string::npos);
 }
 
 TEST_CASE("connections that no topology has are refused where they are made") {

@@ -149,6 +149,17 @@ TEST_CASE("a host that sends too few samples for the first generation is refused
     CHECK(host(0).empty()); // all there are
 }
 
+TEST_CASE("a host need not send more samples than a window that is shorter than the first one holds") {
+    auto host = [](int sent) {
+        auto lines = statements();
+        lines.at("host") = fmt::format("host (problem = \"line\", samples = {});", sent);
+        lines.at("master") = "master (problem = \"line\", slaves = 2, window = 3);";
+        return refusal_of(lines);
+    };
+    says(host(2), "the first generation waits for 3 samples, but \"host\" sends 2");
+    CHECK(host(3).empty());
+}
+
 TEST_CASE("errors that depend on those before them are not dealt out one by one") {
     auto text = refusal("master", "master (problem = \"along\", slaves = 2,\nsplit = \"evaluations\");");
     says(text,
