@@ -175,8 +175,7 @@ Comparison reached_vertices(const ReplayContext& context) {
         context.progress(fmt::format("{} crossover of all pairs", reach.crossover));
         add_reach(comparison, reach);
     }
-    comparison.notes = "known: 2(n - 1) with one cut, n(n - 1) with two (2 where n = 2), all 2^n - 2 with uniform "
-                       "crossover\n";
+    comparison.notes = "known: 2(n - 1) with one cut, n(n - 1) with two, all 2^n - 2 with uniform crossover\n";
     return comparison;
 }
 
