@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace placedpar {
 
@@ -12,12 +13,21 @@ namespace {
 
 using Cells = std::vector<Cell>;
 
+struct ShownColumn {
+    std::string name;
+    bool known = false, error = false; ///< whether a cell of it has one
+
+    std::size_t width() const { return std::max(name.size(), std::size_t(8 + (known ? 8 : 0) + (error ? 8 : 0))); }
+};
+
 /// Adjacent rows that share their columns.
 struct Table {
-    std::vector<std::string> columns;
+    std::vector<ShownColumn> columns;
     std::vector<Cells> rows;
 
-    bool has(const std::string& column) const { return std::ranges::find(columns, column) != columns.end(); }
+    bool has(const std::string& column) const {
+        return std::ranges::find(columns, column, &ShownColumn::name) != columns.end();
+    }
 };
 
 std::vector<Cells> rows_of(const Cells& cells) {
@@ -38,7 +48,7 @@ std::vector<Table> tables_of(const Cells& cells) {
         if (tables.empty() || !std::ranges::all_of(row, fits)) {
             tables.emplace_back();
             for (const Cell& cell : row)
-                tables.back().columns.push_back(cell.column);
+                tables.back().columns.push_back({cell.column});
         }
         tables.back().rows.push_back(row);
     }
@@ -82,48 +92,65 @@ std::string print_bound(const char* sign, double bound, int decimals) {
     return sign + without_trailing_zeros(fmt::format("{:.{}f}", bound, decimals));
 }
 
-std::string print_error(const Cell& cell) {
+std::string print_known(const Cell& cell) {
+    return cell.reference ? without_trailing_zeros(fmt::format("{:.{}f}", *cell.reference, cell.decimals)) : "";
+}
+
+std::string print_error(const Cell& cell, const std::string& against) {
     if (cell.at_least)
         return print_bound(">= ", *cell.at_least, cell.decimals);
     if (cell.at_most)
         return print_bound("<= ", *cell.at_most, cell.decimals);
     if (cell.reference && (cell.tolerance || cell.unit == "%"))
         return print_difference(cell.simulated - *cell.reference, cell.decimals);
-    auto error = cell.error_percent();
+    auto error = against == "claim" ? std::nullopt : cell.error_percent();
     return error ? fmt::format("{:+.1f}%", *error) : "";
 }
 
-std::string print_cell(const Cell& cell) {
-    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
-    std::string known =
-        cell.reference ? without_trailing_zeros(fmt::format("{:.{}f}", *cell.reference, cell.decimals)) : "";
-    return fmt::format("{:7.{}f} {:>7} {:>7}{}", simulated, cell.decimals, known, print_error(cell), mark(cell));
+/// Finds what its columns have to show.
+Table with_what_is_shown(Table table, const std::string& against) {
+    for (ShownColumn& column : table.columns)
+        for (const Cells& row : table.rows)
+            if (auto cell = std::ranges::find(row, column.name, &Cell::column); cell != row.end()) {
+                column.known = column.known || !print_known(*cell).empty();
+                column.error = column.error || !print_error(*cell, against).empty();
+            }
+    return table;
 }
 
-std::string print_row(const Cells& row, const Table& table, std::size_t width) {
+std::string print_cell(const Cell& cell, const ShownColumn& column, const std::string& against) {
+    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
+    return fmt::format("{:7.{}f}", simulated, cell.decimals) +
+           (column.known ? fmt::format(" {:>7}", print_known(cell)) : "") +
+           (column.error ? fmt::format(" {:>7}", print_error(cell, against)) : "") + mark(cell);
+}
+
+std::string print_row(const Cells& row, const Table& table, const std::string& against, std::size_t width) {
     std::string out = fmt::format("\n{:<{}}", label(row.front()), width);
-    for (const std::string& column : table.columns) {
-        auto cell = std::ranges::find(row, column, &Cell::column);
-        out += "  " + (cell == row.end() ? std::string(24, ' ') : print_cell(*cell));
+    for (const ShownColumn& column : table.columns) {
+        auto cell = std::ranges::find(row, column.name, &Cell::column);
+        out += fmt::format("  {:>{}}", cell == row.end() ? "" : print_cell(*cell, column, against), column.width());
     }
     out.erase(out.find_last_not_of(' ') + 1);
     return out;
 }
 
+/// The numbers end a place before the words above them: behind them there is room for a mark.
 std::string print_head(const Table& table, const std::string& against, std::size_t width) {
     std::string names, figures;
-    for (const std::string& column : table.columns) {
-        names += fmt::format("  {:>24}", column);
-        figures += fmt::format("  simulat.{:>8}   error ", against);
+    for (const ShownColumn& column : table.columns) {
+        names += fmt::format("  {:>{}}", column.name, column.width());
+        std::string each =
+            "simulat." + (column.known ? fmt::format("{:>8}", against) : "") + (column.error ? "   error" : "");
+        figures += fmt::format("  {:>{}}", each, column.width());
     }
-    figures.pop_back();
     return fmt::format("\n{:<{}}{}\n{:<{}}{}", "", width, names, "", width, figures);
 }
 
 std::string print_table(const Table& table, const std::string& against, std::size_t width) {
     std::string out = print_head(table, against, width);
     for (const Cells& row : table.rows)
-        out += print_row(row, table, width);
+        out += print_row(row, table, against, width);
     return out;
 }
 
@@ -136,7 +163,8 @@ bool Comparison::within_tolerance() const { return std::ranges::all_of(cells, &C
 std::string print_comparison(const Comparison& comparison) {
     std::string out = comparison.name;
     for (const Table& table : tables_of(comparison.cells))
-        out += print_table(table, comparison.against, label_width(comparison.cells));
+        out += print_table(with_what_is_shown(table, comparison.against), comparison.against,
+                           label_width(comparison.cells));
     return out + "\n" + comparison.notes;
 }
 
