@@ -27,7 +27,7 @@ TEST_CASE("a comparison is printed with its decimals, its marks, and the error i
     comparison.cells[2].tolerance_percent = 0.5;
     CHECK(print_comparison(comparison) == "name\n"
                                           "                                   a                         b\n"
-                                          "            simulat.  thesis   error   simulat.  thesis   error\n"
+                                          "            simulat.  thesis   error  simulat.  thesis   error\n"
                                           "spool [in]  0.27406  0.2741 -.00004   0.27000  0.2688 +.00120!\n"
                                           "flow          49.50      50   -1.0%!     1.00\n"
                                           "notes\n");
@@ -39,7 +39,7 @@ TEST_CASE("a row with columns of its own begins a table") {
                         cell("z", "c", "", 0, -1e-9, 1e-3)};
     CHECK(print_comparison(comparison) == "name\n"
                                           "                             a                         b\n"
-                                          "      simulat.   known   error   simulat.   known   error\n"
+                                          "      simulat.   known   error  simulat.   known   error\n"
                                           "x        1.00       1   +0.0%      2.00       2   +0.0%\n"
                                           "y                                  3.00       3   +0.0%\n"
                                           "                             c\n"
@@ -77,8 +77,33 @@ TEST_CASE("a one-sided cell is printed with its bound in place of an error, and 
     comparison.cells[2].at_most = 10;
     CHECK(print_comparison(comparison) == "name\n"
                                           "                                  a                         b\n"
-                                          "           simulat.  thesis   error   simulat.  thesis   error\n"
+                                          "           simulat.  thesis   error  simulat.  thesis   error\n"
                                           "share [%]       52      65   >= 55!       72      65   >= 55\n"
                                           "error [%]     10.4           <= 10!\n");
     CHECK_FALSE(comparison.within_tolerance());
+}
+
+TEST_CASE("what no cell of a column has is left out, and the column is as wide as its name") {
+    Comparison comparison{.name = "name", .against = "known"};
+    comparison.cells = {cell("x", "a", "", {}, 1), cell("x", "of a long name", "", {}, 2), cell("x", "c", "", 0, 3),
+                        cell("x", "d", "", 4, 5),  cell("y", "a", "", {}, 10, 1),          cell("y", "d", "", {}, 6)};
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "             a  of a long name                 c                         d\n"
+                                          "      simulat.        simulat.  simulat.   known  simulat.   known   error\n"
+                                          "x        1.00            2.00      3.00       0      5.00       4  +25.0%\n"
+                                          "y       10.00!                                       6.00\n");
+}
+
+TEST_CASE("a claim is a bound: beside it there is no error in percent, but the bound where it is judged") {
+    Comparison comparison{.name = "name", .against = "claim"};
+    comparison.cells = {cell("x", "a", "", 0.01, -0.02)};
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                     a\n"
+                                          "      simulat.   claim\n"
+                                          "x       -0.02    0.01\n");
+    comparison.cells = {at_most(0.01, cell("x", "a", "", {}, 0.02))};
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                     a\n"
+                                          "      simulat.   error\n"
+                                          "x        0.02 <= 0.01!\n");
 }
