@@ -110,8 +110,12 @@ void Machine::make_executives() {
 }
 
 void Machine::make_links() {
-    for (const LinkConnection& connection : network_.connections)
+    for (const LinkConnection& connection : network_.connections) {
         links_.push_back(&add_link(simulation_, connection, network_.nodes));
+        for (const LinkEnd& end : {connection.a, connection.b})
+            if (const auto& has_link = executives_[end.node].has_link)
+                has_link(*links_.back());
+    }
 }
 
 void Machine::make_multiplexers() {

@@ -47,7 +47,8 @@ std::vector<ProcessorUse> Machine::processor_uses() const {
     std::vector<ProcessorUse> uses;
     for (std::size_t i = 0; i < executives_.size(); ++i)
         if (const auto& time_busy = executives_[i].time_busy)
-            uses.push_back({network_.nodes[i].name, network_.nodes[i].type, time_busy()});
+            uses.push_back(
+                {network_.nodes[i].name, network_.nodes[i].type, time_busy(), executives_[i].memory_taken_by_links()});
     return uses;
 }
 

@@ -14,7 +14,8 @@ namespace placedpar {
 struct ProcessorUse {
     std::string name;
     std::string type;
-    Time busy; ///< how long it executed processes
+    Time busy;                  ///< how long it executed processes, waiting for its memory included
+    Time memory_taken_by_links; ///< how long its memory served the engines of its links, while it was busy or not
 };
 
 struct LinkUse {

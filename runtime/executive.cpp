@@ -4,10 +4,10 @@
 
 namespace placedpar {
 
-void compute(Cycles cycles) {
+void compute(Cycles cycles, const Grain& grain) {
     Kernel& kernel = Kernel::here();
     if (Executive* executive = kernel.running().executive())
-        executive->compute(cycles);
+        executive->compute(cycles, grain);
     else
         kernel.takes_no_time();
 }

@@ -19,6 +19,7 @@ struct OperationCosts {
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< of a PAR, for each but the last, which its process runs itself
+    Cycles run_component{};   ///< the same, of another priority than its process, as the high one of a PRI PAR
     Cycles end_component{};   ///< paid by the component when it ends
 
     Cycles timer_read{};
@@ -65,8 +66,8 @@ public:
     virtual Time tick(Priority) const = 0;
 
     /// The running process computes for so many cycles. REQUIRES: it has this executive. Throws std::logic_error when
-    /// cycles < 0.
-    virtual void compute(Cycles) = 0;
+    /// cycles < 0 or one of the grain's < 1.
+    virtual void compute(Cycles, const Grain&) = 0;
 
     // For the kernel.
     virtual void make_ready(Process&) = 0;
@@ -81,21 +82,25 @@ protected:
     /// How much longer the process must compute before its program goes on: a note kept with the process, which only
     /// its executive reads and writes.
     static Time& work_left(Process& p) { return p.work_left_; }
+    /// Of that work: another note.
+    static Grain& grain(Process& p) { return p.grain_; }
 
 private:
     std::string name_;
     OperationCosts costs_;
 };
 
-/// The running process computes for so many cycles of its executive; without one, for no time.
-void compute(Cycles);
+/// The running process computes for so many cycles of its executive; without one, for no time. The grain says where it
+/// can be left: counted from the end, at which it can. Throws std::logic_error when cycles < 0 or one of the grain's
+/// < 1.
+void compute(Cycles, const Grain& = {});
 
 /// The running process pays for an operation: `cost`, called with its executive's costs, says how much. For example
 /// `charge(self, &OperationCosts::timer_read)`.
 template <class Cost>
 void charge(const Process& self, Cost cost) {
     if (Executive* executive = self.executive())
-        executive->compute(std::invoke(cost, executive->costs()));
+        executive->compute(std::invoke(cost, executive->costs()), {});
 }
 
 } // namespace placedpar

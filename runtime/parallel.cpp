@@ -12,6 +12,14 @@ Priority own_priority() { return Kernel::here().running().priority(); }
 
 namespace {
 
+/// Of all but the last, which their process runs itself.
+Cycles cost_of_starting(const std::vector<Component>& components, Priority own, const OperationCosts& cost) {
+    Cycles all{};
+    for (std::size_t i = 0; i + 1 < components.size(); ++i)
+        all = all + (components[i].priority == own ? cost.start_component : cost.run_component);
+    return all;
+}
+
 /// The component pays for its end.
 Process::Body with_end(const Process& parent, Process::Body body) {
     if (!parent.executive())
@@ -29,8 +37,7 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
         return;
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
-    auto others = static_cast<std::int64_t>(components.size() - 1);
-    charge(self, [others](const OperationCosts& cost) { return others * cost.start_component; });
+    charge(self, [&](const OperationCosts& cost) { return cost_of_starting(components, self.priority(), cost); });
     Join join{components.size(), self};
     std::list<Process> processes;
     for (std::size_t i = 0; i < components.size(); ++i)

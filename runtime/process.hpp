@@ -19,6 +19,15 @@ class Kernel;
 class Process;
 class Worker;
 
+/// Where the code that a process computes with can be left, in cycles of its executive: at least 1 each.
+struct Grain {
+    /// From one descheduling point (`j`, `lend`) to the next: at the end of its timeslice a low-priority process gives
+    /// way there.
+    Cycles between_points{1};
+    /// Of an instruction: an interrupt waits for its end. A division of integers takes 39 (databook).
+    Cycles instruction{1};
+};
+
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
@@ -128,6 +137,7 @@ private:
 
     unsigned times_unwound_ = 0;
     Time work_left_{};          ///< see Executive::work_left
+    Grain grain_{};             ///< see Executive::grain
     Join* join_ = nullptr;      ///< the PAR of which it is a component
     Process* outermost_ = this; ///< see outermost()
 };

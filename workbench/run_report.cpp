@@ -137,7 +137,11 @@ boost::json::value part_json(const RunReport& report, Time part) {
 }
 
 boost::json::object json_of(const RunReport& report, const ProcessorUse& p) {
-    return {{"name", p.name}, {"type", p.type}, {"busy", part_json(report, p.busy)}, {"busy_ps", p.busy.count()}};
+    return {{"name", p.name},
+            {"type", p.type},
+            {"busy", part_json(report, p.busy)},
+            {"busy_ps", p.busy.count()},
+            {"memory_taken_by_links_ps", p.memory_taken_by_links.count()}};
 }
 
 boost::json::object json_of(const RunReport& report, const LinkUse& l) {

@@ -13,17 +13,19 @@ constexpr const char* by_turns = "sequential(every = 3)";
 
 struct SequentialStudies {
     double noise;
-    PlantStudy traditional, distributed, equal_cost;
+    PlantStudy traditional, distributed, equal_cost, simulated;
 
     SequentialStudies(const ReplayContext& context, double sigma)
         : noise(sigma), traditional(study_plant(context, traditional_pga(by_turns, sigma))),
           distributed(study_plant(context, distributed_pga(by_turns, sigma))),
-          equal_cost(study_plant(context, equal_cost_ga(sigma))) {}
+          equal_cost(study_plant(context, equal_cost_ga(sigma))),
+          simulated(study_plant(context, simulated_in_window(distributed_pga(by_turns, sigma)))) {}
 
     std::vector<TrackRow> rows() const {
         return {{"traditional, island 0", &traditional}, {"distributed, window 30", &distributed},
                 {"  window 24", &distributed, 1},        {"  window 16", &distributed, 2},
-                {"  window 10", &distributed, 3},        {equal_cost.islands.name, &equal_cost}};
+                {"  window 10", &distributed, 3},        {equal_cost.islands.name, &equal_cost},
+                {"simulated, window 30", &simulated},    {"  simulated, window 10", &simulated, 3}};
     }
 };
 

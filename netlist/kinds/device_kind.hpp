@@ -16,6 +16,9 @@ namespace placedpar {
 
 class Executive;  // runtime/executive.hpp: executes processes
 class Simulation; // runtime/simulation.hpp: owns the devices of a run
+namespace hardware {
+class Link;
+}
 
 /// What a wire finds at a device.
 enum class LinkRole {
@@ -46,6 +49,9 @@ struct DeviceModel {
 struct NodeExecutive {
     Executive* executive = nullptr;  ///< null: they take no time
     std::function<Time()> time_busy; ///< so far; empty where the executive is null
+    /// Called with each link that ends at it, whose engines use its memory; empty where the executive is null.
+    std::function<void(hardware::Link&)> has_link = {};
+    std::function<Time()> memory_taken_by_links = {}; ///< so far; empty where the executive is null
 };
 
 /// How a device looks in the drawing of a network.

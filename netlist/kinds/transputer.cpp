@@ -1,4 +1,5 @@
 #include "netlist/kinds/computer.hpp"
+#include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
@@ -64,10 +65,12 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
+/// Of 16 bits: T212, T222, T225, M212.
+bool has_short_words(const std::string& chip) { return chip[1] == '2'; }
+
 /// Modules were sold with other transputers of the same word length: a B403_T414 is a B403 that carries a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
-    auto is_short = [](const std::string& name) { return name[1] == '2'; }; // T212, T222, T225, M212
-    return is_short(chip.name) != is_short(usual);
+    return has_short_words(chip.name) != has_short_words(usual);
 }
 
 /// The chip, in upper and lower case, and the modules that carry it.
@@ -96,13 +99,34 @@ std::vector<AttributeDescription> transputer_attributes() {
     for (auto& attribute : attributes)
         if (attribute.value.name == "clock")
             attribute.drawn = megahertz;
+    attributes.push_back(
+        {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
+                                       "of an access to a word of the memory in which its messages lie; 0: 3, or 1 "
+                                       "where memory is at most the 4K of a chip"),
+         .json_name = "memory_access_cycles"});
     return attributes;
 }
 
+/// Messages lie outside of the chip on a node that has more memory than fits on one, since so does what is too large
+/// for the chip.
+Cycles access_time(const Node& node) {
+    constexpr Cycles on_chip{1}, outside{3}; // "external at least 3 cycles" (listing of a machine of 64 T800s)
+    if (std::int64_t stated = node.integer("memorycycles"))
+        return Cycles{stated};
+    return node.integer("memory") > 4 * kilobyte ? outside : on_chip;
+}
+
+hardware::Memory memory_of(const Node& node) {
+    return {.access = access_time(node), .bytes_in_a_word = has_short_words(node.type) ? 2 : 4};
+}
+
 NodeExecutive make_transputer(Simulation& simulation, const Node& node) {
-    auto& processor =
-        simulation.add<hardware::Processor>(node.name, node.integer("clock"), Cycles{node.integer("channelcall")});
-    return {&processor, [&processor] { return processor.time_busy(); }};
+    auto& processor = simulation.add<hardware::Processor>(node.name, node.integer("clock"),
+                                                          Cycles{node.integer("channelcall")}, memory_of(node));
+    return {.executive = &processor,
+            .time_busy = [&processor] { return processor.time_busy(); },
+            .has_link = [&processor](hardware::Link& link) { processor.has_link(link); },
+            .memory_taken_by_links = [&processor] { return processor.memory_taken_by_links(); }};
 }
 
 } // namespace

@@ -13,6 +13,7 @@ constexpr OperationCosts t800{
     .copied_word = Cycles{2},            // in, out
     .bytes_in_a_word = 4,                //
     .start_component = Cycles{12},       // startp
+    .run_component = Cycles{10},         // runp
     .end_component = Cycles{13},         // endp
     .timer_read = Cycles{2},             // ldtimer
     .timer_wait = Cycles{30},            // tin

@@ -77,6 +77,8 @@ void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
 
 void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocation& where) {
     sender_ = &kernel_.running();
+    for (MemoryOfEngines* memory : memories_)
+        ++memory->parts_under_way;
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
     if (kernel_.now() >= may_start_)
@@ -197,6 +199,12 @@ Time LinkDirection::time_occupied() const {
     return bytes == 0 ? Time{0} : times(bytes, timing_.data()) - to_come;
 }
 
-void LinkDirection::sending_ended() { kernel_.make_ready(*std::exchange(sender_, nullptr)); }
+void LinkDirection::sending_ended() {
+    for (MemoryOfEngines* memory : memories_) {
+        --memory->parts_under_way;
+        memory->words_of_ended_parts += memory->words_in(bytes_in_part_);
+    }
+    kernel_.make_ready(*std::exchange(sender_, nullptr));
+}
 
 } // namespace placedpar::hardware

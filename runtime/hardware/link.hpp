@@ -6,7 +6,9 @@
 #include "runtime/hardware/wire.hpp"
 #include "runtime/source_location.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace placedpar {
 class Kernel;
@@ -14,6 +16,18 @@ class Process;
 } // namespace placedpar
 
 namespace placedpar::hardware {
+
+/// The memory of a processor, as the engines of its links use it: a word for each bytes_in_a_word of a part of a
+/// message, and one for what is left at its end.
+struct MemoryOfEngines {
+    std::uint32_t bytes_in_a_word = 4; ///< or 2
+    std::uint64_t words_of_ended_parts = 0;
+    int parts_under_way = 0;
+
+    std::uint64_t words_in(std::uint32_t bytes) const {
+        return (bytes + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divided: by 2 or 4
+    }
+};
 
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
 /// `in` start at its ends. A sender goes on when the acknowledge of its last byte has arrived, a receiver when
@@ -25,6 +39,13 @@ class LinkDirection final : public Carrier, private WireUser {
 public:
     /// Its bytes travel on `out`, their acknowledges on `back`; `opposite` uses them the other way round.
     LinkDirection(Kernel&, std::string name, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
+
+    /// One of its two engines moves the messages from this memory, or to it. REQUIRES: it outlives the run.
+    void move_messages_of(MemoryOfEngines& memory) { memories_.push_back(&memory); }
+    /// The words of the part under way that such an engine has moved before now.
+    std::uint64_t words_moved(const MemoryOfEngines& memory, Time now) const {
+        return sender_ ? memory.words_in(bytes_started_before(now)) : 0;
+    }
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
@@ -65,6 +86,8 @@ private:
     bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
     void skip_middle_bytes();
     std::uint32_t skipped_bytes_started() const;
+    std::uint32_t bytes_started_before(Time now) const;
+    std::uint32_t skipped_bytes_started_by(Time) const;
     void simulate_bytes_again();
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
@@ -83,7 +106,8 @@ private:
     Wire& out_;
     Wire& back_;
     LinkDirection& opposite_;
-    AnyChannel* channel_ = nullptr; ///< whose messages it carries
+    AnyChannel* channel_ = nullptr;          ///< whose messages it carries
+    std::vector<MemoryOfEngines*> memories_; ///< at its ends
 
     Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
     std::uint32_t bytes_in_part_ = 0;
@@ -114,6 +138,15 @@ private:
     std::uint64_t bytes_traced_ = 0; ///< of them, how many the trace was told of
     bool trace_carries_ = false;     ///< the trace was told that bytes follow each other
 };
+
+/// Of the part under way. One that starts now is not counted: whether it has started yet depends on the order of this
+/// instant's events.
+inline std::uint32_t LinkDirection::bytes_started_before(Time now) const {
+    std::uint32_t bytes = bytes_in_part_ - bytes_left_;
+    if (bytes > 0 && last_start_ >= now)
+        --bytes;
+    return skipped_bytes_ == 0 ? bytes : bytes - skipped_bytes_ + skipped_bytes_started_by(now - Time{1});
+}
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
 class Link {

@@ -21,12 +21,13 @@ void LinkDirection::skip_middle_bytes() {
         trace_bytes(first_skipped_start_);
 }
 
-std::uint32_t LinkDirection::skipped_bytes_started() const {
-    Time now = kernel_.now();
-    if (skipped_bytes_ == 0 || now < first_skipped_start_)
+std::uint32_t LinkDirection::skipped_bytes_started() const { return skipped_bytes_started_by(kernel_.now()); }
+
+std::uint32_t LinkDirection::skipped_bytes_started_by(Time when) const {
+    if (skipped_bytes_ == 0 || when < first_skipped_start_)
         return 0;
     return static_cast<std::uint32_t>(
-        std::min<std::int64_t>((now - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_));
+        std::min<std::int64_t>((when - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_));
 }
 
 /// Bytes that started and acknowledges that were requested up to and including this moment count as done; later ones

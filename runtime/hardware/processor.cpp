@@ -13,20 +13,53 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// occam's costs, and what the program's communication library adds.
-OperationCosts costs_with(Cycles channel_call) {
+/// occam's costs, what the program's communication library adds, and copies from memory to memory: a word is read and
+/// written.
+OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     OperationCosts costs = instructions::t800;
+    costs.copied_word = 2 * memory.access;
+    costs.bytes_in_a_word = memory.bytes_in_a_word;
     costs.soft_communication = channel_call + costs.soft_communication;
     costs.hard_communication = channel_call + costs.hard_communication;
     return costs;
 }
 
+/// Throws std::logic_error unless the numbers are positive; there may be no cycles.
+void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
+    if (cycles < Cycles{0})
+        throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
+    if (grain.between_points < Cycles{1} || grain.instruction < Cycles{1})
+        throw std::logic_error("process " + self.path() + " computes with a grain of less than a cycle");
+}
+
 } // namespace
 
-Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call)
-    : Executive(std::move(name), costs_with(channel_call)), kernel_(kernel), clock_hz_(clock_hz) {
+Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call, const Memory& memory)
+    : Executive(std::move(name), costs_with(channel_call, memory)), kernel_(kernel),
+      clock_hz_(clock_hz), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)} {
     if (clock_hz <= 0)
         throw std::logic_error("processor " + this->name() + ": its clock frequency must be positive");
+    if (memory.access < Cycles{1} || (memory.bytes_in_a_word != 2 && memory.bytes_in_a_word != 4))
+        throw std::logic_error("processor " + this->name() +
+                               ": an access to its memory takes a cycle or more, and a word has 2 or 4 bytes");
+    access_ = duration(memory.access);
+}
+
+void Processor::has_link(Link& link) {
+    for (LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()}) {
+        direction->move_messages_of(engines_);
+        directions_.push_back(direction);
+    }
+}
+
+Time Processor::memory_taken_by_links() const { return times(words_moved_by_links(), access_); }
+
+std::int64_t Processor::words_moved_by_links() const {
+    std::uint64_t words = engines_.words_of_ended_parts;
+    if (engines_.parts_under_way > 0)
+        for (const LinkDirection* direction : directions_)
+            words += direction->words_moved(engines_, kernel_.now());
+    return static_cast<std::int64_t>(words);
 }
 
 Time Processor::time_busy() const { return turn_.scheduled() ? busy_ + (kernel_.now() - turn_began_) : busy_; }
@@ -39,8 +72,9 @@ void Processor::make_ready(Process& p) {
         if (p.priority() == Priority::high) {
             preempt();
         } else { // the current one may have had no rival so far: now its timeslice counts
-            stop_turn();
-            begin_turn();
+            settle();
+            kernel_.future().cancel(turn_);
+            schedule_end();
         }
     }
 }
@@ -76,59 +110,91 @@ void Processor::dispatch() {
         return;
     }
     if (work_left(*current_) > Time{0})
-        begin_turn();
+        take_turn();
     else
         kernel_.enqueue(*current_);
 }
 
-void Processor::compute(Cycles cycles) {
+void Processor::compute(Cycles cycles, const Grain& how_fine) {
     Process& self = kernel_.running();
     kernel_.throw_if_unwinding();
     assert(current_ == &self);
-    if (cycles < Cycles{0})
-        throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
+    require_sense(self, cycles, how_fine);
     if (cycles == Cycles{0})
         kernel_.takes_no_time();
     work_left(self) = later(work_left(self), duration(cycles));
+    grain(self) = how_fine;
     if (self.priority() == Priority::low && !high_.empty()) {
         preempt();
     } else {
-        bool alone = self.priority() == Priority::high || low_.empty();
-        if (alone && kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
-            turn_began_ = kernel_.now() - work_left(self);
-            note_computing(self);
-            account(self, std::exchange(work_left(self), Time{0}));
-            return;
-        }
         begin_turn();
+        bool alone = self.priority() == Priority::high || low_.empty();
+        while (alone && kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
+            settle();
+            if (work_left(self) == Time{0})
+                return account(self, kernel_.now() - turn_began_);
+        }
+        schedule_end();
     }
     kernel_.give_way();
 }
 
 Time Processor::duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), clock_hz_); }
 
-/// The end of the first timeslice period that ends with the current process having run for a whole one.
-Time Processor::slice_end() const {
-    Time earliest = std::max(later(dispatched_at_, timeslice), kernel_.now());
-    Time rounded_up = later(earliest, timeslice - Time{1});
+/// Of the first timeslice period that ends with the current process having run for a whole one.
+Time Processor::end_of_slice() const {
+    Time rounded_up = later(later(dispatched_at_, timeslice), timeslice - Time{1});
     return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;
 }
 
+/// As far as links leave it the memory. Work is counted from its end, which is a descheduling point, too.
+Time Processor::next_point_after_slice() const {
+    Time over = std::max(end_of_slice(), kernel_.now());
+    Time left = later(kernel_.now(), work_left(*current_)) - over;
+    if (left <= Time{0})
+        return Time::max();
+    Time between = duration(grain(*current_).between_points), to_point = left % between;
+    if (to_point == Time{0} && over == end_of_slice())
+        to_point = between;
+    return later(over, to_point);
+}
+
 void Processor::begin_turn() {
-    turn_began_ = kernel_.now();
+    turn_began_ = settled_at_ = kernel_.now();
+    words_settled_ = words_moved_by_links();
     note_computing(*current_);
-    Time end = later(turn_began_, work_left(*current_));
-    if (current_->priority() == Priority::low && !low_.empty())
-        end = std::min(end, slice_end());
+}
+
+void Processor::take_turn() {
+    begin_turn();
+    schedule_end();
+}
+
+/// Where links are busy the end is later: by the accesses of their engines, which settle() finds when it comes.
+void Processor::schedule_end() {
+    Time end = later(kernel_.now(), work_left(*current_));
+    if (has_low_rivals())
+        end = std::min(end, next_point_after_slice());
     kernel_.future().schedule(turn_, end, EventQueue::turn);
 }
 
+void Processor::settle() {
+    work_left(*current_) -= kernel_.now() - std::exchange(settled_at_, kernel_.now());
+    std::int64_t words = words_moved_by_links();
+    if (std::int64_t moved = words - std::exchange(words_settled_, words))
+        work_left(*current_) = later(work_left(*current_), times(moved, access_));
+}
+
 void Processor::stop_turn() {
-    Time worked = kernel_.now() - turn_began_;
-    work_left(*current_) -= worked;
-    account(*current_, worked);
+    settle();
+    account(*current_, kernel_.now() - turn_began_);
     kernel_.future().cancel(turn_);
 }
+
+bool Processor::has_low_rivals() const { return current_->priority() == Priority::low && !low_.empty(); }
+
+/// The process of low priority, which has work left, to one of its rivals, now.
+bool Processor::gives_way() const { return has_low_rivals() && next_point_after_slice() == kernel_.now(); }
 
 void Processor::note_computing(const Process& process) const {
     if (TraceSink* trace = kernel_.trace())
@@ -142,8 +208,12 @@ void Processor::account(const Process& process, Time worked) {
 }
 
 void Processor::end_turn() {
+    settle();
+    bool unfinished = work_left(*current_) > Time{0};
+    if (unfinished && !gives_way())
+        return schedule_end();
     stop_turn();
-    if (work_left(*current_) > Time{0}) {
+    if (unfinished) {
         low_.push_back(*std::exchange(current_, nullptr));
         dispatch();
     } else {
@@ -157,9 +227,11 @@ void Processor::preempt() {
         stop_turn();
     preempted_ = std::exchange(current_, nullptr);
     Process* high = high_.pop_front();
-    work_left(*high) = later(work_left(*high), duration(instructions::preemption));
+    Time rest = work_left(*preempted_) % duration(grain(*preempted_).instruction); // of the instruction
+    work_left(*preempted_) -= rest;
+    work_left(*high) = later(work_left(*high), rest + duration(instructions::preemption));
     current_ = high;
-    begin_turn();
+    take_turn();
 }
 
 } // namespace placedpar::hardware

@@ -2,11 +2,13 @@
 
 #include "runtime/event.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/hardware/link.hpp"
 #include "runtime/process.hpp"
 #include "runtime/time.hpp"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace placedpar {
 class Kernel;
@@ -14,15 +16,25 @@ class Kernel;
 
 namespace placedpar::hardware {
 
+/// The memory in which a processor's messages lie, and whatever else its processes work on.
+struct Memory {
+    Cycles access{1};                 ///< to a word: 1 on the chip, at least 3 outside of it
+    std::int64_t bytes_in_a_word = 4; ///< 2 in a T2
+};
+
 /// A transputer's processor: it shares itself out between its processes by the rules of the hardware
 /// scheduler (Transputer Databook, 3rd ed. 1992, architecture 1.3).
 ///
-/// 1. A high-priority process runs until it waits or ends. When one becomes ready, it pre-empts a low one.
+/// 1. A high-priority process runs until it waits or ends. When one becomes ready, it pre-empts a low one at the end of
+///    the instruction that is being executed.
 /// 2. Low-priority processes run when no high one can, first in, first out. One that has run for a whole
-///    timeslice period goes to the back of the queue when the period ends, if others wait.
+///    timeslice period goes to the back of the queue at the first descheduling point after the period has ended, if
+///    others wait. So one after the other gets the processor shortly after a period has begun, and runs for nearly two.
 /// 3. A pre-empted process goes on before the others of its queue.
 /// 4. Between two computations or communications a program takes no time, but only the process that has the
 ///    processor executes it.
+/// 5. The engines of its links work beside it, but on the same memory: for each word that one of them moves, a process
+///    that computes waits for an access.
 class Processor final : public Executive {
 public:
     /// 5120 cycles of the 5 MHz input clock (databook), at every clock frequency of the processor.
@@ -32,15 +44,23 @@ public:
     static constexpr Time low_tick = std::chrono::microseconds{64};
 
     /// `channel_call`: cycles that the program's communication library adds to each input and output, on soft and hard
-    /// channels alike; none for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0.
-    Processor(Kernel&, std::string name, std::int64_t clock_hz = 20'000'000, Cycles channel_call = Cycles{0});
+    /// channels alike; none for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0, an
+    /// access takes a cycle or more, and a word has 2 or 4 bytes.
+    Processor(Kernel&, std::string name, std::int64_t clock_hz = 20'000'000, Cycles channel_call = Cycles{0},
+              const Memory& = {});
+
+    /// One of the link's ends is this processor's: its engines use this processor's memory. REQUIRES: the link outlives
+    /// the run.
+    void has_link(Link&);
 
     std::int64_t clock_hz() const { return clock_hz_; }
-    /// How long it has computed so far.
+    /// How long it has computed so far, waiting for its memory included.
     Time time_busy() const;
+    /// How long its memory has served link engines so far, while it computed or not.
+    Time memory_taken_by_links() const;
 
     Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
-    void compute(Cycles) override;
+    void compute(Cycles, const Grain&) override;
     void make_ready(Process&) override;
     /// A successor of the same priority goes on in the process's place, as after startp and by endp.
     void leave(Process&, Process* successor) override;
@@ -54,25 +74,37 @@ private:
     };
 
     Time duration(Cycles) const;
+    std::int64_t words_moved_by_links() const;
     void dispatch();
     void go_on(Process&);
     void begin_turn();
+    void settle();
+    void schedule_end();
+    void take_turn();
+    bool has_low_rivals() const;
+    Time end_of_slice() const;
+    Time next_point_after_slice() const;
+    bool gives_way() const;
     void stop_turn();
     void end_turn();
     void note_computing(const Process&) const;
     void account(const Process&, Time worked);
     void preempt();
-    Time slice_end() const;
 
     Kernel& kernel_;
     std::int64_t clock_hz_;
+    Time access_{}; ///< to a word of its memory
+    MemoryOfEngines engines_;
+    std::vector<const LinkDirection*> directions_; ///< of its links, both of each
 
     ProcessQueue high_, low_;      ///< the processes that wait for the processor
     Process* current_ = nullptr;   ///< the process that has it
     Process* preempted_ = nullptr; ///< the low-priority process that lost it to a high one
     Time dispatched_at_{};         ///< when the current low-priority process got it
     Time turn_began_{};
-    Time busy_{}; ///< without the turn under way
+    Time settled_at_{}; ///< up to when the current process's work of its turn has been taken from what is left
+    std::int64_t words_settled_ = 0; ///< words_moved_by_links() then
+    Time busy_{};                    ///< without the turn under way
     Turn turn_{*this};
 };
 

@@ -46,6 +46,23 @@ TEST_CASE("links of transputers that do not overlap acknowledges carry 0.8 Mbyte
     CHECK(rate("processor (type = \"T414\")", "T414") == doctest::Approx(800).epsilon(0.06));
 }
 
+/// How much the memory of `a` served the link over which a producer sends 250,000 words.
+Time taken_by_links(const std::string& type) {
+    return run_pair(type, "T800", "count = 10, bytes = 100000").processors[0].memory_taken_by_links;
+}
+
+TEST_CASE(
+    "messages lie outside of the chip where there is more memory than fits on one, or where the netlist says so") {
+    Time cycles = 250'000 * std::chrono::nanoseconds{50};
+    CHECK(taken_by_links("T800") == cycles);
+    CHECK(taken_by_links("T800 (memory = 4K)") == cycles);
+    for (const char* type : {"B404", "T800 (memory = 1M)", "T805 (memory = 5K)"})
+        CHECK(taken_by_links(type) == 3 * cycles);
+    CHECK(taken_by_links("T222") == 2 * cycles); // words of two bytes
+    CHECK(taken_by_links("B404 (memorycycles = 1)") == cycles);
+    CHECK(taken_by_links("T800 (memorycycles = 5)") == 5 * cycles);
+}
+
 TEST_CASE("what can be shown but not run says where it is") {
     auto refusal = [](const std::string& text) -> std::string {
         Catalogue catalogue;

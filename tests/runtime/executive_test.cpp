@@ -29,7 +29,7 @@ public:
 
     Time tick(Priority) const override { return std::chrono::milliseconds{1}; }
 
-    void compute(Cycles cycles) override {
+    void compute(Cycles cycles, const Grain&) override {
         kernel_.throw_if_unwinding();
         spent_.push_back(static_cast<std::int64_t>(cycles));
         kernel_.future().schedule(work_, kernel_.now() + spent_.back() * microseconds{1}, EventQueue::turn);

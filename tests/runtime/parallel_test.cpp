@@ -69,7 +69,7 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
         },
         &t800);
     simulation.run();
-    Time start_up = (12 + 19) * cycle; // startp of the high one, which interrupts its parent, now the low one
+    Time start_up = (10 + 19) * cycle; // runp of the high one, which interrupts its parent, now the low one
     CHECK(high_done == start_up + microseconds{100});
     CHECK(high_again == start_up + microseconds{160} + 19 * cycle);      // it interrupts the low one
     CHECK(low_done == start_up + microseconds{210} + (19 + 13) * cycle); // and has ended by endp

@@ -12,7 +12,6 @@ namespace placedpar {
 namespace {
 
 // The thesis names none of these: readings that follow its text.
-constexpr double plant_bias = 10;
 constexpr std::size_t plant_elite = 1;
 const char* const plant_acceptance = "offspring";
 // Diversity is looked at from here on, every so many generations.
@@ -28,7 +27,7 @@ IslandsSettings settings_of(const PlantIslands& plant) {
         island.window = {.length = plant.windows[i],
                          .first = plant.windows[i],
                          .trials = plant.plant.per_sample,
-                         .bias = plant_bias};
+                         .bias = plant.bias};
         settings.islands.push_back(island);
     }
     settings.topology = Topology::named(plant.topology);
@@ -50,11 +49,15 @@ double mean_difference(std::span<const Genome> population) {
     return sum;
 }
 
+std::shared_ptr<const SearchProblem> problem_of(const PlantIslands& plant) {
+    return plant.simulated ? make_search_problem(SimulatedPlantProblem(), plant.coding)
+                           : make_search_problem(PlantProblem(), plant.coding);
+}
+
 class IslandsOnPlant {
 public:
     IslandsOnPlant(const PlantIslands& plant, std::uint64_t seed)
-        : plant_(plant), problem_(make_search_problem(PlantProblem(), plant.coding)),
-          record_(plant_samples(plant.plant, seed)),
+        : plant_(plant), problem_(problem_of(plant)), record_(plant_samples(plant.plant, seed)),
           islands_(*problem_, settings_of(plant), island_streams(seed, plant.windows.size())) {
         for (const std::string& choice : plant.choices)
             analyses_.emplace_back(*problem_, plant.windows, IslandChoice::named(choice), RandomStream(seed, choice));

@@ -18,6 +18,8 @@ struct PlantIslands {
     std::string topology = "none", schedule = "broadcast(every = 12)";
     std::string reproduction = "universal"; ///< on max(0, sum of B - e^2)
     Coding coding = Coding::natural;
+    double bias = 10;       ///< B, of one sample
+    bool simulated = false; ///< y-hat inside the window, from the two outputs measured before it
     PlantExperiment plant = {};
     /// Whose bests are answers of all, by the names of IslandChoice: analysed at each broadcast.
     std::vector<std::string> choices = {};
@@ -39,7 +41,7 @@ struct PlantSearchRun {
 /// What is measured of the plant: the same for everything that is tried with a seed.
 std::vector<std::vector<double>> plant_samples(const PlantExperiment& plant, std::uint64_t seed);
 
-/// Operators as in 5.4, one elite, B = 10; the record and all searches by the seed.
+/// Operators as in 5.4, one elite; the record and all searches by the seed.
 PlantSearchRun search_plant(const PlantIslands& islands, std::uint64_t seed);
 
 } // namespace placedpar

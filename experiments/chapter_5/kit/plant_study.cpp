@@ -149,6 +149,14 @@ PlantIslands distributed_pga(std::string schedule, double noise) {
                  distributed_windows);
 }
 
+PlantIslands simulated_in_window(PlantIslands islands) {
+    islands.name += ", simulated";
+    islands.simulated = true;
+    islands.bias = 100;
+    islands.plant.per_sample = 5;
+    return islands;
+}
+
 PlantIslands single_ga(double noise) {
     PlantIslands islands = sized({}, "GA of 100, window 30", {100}, {30});
     islands.plant.noise = noise;

@@ -94,6 +94,8 @@ PlantIslands sized(PlantIslands islands, std::string name, std::vector<std::size
 /// The configurations of Table 5.3, and what they are compared with.
 PlantIslands traditional_pga(std::string schedule, double noise);
 PlantIslands distributed_pga(std::string schedule, double noise);
+/// The other reading of y-hat, under which five generations a sample and B = 100 do best.
+PlantIslands simulated_in_window(PlantIslands islands);
 /// 100 individuals, window 30 (experiment #5); and as costly as the distributed islands, with a window between theirs.
 PlantIslands single_ga(double noise);
 PlantIslands equal_cost_ga(double noise);

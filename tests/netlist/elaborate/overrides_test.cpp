@@ -234,7 +234,8 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                      "note: vals: people = 30, code = \"binary\", times = 2\n"
                      "note: processes and their parameters: m (population, mutation, code, priority), s (cycles, "
                      "priority), other (label, size, priority)\n"
-                     "note: nodes and their attributes: root, t (memory, clock, linkspeed, channelcall)\n"
+                     "note: nodes and their attributes: root, t (memory, clock, linkspeed, channelcall, "
+                     "memorycycles)\n"
                      "note: connections and their attributes: c, wire (linkspeed, length)\n");
     CHECK(says(refusal({{"m.mutatoin", "3"}}), "--set:1:3: error: the process \"m\" has no parameter \"mutatoin\"\n"
                                                "    m.mutatoin=3\n"

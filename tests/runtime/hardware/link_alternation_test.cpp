@@ -59,6 +59,8 @@ private:
         sent_.push_back(1 + static_cast<int>(random_.below(6)));
         received_.push_back(0);
         Processor* t800 = receiver ? &simulation_.add<Processor>(fmt::format("sender {}", i)) : nullptr;
+        if (receiver && random_.chance(0.5)) // its engines take memory from who computes
+            receiver->has_link(link), t800->has_link(link);
         simulation_.process(
             fmt::format("sender {}", i), [this, i] { send_all(i); }, t800, some_priority());
         if (random_.chance(0.5))

@@ -93,9 +93,14 @@ void ProcessorModel::take_next() {
     }
 }
 
-/// At the end of a timeslice period a low process that has run for a whole one gives way to others.
+/// After the end of a timeslice period a low process that has run for a whole one gives way to others, at a point.
 void ProcessorModel::slice_over() {
-    if (!current_ || loads_[*current_].high || low_.empty() || now_ % slice != 0 || now_ - since_ < slice)
+    if (!current_ || loads_[*current_].high || low_.empty())
+        return;
+    const State& state = states_[*current_];
+    std::int64_t last_end = (now_ - 1) / slice * slice;
+    bool at_point = state.left % loads_[*current_].steps[state.step].between_points == 0;
+    if (!at_point || last_end - since_ < slice)
         return;
     low_.push_back(*current_);
     current_.reset();

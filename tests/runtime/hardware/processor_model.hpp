@@ -7,11 +7,12 @@
 
 namespace placedpar::test {
 
-/// One process: rests and computations in turn, in cycles. A rest of 0 is none.
+/// One process: rests and computations in turn, in cycles. A rest of 0 is none. A computation has a descheduling point
+/// before each so many cycles and at its end.
 struct Load {
     bool high = false;
     struct Step {
-        std::int64_t rest, compute;
+        std::int64_t rest, compute, between_points = 1;
     };
     std::vector<Step> steps;
 };

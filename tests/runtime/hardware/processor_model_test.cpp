@@ -24,7 +24,8 @@ std::vector<Load> random_loads(RandomStream& random) {
         load.high = random.chance(0.3);
         load.steps.resize(1 + random.below(6));
         for (auto& step : load.steps)
-            step = {random.chance(0.2) ? 0 : 1 + random.below(30'000), 1 + random.below(load.high ? 3'000 : 60'000)};
+            step = {random.chance(0.2) ? 0 : 1 + random.below(30'000), 1 + random.below(load.high ? 3'000 : 60'000),
+                    random.chance(0.5) ? 1 : 1 + random.below(5'000)};
         load.steps[0].rest = 1 + random.below(30'000); // who is created first would be seen otherwise
     }
     return loads;
@@ -55,7 +56,7 @@ TEST_CASE("random loads take the cycles that a clocked processor takes, each and
                     for (const auto& step : loads[p].steps) {
                         if (step.rest > 0)
                             wait_for(step.rest * cycle);
-                        compute(Cycles{step.compute});
+                        compute(Cycles{step.compute}, {.between_points = Cycles{step.between_points}});
                         ended[p].push_back(now() / cycle);
                     }
                 },

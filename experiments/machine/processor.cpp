@@ -1,0 +1,206 @@
+#include "runtime/hardware/processor.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/experiment_runs.hpp"
+#include "runtime/channel.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+using hardware::Memory;
+using hardware::Processor;
+using std::chrono::microseconds;
+
+constexpr std::int64_t hertz = 20'000'000;
+constexpr Time cycle = duration_of(1, hertz);
+
+struct Block {
+    std::uint32_t bytes;
+    WireForm wire_form() const { return WireForm(bytes); }
+};
+
+/// The simulations of one processor, one for each figure.
+class OneProcessor {
+public:
+    explicit OneProcessor(const ReplayContext& context) : context_(context) {}
+
+    /// Mbyte/s, over a soft channel.
+    double copying(Cycles access) {
+        constexpr std::uint32_t bytes = 1'000'000;
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800", hertz, Cycles{0}, Memory{.access = access});
+        Channel<Block> soft("soft");
+        simulation.process(
+            "outputs", [&] { soft.out().output({bytes}); }, &t800);
+        simulation.process(
+            "inputs", [&] { soft.in().input(); }, &t800);
+        return bytes / (1e3 * in_milliseconds(run(simulation)));
+    }
+
+    /// Microseconds from one tick of its clock to the next, as a program reads it.
+    double tick(Priority priority) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800", hertz);
+        std::int64_t ticks = 0;
+        constexpr Time long_time = std::chrono::seconds{1};
+        simulation.process(
+            "reads", [&] { wait_until(long_time), ticks = Timer().read(); }, &t800, priority);
+        run(simulation);
+        return 1e3 * in_milliseconds(long_time) / static_cast<double>(ticks);
+    }
+
+    /// Of a process that computes beside another, from the moment at which it got the processor to that at which it
+    /// lost it; for many moments.
+    std::pair<double, double> shortest_and_longest_turn() {
+        std::vector<double> periods;
+        for (std::int64_t start = 1; start < 20'480; start += 640)
+            periods.push_back(turn_from(start * cycle));
+        auto [least, most] = std::ranges::minmax(periods);
+        return {least, most};
+    }
+
+    /// In timeslice periods, of a process that asks again and again beside `others` that compute.
+    double longest_wait(int others) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800", hertz);
+        for (int i = 0; i < others; ++i)
+            simulation.process(
+                fmt::format("computes {}", i), [] { compute(Cycles{20'000'000}); }, &t800);
+        Time longest{};
+        simulation.process(
+            "asks",
+            [&] {
+                for (int i = 0; i < 20; ++i) {
+                    Time ready = now() + microseconds{10 + 97 * i};
+                    wait_until(ready);
+                    longest = std::max(longest, now() - ready);
+                }
+            },
+            &t800);
+        run(simulation);
+        return in_periods(longest);
+    }
+
+    /// In cycles, where the interrupted process's instructions take so many.
+    std::int64_t longest_latency(Cycles instruction) {
+        std::int64_t longest = 0;
+        for (std::int64_t moment = 10'000; moment < 10'040; ++moment) {
+            Simulation simulation;
+            Processor& t800 = simulation.add<Processor>("t800", hertz);
+            Time began{};
+            simulation.process(
+                "high", [&, moment] { wait_until(moment * cycle), began = now(); }, &t800, Priority::high);
+            simulation.process(
+                "low", [=] { compute(39'000 * Cycles{1}, {.instruction = instruction}); }, &t800);
+            run(simulation);
+            longest = std::max(longest, began / cycle - moment);
+        }
+        return longest;
+    }
+
+    /// In bit times, one way: half of what a switch adds to a byte and its acknowledge.
+    double crossbar_delay() {
+        constexpr double bits_per_us = 20;
+        double direct = microseconds_a_byte("0"), switched = microseconds_a_byte("1");
+        return (switched - direct) / 2 * bits_per_us;
+    }
+
+    std::uint64_t fingerprint() const { return fingerprint_.value(); }
+
+private:
+    static double in_periods(Time time) {
+        return static_cast<double>(time.count()) / static_cast<double>(Processor::timeslice.count());
+    }
+
+    double turn_from(Time start) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800", hertz);
+        Time rival_began{};
+        simulation.process(
+            "computes", [=] { wait_until(start), compute(Cycles{200'000}); }, &t800);
+        simulation.process(
+            "rival", [&, start] { wait_until(start + cycle), rival_began = now(); }, &t800);
+        run(simulation);
+        return in_periods(rival_began - start);
+    }
+
+    double microseconds_a_byte(const std::string& switches) {
+        RunReport report =
+            run_to_the_end(context_.examples / "37-links" / "link.cfs", {{"switches", switches}}, context_);
+        fingerprint_.mix(report.result.fingerprint);
+        return 1e3 / report.measured("receiver[0]", "rate");
+    }
+
+    Time run(Simulation& simulation) {
+        RunResult result = simulation.run();
+        fingerprint_.mix(result.fingerprint);
+        return result.time;
+    }
+
+    const ReplayContext& context_;
+    Fingerprint fingerprint_;
+};
+
+Cell figure(const std::string& name, const char* unit, double published, double simulated, double tolerance,
+            int decimals) {
+    return judged_cell(name, "value", unit, published, simulated, tolerance, decimals);
+}
+
+/// The bounds are those of waits that a program cannot foresee; the simulation must come near to them.
+Comparison compare_scheduler(OneProcessor& t800) {
+    Comparison comparison{.name = "the scheduler", .against = "publ.", .judged = true};
+    comparison.add(figure("clock of high priority", "us", 1, t800.tick(Priority::high), 0.001, 2));
+    comparison.add(figure("clock of low priority", "us", 64, t800.tick(Priority::low), 0.064, 2));
+    auto [shortest, longest] = t800.shortest_and_longest_turn();
+    comparison.add(figure("turn beside another, shortest", "periods", 1, shortest, 0.05, 2));
+    comparison.add(figure("turn beside another, longest", "periods", 2, longest, 0.05, 2));
+    for (int others : {1, 3, 7})
+        comparison.add(figure(fmt::format("wait beside {} other{}, longest", others, others == 1 ? "" : "s"), "periods",
+                              2 * others, t800.longest_wait(others), 0.2, 2));
+    comparison.add(
+        figure("interrupt, typical", "cycles", 19, static_cast<double>(t800.longest_latency(Cycles{1})), 0, 0));
+    comparison.add(figure("interrupt of divisions, longest", "cycles", 58,
+                          static_cast<double>(t800.longest_latency(Cycles{39})), 1, 0));
+    comparison.notes = "a turn is 1 to 2 periods of 1.024 ms, a wait beside n - 1 others at most 2n - 2\n";
+    return comparison;
+}
+
+Comparison compare_memory(OneProcessor& t800) {
+    Comparison comparison{.name = "memory and switches", .against = "publ.", .judged = true};
+    comparison.add(figure("copy outside of the chip", "Mbyte/s", 13.3, t800.copying(Cycles{3}), 0.1, 2));
+    comparison.add(figure("copy on the chip", "Mbyte/s", 40, t800.copying(Cycles{1}), 0.1, 2));
+    comparison.add(figure("crossbar switch, one way", "bits", 1.75, t800.crossbar_delay(), 0.02, 2));
+    return comparison;
+}
+
+Replay replay_processor(const ReplayContext& context) {
+    context.progress("processor");
+    OneProcessor t800(context);
+    Replay replay{.comparisons = {compare_scheduler(t800), compare_memory(t800)}};
+    replay.constants =
+        "   published:  clocks, periods, an interrupt's 19 cycles and a division's 39, accesses of 1 and 3 cycles, of\n"
+        "               which a copied word takes two, and a switch's delay; all else is an outcome\n";
+    replay.fingerprint = t800.fingerprint();
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment processor_experiment{
+    .name = "processor",
+    .about = "a transputer's scheduler, its memory and a switch, beside the databook",
+    .chapter = "machine",
+    .number = 3,
+    .run = replay_processor,
+};
+
+} // namespace placedpar

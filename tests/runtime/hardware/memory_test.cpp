@@ -1,0 +1,239 @@
+// What link engines take from a processor that computes, in cases worked by hand. Together with everything else at
+// random: link_alternation_test.cpp.
+
+#include "runtime/channel.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <stdexcept>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using std::chrono::milliseconds;
+using test::cycle;
+
+namespace {
+
+struct Block {
+    std::uint32_t bytes;
+    WireForm wire_form() const { return WireForm(bytes); }
+};
+using Bytes = Channel<Block>;
+
+constexpr std::int64_t hertz = 20'000'000;
+
+/// A processor with a link that processes without one use meanwhile.
+struct OneLink {
+    explicit OneLink(const Memory& memory, bool receives = true)
+        : processor(simulation.add<Processor>("t", hertz, Cycles{0}, memory)), link(simulation.add<Link>()) {
+        processor.has_link(link);
+        channel.put_on(receives ? link.from_a_to_b() : link.from_b_to_a());
+    }
+    /// `messages` of so many bytes, the first at `start`.
+    void carry(int messages, std::uint32_t bytes, Time start = {}) {
+        simulation.process("sends", [=, this] {
+            wait_until(start);
+            for (int i = 0; i < messages; ++i)
+                channel.out().output({bytes});
+        });
+        simulation.process("receives", [=, this] {
+            for (int i = 0; i < messages; ++i)
+                channel.in().input();
+        });
+    }
+    /// How long a process takes to compute so many cycles.
+    Time computing(Cycles cycles, Priority priority = Priority::low) {
+        Time took{};
+        simulation.process(
+            "computes",
+            [&, cycles] {
+                Time start = now();
+                compute(cycles);
+                took = now() - start;
+            },
+            &processor, priority);
+        simulation.run();
+        return took;
+    }
+
+    Simulation simulation;
+    Processor& processor;
+    Link& link;
+    Bytes channel{"channel"};
+};
+
+} // namespace
+
+TEST_CASE("a process that computes waits for an access for each word that comes or goes meanwhile") {
+    for (bool receives : {false, true})
+        for (std::int64_t access : {1, 3, 5}) {
+            CAPTURE(access);
+            OneLink t({.access = Cycles{access}}, receives);
+            t.carry(1, 4000);
+            CHECK(t.computing(Cycles{100'000}) == (100'000 + 1000 * access) * cycle);
+            CHECK(t.processor.time_busy() == (100'000 + 1000 * access) * cycle);
+            CHECK(t.processor.memory_taken_by_links() == 1000 * access * cycle);
+        }
+}
+
+TEST_CASE("what is left at the end of a message is a word, too; a T2 has twice as many") {
+    for (auto [bytes_in_a_word, words] : {std::pair{4, 2}, {2, 3}}) {
+        OneLink t({.access = Cycles{3}, .bytes_in_a_word = bytes_in_a_word});
+        t.carry(10, 5);
+        CHECK(t.computing(Cycles{10'000}) == (10'000 + 10 * words * 3) * cycle);
+    }
+}
+
+TEST_CASE("a message that comes before or after the computation takes nothing from it") {
+    OneLink after({.access = Cycles{3}});
+    after.carry(1, 4000, 100'000 * cycle);
+    CHECK(after.computing(Cycles{100'000}) == 100'000 * cycle);
+    CHECK(after.processor.memory_taken_by_links() == 3000 * cycle);
+
+    OneLink before({.access = Cycles{3}});
+    before.carry(1, 4000);
+    before.simulation.process("late", [&] { wait_until(milliseconds{5}); });
+    Time took{};
+    before.simulation.process(
+        "computes",
+        [&] {
+            wait_until(milliseconds{4}); // 4000 bytes of 560 ns have gone by
+            Time start = now();
+            compute(Cycles{1000}), took = now() - start;
+        },
+        &before.processor, Priority::high);
+    before.simulation.run();
+    CHECK(took == 1000 * cycle);
+}
+
+TEST_CASE("of a message that is still coming, the words until the end count, those that come in the delay included") {
+    OneLink t({.access = Cycles{3}});
+    t.carry(1, 400'000);
+    // A byte every 560 ns, a word every 2.24 us, an access of .15 us each: 1 ms becomes 1 / (1 - .15 / 2.24) of it.
+    Time took = t.computing(Cycles{20'000});
+    auto words = (took - 20'000 * cycle) / (3 * cycle);
+    CHECK(took == 20'000 * cycle + words * 3 * cycle);
+    CHECK(words == 479); // 1 ms / (2.24 - .15) us = 478.5, the word under way counts
+}
+
+TEST_CASE("time that links take does not cost a process its timeslice, nor its place before its rivals") {
+    Simulation simulation;
+    Processor& t800 = simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.access = Cycles{3}});
+    Link& link = simulation.add<Link>();
+    t800.has_link(link);
+    Bytes channel("channel");
+    channel.put_on(link.from_a_to_b());
+    simulation.process("sends", [&] { channel.out().output({100'000}); });
+    simulation.process("receives", [&] { channel.in().input(); });
+    std::vector<Time> ended(2);
+    for (int i : {0, 1})
+        simulation.process(
+            fmt::format("computes {}", i),
+            [&, i] {
+                compute(Cycles{10'000});
+                ended[static_cast<std::size_t>(i)] = now();
+            },
+            &t800);
+    simulation.run();
+    // Half a timeslice each: one after the other, each longer by what its links took.
+    CHECK(ended[0] > 10'000 * cycle);
+    CHECK(ended[0] < 10'800 * cycle);
+    CHECK(ended[1] > ended[0] + 10'000 * cycle);
+    CHECK(t800.time_busy() == ended[1]);
+}
+
+TEST_CASE("an interrupt in between loses none of the time that links took") {
+    OneLink t({.access = Cycles{3}});
+    t.carry(1, 4000);
+    t.simulation.process(
+        "high",
+        [] {
+            for (int i = 1; i <= 20; ++i)
+                wait_until(i * 5000 * cycle), compute(Cycles{500});
+        },
+        &t.processor, Priority::high);
+    Time took = t.computing(Cycles{200'000});
+    CHECK(t.processor.memory_taken_by_links() == 3000 * cycle);
+    // 20 interrupts; all accesses fell into the computing of one process or the other.
+    CHECK(took == (200'000 + 20 * (500 + 19) + 3000) * cycle);
+}
+
+TEST_CASE("a chain of seven that stores, forwards and computes at once: each of the five inner ones loses to both its "
+          "links") {
+    constexpr int nodes = 7, messages = 20;
+    constexpr std::uint32_t bytes = 4000;
+    constexpr std::int64_t work = 200'000; // 10 ms, longer than a message takes: computing is what all wait for
+    Simulation simulation;
+    std::deque<Bytes> channels;
+    std::vector<Processor*> chain;
+    for (int i = 0; i < nodes; ++i)
+        chain.push_back(
+            &simulation.add<Processor>(fmt::format("t{}", i), hertz, Cycles{0}, Memory{.access = Cycles{3}}));
+    for (int i = 0; i + 1 < nodes; ++i) {
+        Link& link = simulation.add<Link>();
+        chain[static_cast<std::size_t>(i)]->has_link(link), chain[static_cast<std::size_t>(i) + 1]->has_link(link);
+        channels.emplace_back(fmt::format("c{}", i)).put_on(link.from_a_to_b());
+    }
+    std::vector<Time> busy;
+    for (int i = 0; i < nodes; ++i) {
+        auto at = static_cast<std::size_t>(i);
+        simulation.process(
+            fmt::format("stores, forwards and computes {}", i),
+            [&, at] {
+                Bytes *from = at > 0 ? &channels[at - 1] : nullptr,
+                      *to = at < channels.size() ? &channels[at] : nullptr;
+                for (int m = 0; m <= messages; ++m) // one is stored while the one before is forwarded
+                    par(
+                        [&] {
+                            if (from && m < messages)
+                                from->in().input();
+                        },
+                        [&] {
+                            if (to && m > 0)
+                                to->out().output({bytes});
+                        },
+                        [&] { compute(Cycles{work}); });
+            },
+            chain[at]);
+    }
+    REQUIRE(simulation.run().ending == Ending::completed);
+    constexpr std::int64_t words = messages * bytes / 4 * 3;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        CAPTURE(i);
+        bool inner = i > 0 && i + 1 < chain.size();
+        CHECK(chain[i]->memory_taken_by_links() == (inner ? 2 : 1) * words * cycle);
+        Time own = (messages + 1) * work * cycle;
+        // Before the first message has come it has nothing to compute beside it.
+        CHECK(chain[i]->time_busy() >= own + (inner ? 2 : 1) * words * cycle * (messages - 2) / messages);
+        CHECK(chain[i]->time_busy() < own + (inner ? 2 : 1) * words * cycle + (messages + 1) * 200 * cycle);
+    }
+}
+
+TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s outside of the chip (databook)") {
+    Simulation simulation;
+    Processor& t800 = simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.access = Cycles{3}});
+    Bytes channel("soft");
+    Time ended{};
+    simulation.process(
+        "outputs", [&] { channel.out().output({4'000'000}); }, &t800);
+    simulation.process(
+        "inputs", [&] { channel.in().input(), ended = now(); }, &t800);
+    simulation.run();
+    CHECK(4e6 / static_cast<double>(ended.count()) * 1e12 == doctest::Approx(13.3e6).epsilon(.005));
+}
+
+TEST_CASE("memory that takes no time, or has words of another size, is refused") {
+    Simulation simulation;
+    CHECK_THROWS_AS(simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.access = Cycles{0}}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.bytes_in_a_word = 8}), std::logic_error);
+}
