@@ -84,9 +84,8 @@ const PortDescription& port_of(const ProcessInstance& process, std::string_view 
     return *kind_of(process, catalogue).port(base_name(name));
 }
 
-/// A link that is shared in one direction is shared in both: acknowledge packets travel the other way.
-bool shares_link(const NetworkChannel& channel) {
-    return channel.placement.kind == ChannelPlacement::Kind::link && channel.placement.shared;
+bool travels_in_packets(const NetworkChannel& channel) {
+    return channel.placement.kind == ChannelPlacement::Kind::link && channel.placement.in_packets;
 }
 
 } // namespace
@@ -96,7 +95,7 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     require_runnable(network, catalogue);
     make_executives();
     make_links();
-    make_multiplexers();
+    make_routers();
     make_channels(catalogue);
     make_processes(catalogue);
     expect_partners();
@@ -118,19 +117,21 @@ void Machine::make_links() {
     }
 }
 
-void Machine::make_multiplexers() {
-    multiplexers_.resize(links_.size());
+void Machine::make_routers() {
+    for (const NodeExecutive& each : executives_)
+        routers_.push_back(&simulation_.add<hardware::Router>(each.executive));
+    router_links_.resize(links_.size());
     for (const NetworkChannel& channel : network_.channels)
-        if (shares_link(channel) && !multiplexers_[channel.placement.connection])
-            multiplexers_[channel.placement.connection] = &make_multiplexer(channel.placement.connection);
+        if (travels_in_packets(channel))
+            for (const RouteHop& hop : channel.placement.route)
+                if (auto& link = router_links_[hop.connection]; !link)
+                    link = &make_router_link(hop.connection);
 }
 
-hardware::Multiplexer& Machine::make_multiplexer(std::size_t index) {
+hardware::RouterLink& Machine::make_router_link(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
-    const auto& [a, b] = std::pair(connection.a, connection.b);
-    return simulation_.add<hardware::Multiplexer>(
-        fmt::format("{} - {}", link_name(network_.nodes, a), link_name(network_.nodes, b)), *links_[index],
-        executives_[a.node].executive, executives_[b.node].executive);
+    return simulation_.add<hardware::RouterLink>(*links_[index], *routers_[connection.a.node],
+                                                 *routers_[connection.b.node]);
 }
 
 void Machine::make_channels(const Catalogue& catalogue) {
@@ -143,12 +144,13 @@ void Machine::make_channels(const Catalogue& catalogue) {
 }
 
 void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
-    std::size_t c = description.placement.connection;
-    bool forth = description.placement.from_a_to_b;
-    if (multiplexers_[c])
-        channel.put_on(multiplexers_[c]->add_channel(forth));
-    else
-        channel.put_on(forth ? links_[c]->from_a_to_b() : links_[c]->from_b_to_a());
+    std::vector<hardware::Hop> hops;
+    for (auto [connection, forth] : description.placement.route) {
+        if (!router_links_[connection]) // then there is no other hop
+            return channel.put_on(forth ? links_[connection]->from_a_to_b() : links_[connection]->from_b_to_a());
+        hops.push_back({*router_links_[connection], forth});
+    }
+    channel.put_on(simulation_.add<hardware::Route>(hops));
 }
 
 void Machine::make_processes(const Catalogue& catalogue) {

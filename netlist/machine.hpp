@@ -5,7 +5,7 @@
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 #include "runtime/hardware/link.hpp"
-#include "runtime/hardware/multiplexer.hpp"
+#include "runtime/hardware/router.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
@@ -33,8 +33,8 @@ public:
 private:
     void make_executives();
     void make_links();
-    void make_multiplexers();
-    hardware::Multiplexer& make_multiplexer(std::size_t connection);
+    void make_routers();
+    hardware::RouterLink& make_router_link(std::size_t connection);
     void make_channels(const Catalogue&);
     void carry(AnyChannel&, const NetworkChannel&);
     void make_processes(const Catalogue&);
@@ -42,15 +42,17 @@ private:
     Process& make_process(std::size_t process, const ProcessKind&);
 
     std::vector<ProcessorUse> processor_uses() const;
+    Time time_passing_on(std::size_t node) const;
     std::vector<LinkUse> link_uses() const;
     std::vector<ProcessUse> process_uses() const;
 
     Network network_;
     std::uint64_t seed_;
     Simulation simulation_;
-    std::vector<NodeExecutive> executives_;            ///< by node
-    std::vector<hardware::Link*> links_;               ///< by connection
-    std::vector<hardware::Multiplexer*> multiplexers_; ///< by connection; null where no channels share it
+    std::vector<NodeExecutive> executives_;           ///< by node
+    std::vector<hardware::Link*> links_;              ///< by connection
+    std::vector<hardware::Router*> routers_;          ///< by node
+    std::vector<hardware::RouterLink*> router_links_; ///< by connection; null where no channel travels in packets
     std::vector<std::unique_ptr<AnyChannel>> channels_;
     std::list<ProcessEnvironment> environments_;
     std::vector<Process*> processes_;

@@ -47,9 +47,15 @@ std::vector<ProcessorUse> Machine::processor_uses() const {
     std::vector<ProcessorUse> uses;
     for (std::size_t i = 0; i < executives_.size(); ++i)
         if (const auto& time_busy = executives_[i].time_busy)
-            uses.push_back(
-                {network_.nodes[i].name, network_.nodes[i].type, time_busy(), executives_[i].memory_taken_by_links()});
+            uses.push_back({network_.nodes[i].name, network_.nodes[i].type, time_busy(),
+                            executives_[i].memory_taken_by_links(), routers_[i]->packets_passed_on(),
+                            time_passing_on(i)});
     return uses;
+}
+
+Time Machine::time_passing_on(std::size_t node) const {
+    auto cycles = static_cast<std::int64_t>(routers_[node]->cycles_of_passing_on());
+    return cycles == 0 ? Time{0} : duration_of(cycles, network_.nodes[node].integer("clock"));
 }
 
 std::vector<LinkUse> Machine::link_uses() const {

@@ -16,6 +16,8 @@ struct ProcessorUse {
     std::string type;
     Time busy;                  ///< how long it executed processes, waiting for its memory included
     Time memory_taken_by_links; ///< how long its memory served the engines of its links, while it was busy or not
+    std::uint64_t packets_passed_on = 0; ///< of channels that lead through it
+    Time passing_on{};                   ///< what that took of the time it was busy, without waiting for its memory
 };
 
 struct LinkUse {

@@ -50,7 +50,7 @@ public:
     ~Simulation();
 
     /// Makes a device, Device(kernel, arguments...), and owns it. A device is any class that works on a kernel: an
-    /// executive, a link, a multiplexer, or one of the caller's own.
+    /// executive, a link, a router, or one of the caller's own.
     template <class Device, class... Arguments>
     requires std::constructible_from<Device, Kernel&, Arguments...> Device& add(Arguments&&... arguments) {
         auto device = std::make_shared<Device>(kernel_, std::forward<Arguments>(arguments)...);

@@ -75,13 +75,19 @@ std::string print_part(const RunReport& report, Time part) {
     return share ? fmt::format("{:.1f}%", 100 * *share) : print_time(part);
 }
 
+std::string print_passing_on(const RunReport& report, const ProcessorUse& p) {
+    return fmt::format("  {:>10}  {:>8}", print_part(report, p.passing_on), p.packets_passed_on);
+}
+
 std::string print_processors(const RunReport& report) {
     const auto& rows = report.processors;
     std::size_t name = width_of(rows, &ProcessorUse::name, 9);
-    std::string out =
-        painted(Paint::heading, fmt::format("\n{:<{}}  {:<6}  {:>6}\n", "processor", name, "type", "busy"));
+    bool routes = std::ranges::any_of(rows, [](const ProcessorUse& p) { return p.packets_passed_on > 0; });
+    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:<6}  {:>6}{}\n", "processor", name, "type",
+                                                          "busy", routes ? "  passing on   packets" : ""));
     for (const ProcessorUse& p : rows)
-        out += fmt::format("{:<{}}  {:<6}  {:>6}\n", p.name, name, p.type, print_part(report, p.busy));
+        out += fmt::format("{:<{}}  {:<6}  {:>6}{}\n", p.name, name, p.type, print_part(report, p.busy),
+                           routes ? print_passing_on(report, p) : "");
     return out;
 }
 
@@ -141,7 +147,9 @@ boost::json::object json_of(const RunReport& report, const ProcessorUse& p) {
             {"type", p.type},
             {"busy", part_json(report, p.busy)},
             {"busy_ps", p.busy.count()},
-            {"memory_taken_by_links_ps", p.memory_taken_by_links.count()}};
+            {"memory_taken_by_links_ps", p.memory_taken_by_links.count()},
+            {"packets_passed_on", p.packets_passed_on},
+            {"passing_on_ps", p.passing_on.count()}};
 }
 
 boost::json::object json_of(const RunReport& report, const LinkUse& l) {

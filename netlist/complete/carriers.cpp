@@ -1,20 +1,23 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/complete/routes.hpp"
 #include "netlist/language/syntax.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace placedpar {
 
 namespace {
 
 /// Gives every channel what carries it. First those that the netlist places, in its order; then each of the
-/// rest, in its order, takes of the wires between its two nodes the one that the fewest channels use in its
-/// direction, and of several the one with the lowest link at the sender.
+/// rest, in its order, takes the best route (RouteCost): between neighbours the wire that the fewest channels use in
+/// its direction, and of several the one with the lowest link at the sender. A channel to an edge takes one wire.
 class Carriers {
 public:
-    explicit Carriers(Completion& c) : c_(c), load_(c.network.connections.size() * 2, 0) {
+    explicit Carriers(Completion& c)
+        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.draft.nodes, wires_, load_) {
         for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
@@ -35,8 +38,7 @@ public:
         for (auto i : left)
             attempt([&] { choose(i); });
         for (auto& channel : c_.network.channels)
-            if (channel.placement.kind != ChannelPlacement::Kind::soft)
-                channel.placement.shared = load(channel.placement) > 1;
+            channel.placement.in_packets = travels_in_packets(channel.placement.route);
     }
 
 private:
@@ -51,14 +53,21 @@ private:
     }
 
     bool place_as_told(std::size_t index) {
-        auto told_wire = told(index);
-        if (told_wire)
-            carry(c_.network.channels[index], told_wire->connection, told_wire->at);
-        return told_wire.has_value();
+        auto told_wires = told(index);
+        auto& channel = c_.network.channels[index];
+        if (told_wires.empty())
+            return false;
+        if (channel.from.at_edge() || channel.to.at_edge())
+            carry_to_edge(channel, told_wires.front().connection, told_wires.front().at);
+        else
+            carry(channel, route_over(channel, told_wires));
+        return true;
     }
 
-    std::size_t& load(const ChannelPlacement& carrier) {
-        return load_[carrier.connection * 2 + (carrier.from_a_to_b ? 1 : 0)];
+    std::size_t& load(const RouteHop& hop) { return load_[hop.connection * 2 + (hop.from_a_to_b ? 1 : 0)]; }
+
+    bool travels_in_packets(const std::vector<RouteHop>& route) {
+        return route.size() > 1 || std::any_of(route.begin(), route.end(), [&](auto& hop) { return load(hop) > 1; });
     }
 
     std::string node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
@@ -66,30 +75,45 @@ private:
     /// A wire that the netlist names for a channel, and where it does.
     struct Told {
         std::size_t connection;
+        std::size_t begin; ///< the node where the channel enters it; nowhere: either
         Location at;
     };
 
-    /// What the netlist says about the wire: by one of the ends, or by `place c1 on c2`. Nothing where it says nothing.
-    /// Throws StatementRefused after reporting an unusable placement.
-    std::optional<Told> told(std::size_t index) {
-        auto by_end = told_by_ends(c_.network.channels[index]);
+    /// What the netlist says about the way, wire by wire: at the ends, or by `place c1 on c2`. Nothing where it says
+    /// nothing. Throws StatementRefused after reporting an unusable placement.
+    std::vector<Told> told(std::size_t index) {
+        auto by_ends = told_by_ends(c_.network.channels[index]);
         auto by_connection = told_by_connection(index);
-        return by_connection ? by_connection : by_end;
+        return by_connection ? std::vector{*by_connection} : by_ends;
     }
 
-    std::optional<Told> told_by_ends(const NetworkChannel& channel) {
-        std::optional<Told> told;
+    std::vector<Told> told_by_ends(const NetworkChannel& channel) {
+        std::vector<Told> told;
         for (const auto* end : {&channel.from, &channel.to}) {
             auto placed = c_.draft.placements.find({end->process, end->port});
             if (end->at_edge() || placed == c_.draft.placements.end())
                 continue;
-            Told here{connection_placed(*end, placed->second), placed->second.at};
-            if (told && told->connection != here.connection)
-                refuse(here.at, fmt::format("the two ends of the channel \"{}\" are placed on different connections",
-                                            channel.name));
-            told = here;
+            bool inputs = end == &channel.to;
+            if (inputs && placed->second.size() > 1)
+                refuse(placed->second[1].at,
+                       fmt::format("the route of the channel \"{}\" is told at its input", channel.name),
+                       "place the output on the link by which the channel leaves each processor on its way");
+            for (const auto& placement : placed->second) {
+                bool first = &placement == &placed->second.front();
+                Told here{connection_placed(*end, placement, first), nowhere, placement.at};
+                if (!placement.where.at_edge())
+                    here.begin = inputs ? other_end(here.connection, placement.where) : placement.where.node;
+                if (!inputs || told.empty() || told.back().connection != here.connection) // both ends may say the same
+                    told.push_back(here);
+            }
         }
         return told;
+    }
+
+    std::size_t other_end(std::size_t index, const LinkEnd& end) const {
+        const auto& connection = c_.network.connections[index];
+        bool at_a = connection.a.node == end.node && connection.a.link == end.link;
+        return (at_a ? connection.b : connection.a).node;
     }
 
     std::optional<Told> told_by_connection(std::size_t index) {
@@ -102,7 +126,7 @@ private:
         auto found = c_.connection_named.find(wire);
         if (found == c_.connection_named.end())
             refuse(at, fmt::format("the connection \"{}\" wires no links", c_.draft.connections[wire].name));
-        return Told{found->second, at};
+        return Told{found->second, nowhere, at};
     }
 
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
@@ -111,13 +135,20 @@ private:
         throw StatementRefused{};
     }
 
-    std::size_t connection_placed(const ChannelEnd& end, const DraftPlacement& placement) {
+    /// `at_process`: the link must be one of the processor that holds the process.
+    std::size_t connection_placed(const ChannelEnd& end, const DraftPlacement& placement, bool at_process) {
         const auto& process = c_.draft.processes[end.process];
         if (process.node == nowhere)
             throw StatementRefused{}; // reported
         auto channel = process.name + "." + end.port;
-        return placement.where.at_edge() ? connection_to_edge(channel, process, placement)
-                                         : connection_at_link(channel, process, placement);
+        if (placement.where.at_edge())
+            return connection_to_edge(channel, process, placement);
+        if (at_process && placement.where.node != process.node)
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
+                               channel, node_name(placement.where.node), node_name(process.node)),
+                   "", {{"the process is placed here", process.placed}});
+        return connection_at_link(channel, placement);
     }
 
     std::size_t connection_to_edge(const std::string& channel, const DraftProcess& process,
@@ -130,13 +161,7 @@ private:
         return found->second.front();
     }
 
-    std::size_t connection_at_link(const std::string& channel, const DraftProcess& process,
-                                   const DraftPlacement& placement) {
-        if (placement.where.node != process.node)
-            refuse(placement.at,
-                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
-                               channel, node_name(placement.where.node), node_name(process.node)),
-                   "", {{"the process is placed here", process.placed}});
+    std::size_t connection_at_link(const std::string& channel, const DraftPlacement& placement) {
         auto found = c_.connection_at.find({placement.where.node, placement.where.link});
         if (found == c_.connection_at.end() && c_.wire_refused[placement.where.node])
             throw StatementRefused{}; // reported
@@ -146,12 +171,11 @@ private:
         return found->second;
     }
 
-    /// Lets a connection carry the channel, if it leads from one of its ends to the other.
-    void carry(NetworkChannel& channel, std::size_t index, const Location& at) {
+    /// Lets a connection carry the channel, if it leads from its process to the edge.
+    void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
-        bool to_edge = channel.from.at_edge() || channel.to.at_edge();
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
-        if (to_edge && outer.node == nowhere && (connection.a.at_edge() || connection.b.at_edge()))
+        if (outer.node == nowhere && (connection.a.at_edge() || connection.b.at_edge()))
             outer.node = connection.a.at_edge() ? connection.a.node : connection.b.node;
         auto from = channel.from.node, to = channel.to.node;
         if (from == nowhere || to == nowhere)
@@ -159,9 +183,8 @@ private:
         bool forwards = connection.a.node == from && connection.b.node == to;
         if (!forwards && !(connection.b.node == from && connection.a.node == to))
             refuse_wire(channel, connection, at);
-        channel.placement = {to_edge ? ChannelPlacement::Kind::edge : ChannelPlacement::Kind::link, index, forwards,
-                             false};
-        ++load(channel.placement);
+        channel.placement = {ChannelPlacement::Kind::edge, {{index, forwards}}, false};
+        ++load(channel.placement.route.front());
     }
 
     [[noreturn]] void refuse_wire(const NetworkChannel& channel, const LinkConnection& connection, const Location& at) {
@@ -173,16 +196,96 @@ private:
                "", {{"the wire is connected here", connection.connected}});
     }
 
+    void carry(NetworkChannel& channel, std::vector<RouteHop> route) {
+        for (const auto& hop : route)
+            ++load(hop);
+        channel.placement = {ChannelPlacement::Kind::link, std::move(route), false};
+    }
+
+    /// The best route over these wires, in their order. Throws StatementRefused after reporting that there is none.
+    std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<Told>& wires) {
+        if (channel.from.node == nowhere || channel.to.node == nowhere)
+            throw StatementRefused{}; // reported
+        std::vector<RouteHop> route;
+        std::set<std::size_t> passed{channel.from.node};
+        for (const auto& wire : wires) {
+            bool last = &wire == &wires.back();
+            auto on = way_on(channel, route, wire, passed);
+            if (!on)
+                refuse_route(channel, wires, wire);
+            for (const auto& hop : *on)
+                if (auto node = end_of(hop, wires_).node;
+                    !passed.insert(node).second || (node == channel.to.node && !last))
+                    refuse_route(channel, wires, wire);
+            route.insert(route.end(), on->begin(), on->end());
+        }
+        auto here = end_of(route.back(), wires_).node;
+        if (here == channel.to.node)
+            return route;
+        auto rest = search_.best(here, channel.to.node, passed);
+        if (!rest || !search_.leads_through(here))
+            refuse_route(channel, wires, wires.back());
+        route.insert(route.end(), rest->begin(), rest->end());
+        return route;
+    }
+
+    /// From the end of the route so far up to the wire's other end.
+    std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
+                                                const Told& wire, const std::set<std::size_t>& passed) {
+        auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
+        auto around = passed;
+        around.insert(channel.to.node);
+        std::optional<std::vector<RouteHop>> shortest;
+        for (RouteHop hop : {RouteHop{wire.connection, true}, RouteHop{wire.connection, false}}) {
+            auto begin = begin_of(hop, wires_).node, end = end_of(hop, wires_).node;
+            if ((wire.begin != nowhere && wire.begin != begin) || begin == channel.to.node || passed.contains(end))
+                continue;
+            std::optional<std::vector<RouteHop>> way{std::vector<RouteHop>{}};
+            if (begin != here)
+                way = search_.leads_through(begin) ? search_.best(here, begin, around) : std::nullopt;
+            if (!way ||
+                std::any_of(way->begin(), way->end(), [&](auto& each) { return end_of(each, wires_).node == end; }))
+                continue;
+            way->push_back(hop);
+            if (!shortest || way->size() < shortest->size())
+                shortest = way;
+        }
+        return shortest;
+    }
+
+    /// "a.link[0], b.link[2]": the links by which a channel leaves the processors on its way.
+    std::string text_of(const std::vector<RouteHop>& route) const {
+        std::string text;
+        for (const auto& hop : route)
+            text += (text.empty() ? "" : ", ") + link_name(c_.draft.nodes, begin_of(hop, wires_));
+        return text;
+    }
+
+    /// Says what would be right: the route without that wire.
+    [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<Told>& wires, const Told& wire) {
+        const auto& connection = wires_[wire.connection];
+        auto best = search_.best(channel.from.node, channel.to.node);
+        refuse(wire.at,
+               fmt::format("the channel \"{}\" cannot lead from \"{}\" to \"{}\" over the wire between \"{}\" and "
+                           "\"{}\"{}",
+                           channel.name, node_name(channel.from.node), node_name(channel.to.node),
+                           node_name(connection.a.node), node_name(connection.b.node),
+                           &wire == wires.data() ? "" : ", after those before it"),
+               fmt::format("a route passes no processor twice, and only processors pass a channel on{}",
+                           best ? "; the shortest leaves by " + text_of(*best) : ""),
+               {{"the wire is connected here", connection.connected}});
+    }
+
     void choose(std::size_t index) {
         auto& channel = c_.network.channels[index];
         if (channel.from.at_edge() || channel.to.at_edge())
             return choose_edge(channel);
         if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
             return; // reported, or soft
-        auto found = between_.find({channel.from.node, channel.to.node});
-        if (found == between_.end())
-            return refuse_no_neighbours(channel);
-        carry(channel, lightest(found->second, channel.from.node), channel.connected);
+        auto route = search_.best(channel.from.node, channel.to.node);
+        if (!route)
+            return refuse_no_route(channel);
+        carry(channel, *route);
     }
 
     void choose_edge(NetworkChannel& channel) {
@@ -199,7 +302,7 @@ private:
         if (candidates.empty())
             return edge_missing(channel);
         auto sender = channel.from.at_edge() ? nowhere : inner.node;
-        carry(channel, lightest(candidates, sender), channel.connected);
+        carry_to_edge(channel, lightest(candidates, sender), channel.connected);
     }
 
     void edge_missing(const NetworkChannel& channel) {
@@ -248,23 +351,30 @@ private:
         return text.empty() ? "no links" : text;
     }
 
-    void refuse_no_neighbours(const NetworkChannel& channel) {
-        auto from = channel.from.node, to = channel.to.node;
-        if (c_.wire_refused[from] || c_.wire_refused[to])
+    void refuse_no_route(const NetworkChannel& channel) {
+        if (std::find(c_.wire_refused.begin(), c_.wire_refused.end(), true) != c_.wire_refused.end())
             return; // the wire that may be missed was reported
+        auto from = channel.from.node, to = channel.to.node;
         const auto &sender = c_.draft.processes[channel.from.process],
                    &receiver = c_.draft.processes[channel.to.process];
         refuse(channel.connected,
-               fmt::format("the channel \"{}\" has no route: the processors \"{}\" and \"{}\" are not neighbours",
+               fmt::format("the channel \"{}\" has no route: no wires lead through processors from \"{}\" to \"{}\"",
                            channel.name, node_name(from), node_name(to)),
-               fmt::format("\"{}\" has {}; \"{}\" has {}; channels are not routed through other processors",
-                           node_name(from), links_of(from), node_name(to), links_of(to)),
+               fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to),
+                           links_of(to), missing_wire(from, to)),
                {{fmt::format("\"{}\" is placed here", sender.name), sender.placed},
                 {fmt::format("\"{}\" is placed here", receiver.name), receiver.placed}});
     }
 
+    std::string missing_wire(std::size_t from, std::size_t to) const {
+        auto here = c_.free_link(from), there = c_.free_link(to);
+        return here.empty() || there.empty() ? "" : fmt::format("; connect {} to {};", here, there);
+    }
+
     Completion& c_;
+    const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
+    RouteSearch search_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
     std::map<std::size_t, std::vector<std::size_t>> edges_of_;
 };

@@ -200,7 +200,7 @@ private:
                 if (bound.contains(name))
                     continue;
                 if (auto placed = c_.draft.placements.find({index, name}); placed != c_.draft.placements.end())
-                    add_placed(index, port, name, placed->second);
+                    add_placed(index, port, name, placed->second.front());
                 else if (!is_optional(index, port.name))
                     refuse_unconnected(index, port.at, name);
             }
@@ -269,7 +269,7 @@ private:
         for (auto placed = placements.lower_bound({index, ""});
              placed != placements.end() && placed->first.first == index; ++placed)
             if (const auto& port = placed->first.second; !is_bound(index, port))
-                refuse_placed(c_.draft.processes[index], port, placed->second);
+                refuse_placed(c_.draft.processes[index], port, placed->second.front());
     }
 
     bool is_bound(std::size_t index, const std::string& port) const {

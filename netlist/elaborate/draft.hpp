@@ -132,9 +132,10 @@ struct Draft {
     std::vector<DraftProcess> processes;
     std::vector<DraftWire> wires, crosspoints;
     std::vector<DraftChannel> channels;
-    std::map<std::pair<std::size_t, std::string>, DraftPlacement> placements; ///< by process and port
-    std::map<std::size_t, DraftConnectionPlacement> connection_placements;    ///< by the channel's connection
-    std::string default_kind;                                                 ///< `use ... for process;`
+    std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
+        placements; ///< by process and port; several, on links of several nodes, tell a route
+    std::map<std::size_t, DraftConnectionPlacement> connection_placements; ///< by the channel's connection
+    std::string default_kind;                                              ///< `use ... for process;`
     Location default_used;
     std::size_t things = 0;
     std::vector<DraftOverride> overrides;

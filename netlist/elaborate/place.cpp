@@ -47,10 +47,11 @@ void Elaborator::place_port(const PlaceStatement& form) {
         refuse(form.where.at,
                fmt::format("\"{}\" is no link: a channel is placed on a link or an edge", form.where.name));
     auto link = link_end(form.where, where);
-    auto [known, is_new] =
-        draft_.placements.emplace(std::pair(end.process, end.port), DraftPlacement{link, form.what.at});
-    if (!is_new)
-        refuse_placed_twice(form, "channel", draft_.processes[end.process].name + "." + end.port, known->second.at);
+    auto& known = draft_.placements[{end.process, end.port}];
+    for (const auto& before : known)
+        if (before.where.node == link.node || before.where.at_edge() || link.at_edge())
+            refuse_placed_twice(form, "channel", draft_.processes[end.process].name + "." + end.port, before.at);
+    known.push_back({link, form.what.at});
 }
 
 void Elaborator::place_edge_channel(const PlaceStatement& form) {

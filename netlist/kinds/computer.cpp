@@ -52,7 +52,7 @@ std::vector<AttributeDescription> computer_attributes() {
 }
 
 std::vector<std::string> attributes_of_the_real_tool() {
-    return {"reserved", "routecost", "linkquota", "tolerance", "nodebug", "noprofile", "pagesize"};
+    return {"reserved", "linkquota", "tolerance", "nodebug", "noprofile", "pagesize"};
 }
 
 } // namespace placedpar

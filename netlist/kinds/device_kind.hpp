@@ -75,6 +75,7 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {}; ///< attributes of the real tool: read and printed, not used by a simulation
     bool runs_processes = false;        ///< processes can be placed on it; it must then be connected
+    bool passes_channels_on = false;    ///< between other nodes; it then has the attribute "routecost"
     /// Adds to the simulation what executes the processes placed on the node. Empty: they take no time.
     std::function<NodeExecutive(Simulation&, const Node&)> make_executive = {};
     std::int64_t crossing_delay = 0; ///< of a bit that crosses it, in hundredths of a bit time

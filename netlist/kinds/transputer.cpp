@@ -104,6 +104,9 @@ std::vector<AttributeDescription> transputer_attributes() {
                                        "of an access to a word of the memory in which its messages lie; 0: 3, or 1 "
                                        "where memory is at most the 4K of a chip"),
          .json_name = "memory_access_cycles"});
+    attributes.push_back({.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
+                                                        "of leading a channel through it; the cheapest route is taken"),
+                          .json_name = "route_cost"});
     return attributes;
 }
 
@@ -139,6 +142,7 @@ DeviceKind transputer() {
             .attributes = transputer_attributes(),
             .kept = attributes_of_the_real_tool(),
             .runs_processes = true,
+            .passes_channels_on = true,
             .make_executive = make_transputer,
             .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "transputer with its processes"}};
 }

@@ -103,13 +103,20 @@ struct ChannelEnd {
     bool at_edge() const { return process == nowhere; }
 };
 
+/// One wire on a channel's way.
+struct RouteHop {
+    std::size_t connection = nowhere;
+    bool from_a_to_b = true;
+
+    bool operator==(const RouteHop&) const = default;
+};
+
 /// What carries a channel.
 struct ChannelPlacement {
     enum class Kind { soft, link, edge };
     Kind kind = Kind::soft;
-    std::size_t connection = nowhere; ///< for link and edge
-    bool from_a_to_b = true;
-    bool shared = false; ///< more than one channel runs this way over this link
+    std::vector<RouteHop> route = {}; ///< none if soft; several lead over processors between
+    bool in_packets = false;          ///< it has several hops, or a link of it carries another channel the same way
 
     bool operator==(const ChannelPlacement&) const = default;
 };
@@ -141,5 +148,13 @@ struct Network {
 
 /// "t[0].link[2]", or the name of an edge.
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
+
+/// Where a hop begins and ends.
+inline const LinkEnd& begin_of(const RouteHop& hop, const std::vector<LinkConnection>& connections) {
+    return hop.from_a_to_b ? connections[hop.connection].a : connections[hop.connection].b;
+}
+inline const LinkEnd& end_of(const RouteHop& hop, const std::vector<LinkConnection>& connections) {
+    return hop.from_a_to_b ? connections[hop.connection].b : connections[hop.connection].a;
+}
 
 } // namespace placedpar

@@ -307,8 +307,13 @@ private:
         for (const auto* at : {&channel.from, &channel.to})
             if (at->at_edge() && !at->port.empty())
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
+        if (channel.placement.route.size() > 1) {
+            for (const auto& hop : channel.placement.route)
+                line("place {} on {};", end(channel.from), end(begin_of(hop, n_.connections)));
+            return;
+        }
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
-        const auto& connection = n_.connections[channel.placement.connection];
+        const auto& connection = n_.connections[channel.placement.route.front().connection];
         line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
     }
 

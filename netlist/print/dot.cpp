@@ -110,8 +110,8 @@ private:
     std::vector<std::size_t> channels_carried() const {
         std::vector<std::size_t> channels(n_.connections.size(), 0);
         for (const auto& channel : n_.channels)
-            if (channel.placement.kind != ChannelPlacement::Kind::soft)
-                ++channels[channel.placement.connection];
+            for (const RouteHop& hop : channel.placement.route)
+                ++channels[hop.connection];
         return channels;
     }
 

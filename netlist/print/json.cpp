@@ -124,16 +124,23 @@ private:
         return kind == ChannelPlacement::Kind::soft ? "soft" : kind == ChannelPlacement::Kind::link ? "link" : "edge";
     }
 
+    json::object hop_object(const RouteHop& hop) const {
+        return {{"connection", hop.connection},
+                {"from", link_object(begin_of(hop, n_.connections))},
+                {"to", link_object(end_of(hop, n_.connections))}};
+    }
+
     json::object carrier_object(const ChannelPlacement& placement) const {
         json::object carrier;
         carrier["kind"] = word(placement.kind);
         if (placement.kind == ChannelPlacement::Kind::soft)
             return carrier;
-        const auto& connection = n_.connections[placement.connection];
-        carrier["connection"] = placement.connection;
-        carrier["from"] = link_object(placement.from_a_to_b ? connection.a : connection.b);
-        carrier["to"] = link_object(placement.from_a_to_b ? connection.b : connection.a);
-        carrier["shared"] = placement.shared;
+        carrier["connection"] = placement.route.front().connection;
+        carrier["from"] = link_object(begin_of(placement.route.front(), n_.connections));
+        carrier["to"] = link_object(end_of(placement.route.back(), n_.connections));
+        carrier["in_packets"] = placement.in_packets;
+        if (placement.route.size() > 1)
+            carrier["route"] = list(placement.route, [&](const RouteHop& hop) { return hop_object(hop); });
         return carrier;
     }
 

@@ -49,7 +49,7 @@ void LinkDirection::cancel(Event& event) { kernel_.future().cancel(event); }
 void LinkDirection::serve(AnyChannel& channel) {
     if (channel_ && channel_ != &channel)
         throw std::logic_error(fmt::format("channels {} and {} use the same direction of a link: "
-                                           "several channels need a multiplexer",
+                                           "several channels need routers",
                                            channel_->name(), channel.name()));
     channel_ = &channel;
 }

@@ -237,7 +237,8 @@ class Pictures(unittest.TestCase):
         self.assertEqual([wire for wire, _ in drawing.wires],
                          [f"{end(wire['a'])} - {end(wire['b'])}" for wire in network["connections"]])
         self.assertEqual(sorted(drawing.processes), sorted(each["name"] for each in network["processes"]))
-        self.assertEqual(drawing.channels, sum(each["carrier"]["kind"] != "soft" for each in network["channels"]))
+        self.assertEqual(drawing.channels, sum(len(each["carrier"].get("route", [0])) for each in network["channels"]
+                                                      if each["carrier"]["kind"] != "soft"))
 
     def check_boxes(self, drawing):
         everything = [*drawing.boxes.values(), *drawing.labels, *drawing.counts, *drawing.legend()]

@@ -301,8 +301,8 @@ class Traces(unittest.TestCase):
 
     def test_processes_of_the_machine_are_drawn(self):
         _, _, trace = self.trace(self.netlist(SHARED_LINK))
-        self.assertTrue(any("multiplexer" in t for t in trace.tracks))
-        (track,) = [t for t in trace.tracks if t.endswith("multiplexer a sender")]
+        self.assertTrue(any("router receiver" in t for t in trace.tracks))
+        (track,) = [t for t in trace.tracks if t == "router sender a.link[1] -> b.link[0]"]
         self.assertEqual(trace.node_of[track], "a T800")
         self.assertEqual({(a.source, a.target) for a in trace.arrows if a.name in ("p.out -> c.in", "q.out -> d.in")},
                          {("p", "c"), ("q", "d")})

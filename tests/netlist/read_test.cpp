@@ -30,7 +30,8 @@ TEST_CASE("four clusters of a master and three slaves") {
     CHECK(network.processes[4].stand_in);
     CHECK(network.processes[4].kind == "worker.lku");
     const auto& ring =
-        network.connections[channel(network, "breeder[0].out -> worker[0][0].in").placement.connection + 3];
+        network
+            .connections[channel(network, "breeder[0].out -> worker[0][0].in").placement.route.front().connection + 3];
     CHECK(ring.name == "ring[0]");
     CHECK(ring.metres == doctest::Approx(0.3));
 }

@@ -2,8 +2,8 @@
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
-#include "runtime/hardware/multiplexer.hpp"
 #include "runtime/hardware/processor.hpp"
+#include "runtime/hardware/router.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
@@ -34,7 +34,9 @@ public:
     explicit Waiters(std::function<void()> last) {
         Processor& t800 = simulation.add<Processor>("t800");
         hard.put_on(simulation.add<Link>().from_a_to_b());
-        virtual_one.put_on(simulation.add<Multiplexer>("m", simulation.add<Link>(), &t800, nullptr).add_channel(true));
+        RouterLink& link = simulation.add<RouterLink>(simulation.add<Link>(), simulation.add<Router>(&t800),
+                                                      simulation.add<Router>(nullptr));
+        virtual_one.put_on(simulation.add<Route>(std::vector{Hop{link, true}}));
         add([this] { soft.in().input(); });
         add([this] { other.out().output(1); });
         add([this] { hard.out().output(1); });

@@ -245,10 +245,8 @@ private:
     std::vector<Carried> channels_carried() const {
         std::vector<Carried> carried(n_.connections.size());
         for (const NetworkChannel& channel : n_.channels)
-            if (channel.placement.kind != ChannelPlacement::Kind::soft) {
-                Carried& wire = carried[channel.placement.connection];
-                ++(channel.placement.from_a_to_b ? wire.from_a : wire.from_b);
-            }
+            for (const RouteHop& hop : channel.placement.route)
+                ++(hop.from_a_to_b ? carried[hop.connection].from_a : carried[hop.connection].from_b);
         return carried;
     }
 

@@ -76,7 +76,7 @@ private:
         } else {
             auto wire = wire_between(from, to);
             bool onward = software_.network.connections[wire].a.node == from;
-            drawn.placement = {ChannelPlacement::Kind::link, wire, onward, false};
+            drawn.placement = {ChannelPlacement::Kind::link, {{wire, onward}}, false};
             Span& span = software_.spans[wire];
             std::string& label = onward ? span.from_label : span.to_label;
             label += (label.empty() ? "" : ", ") + channel.from.port;

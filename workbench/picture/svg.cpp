@@ -172,8 +172,8 @@ private:
     std::vector<std::string> channels_on_wires() const {
         std::vector<std::string> names(n_.connections.size());
         for (const NetworkChannel& channel : n_.channels)
-            if (channel.placement.kind != ChannelPlacement::Kind::soft)
-                names[channel.placement.connection] += "\n" + channel.name;
+            for (const RouteHop& hop : channel.placement.route)
+                names[hop.connection] += "\n" + channel.name;
         return names;
     }
 
@@ -204,8 +204,9 @@ private:
         const Path& path = picture_.wires[index].spans.front();
         bool onward = false, back = false;
         for (const NetworkChannel& channel : n_.channels)
-            if (channel.placement.kind != ChannelPlacement::Kind::soft && channel.placement.connection == index)
-                (channel.placement.from_a_to_b ? onward : back) = true;
+            for (const RouteHop& hop : channel.placement.route)
+                if (hop.connection == index)
+                    (hop.from_a_to_b ? onward : back) = true;
         if (onward)
             text_ += arrow_head(path[path.size() - 2], path.back()) + "\n";
         if (back)

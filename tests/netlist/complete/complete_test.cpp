@@ -12,8 +12,7 @@ namespace {
 int sending_link(const Network& network, const NetworkChannel& at) {
     if (at.placement.kind == ChannelPlacement::Kind::soft)
         return -2;
-    const auto& connection = network.connections[at.placement.connection];
-    return (at.placement.from_a_to_b ? connection.a : connection.b).link;
+    return begin_of(at.placement.route.front(), network.connections).link;
 }
 
 } // namespace
@@ -32,8 +31,8 @@ TEST_CASE("switches are followed to the processors at the ends") {
     CHECK(through.crossings[1].to_link == 3);
     CHECK(through.metres == doctest::Approx(0.6));
     CHECK(through.bits_per_second == 10'000'000);
-    CHECK(channel(network, "there").placement == ChannelPlacement{ChannelPlacement::Kind::link, 0, false, false});
-    CHECK(channel(network, "back[1]").placement.from_a_to_b);
+    CHECK(channel(network, "there").placement == ChannelPlacement{ChannelPlacement::Kind::link, {{0, false}}, false});
+    CHECK(channel(network, "back[1]").placement.route.front().from_a_to_b);
     CHECK(network.processes[0].parameters.at("weights[1][0]") == Value(std::int64_t{3}));
     CHECK(network.processes[0].parameters.at("name") == Value(std::string("a \"b\"\n")));
     CHECK(network.processes[0].parameters.at("least") == Value(std::numeric_limits<std::int64_t>::min()));
@@ -51,10 +50,10 @@ TEST_CASE("channels share out the links between neighbours") {
     CHECK(link(1) == 0);
     CHECK(link(2) == 1);
     CHECK(link(3) == 0);
-    CHECK(channel(network, "pumps[0].out -> sinks[0].in").placement.shared);
+    CHECK(channel(network, "pumps[0].out -> sinks[0].in").placement.in_packets);
     const auto& back = channel(network, "back_from.out -> back_to.in");
     CHECK(sending_link(network, back) == 0);
-    CHECK_FALSE(back.placement.shared); // alone in its direction
+    CHECK_FALSE(back.placement.in_packets); // alone in its direction
 }
 
 TEST_CASE("channels at the edge") {
@@ -63,10 +62,10 @@ TEST_CASE("channels at the edge") {
     CHECK(keys.from.at_edge());
     CHECK(network.nodes[keys.from.node].name == "host");
     CHECK(keys.placement.kind == ChannelPlacement::Kind::edge);
-    CHECK(keys.placement.connection == 0);
+    CHECK(keys.placement.route.front().connection == 0);
     const auto& log = channel(network, "log_in -> app.log");
     CHECK(network.nodes[log.from.node].name == "far");
-    CHECK(log.placement.connection == 1);
+    CHECK(log.placement.route.front().connection == 1);
     CHECK(channel(network, "app.trace[1] -> echo[1].in").placement.kind == ChannelPlacement::Kind::soft);
     CHECK(network.nodes[channel(network, "app.screen -> to_host").to.node].name == "host"); // the lower link
     CHECK(network.processes[0].other.at("location.code") == Value(std::int64_t{5}));
@@ -79,4 +78,58 @@ TEST_CASE("a channel placed on a link to an edge needs no edge channel") {
     REQUIRE(network.channels.size() == 1);
     CHECK(network.channels[0].name == "p.out -> host");
     CHECK(network.channels[0].placement.kind == ChannelPlacement::Kind::edge);
+}
+
+namespace {
+
+/// The links by which the channel leaves the processors on its way.
+std::string route_of(const Network& network, std::size_t channel = 0) {
+    std::string text;
+    for (const RouteHop& hop : network.channels[channel].placement.route)
+        text += (text.empty() ? "" : " ") + link_name(network.nodes, begin_of(hop, network.connections));
+    return text;
+}
+
+/// A ring of four, link 2 of each to link 1 of the next.
+Network ring_of_four(const std::string& rest) {
+    return good_text("connection c, w; T800 t[4]; rep i = 0 for 4 connect t[i].link[2] to t[(i + 1) % 4].link[1];"
+                     "process p[2], q[2]; use \"pump\" for p; use \"sink\" for q; connect p[0].out to q[0].in by c;"
+                     "connect p[1].out to q[1].in; rep i = 0 for 2 place p[i] on t[0];" +
+                     rest);
+}
+
+} // namespace
+
+TEST_CASE("a channel between processors that are not neighbours takes the shortest route") {
+    CHECK(route_of(ring_of_four("place q[0] on t[1]; place q[1] on t[1];"), 1) == "t[0].link[2]");
+    auto network = ring_of_four("place q[0] on t[2]; place q[1] on t[2];");
+    CHECK(route_of(network, 0) == "t[0].link[1] t[3].link[1]"); // of equals the lowest link
+    CHECK(route_of(network, 1) == "t[0].link[2] t[1].link[2]"); // the wires that fewer channels use
+    CHECK(network.channels[0].placement.in_packets);
+}
+
+TEST_CASE("the netlist tells routes: by what processors ask for, hop by hop, in part, by a wire") {
+    std::string across = "place q[0] on t[2]; place q[1] on t[0];";
+    CHECK(route_of(ring_of_four(across + "place p[0].out on t[0].link[2];")) == "t[0].link[2] t[1].link[2]");
+    CHECK(route_of(ring_of_four(across + "place q[0].in on t[2].link[1];")) == "t[0].link[2] t[1].link[2]");
+    CHECK(route_of(ring_of_four(across + "place p[0].out on t[0].link[1]; place p[0].out on t[3].link[1];")) ==
+          "t[0].link[1] t[3].link[1]");
+    std::string next = "place q[0] on t[1]; place q[1] on t[0];";
+    CHECK(route_of(ring_of_four(next)) == "t[0].link[2]");
+    CHECK(route_of(ring_of_four(next + "place p[0].out on t[0].link[1];")) == "t[0].link[1] t[3].link[1] t[2].link[1]");
+    CHECK(route_of(ring_of_four(next + "place q[0].in on t[1].link[2];")) == "t[0].link[1] t[3].link[1] t[2].link[1]");
+    auto by_cost =
+        good_text("T800 t[3]; T800 (routecost = 5) slow; rep i = 0 for 2 connect t[i].link[2] to t[i + 1].link[1];"
+                  "connect t[0].link[0] to slow.link[0]; connect slow.link[1] to t[2].link[3];"
+                  "process p, q; use \"pump\" for p; use \"sink\" for q; connect p.out to q.in; place p on t[0]; place "
+                  "q on t[2];");
+    CHECK(route_of(by_cost) == "t[0].link[2] t[1].link[2]");
+}
+
+TEST_CASE("a placement of a channel by a wire leads it over that wire") {
+    auto network =
+        good_text("connection c, w; T800 t[4]; rep i = 0 for 3 connect t[i].link[2] to t[i + 1].link[1];"
+                  "connect t[3].link[2] to t[0].link[1] by w; process p, q; use \"pump\" for p; use \"sink\" for q;"
+                  "connect p.out to q.in by c; place p on t[0]; place q on t[1]; place c on w;");
+    CHECK(route_of(network) == "t[0].link[1] t[3].link[1] t[2].link[1]");
 }

@@ -75,7 +75,7 @@ TEST_CASE("the JSON document") {
     const auto& channel = document.at("channels").as_array().at(4).as_object();
     CHECK(channel.at("from").as_object().at("process") == "pumps[4]");
     CHECK(channel.at("carrier").as_object().at("from").as_object().at("link") == 1);
-    CHECK(channel.at("carrier").as_object().at("shared") == true);
+    CHECK(channel.at("carrier").as_object().at("in_packets") == true);
 }
 
 TEST_CASE("the JSON document is UTF-8 whatever the file is") {

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "netlist/network/network.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace placedpar {
+
+/// What decides between routes, in this order: what the processors that they lead through ask for it (attribute
+/// `routecost`), how many wires they take, how many channels these carry already in their direction. Of routes that are
+/// equal in all of these the one that leaves its processors, from the first on, by the lowest links is taken.
+struct RouteCost {
+    std::int64_t processors = 0;
+    std::size_t hops = 0;
+    std::size_t load = 0;
+
+    RouteCost operator+(const RouteCost& other) const {
+        return {processors + other.processors, hops + other.hops, load + other.load};
+    }
+    auto operator<=>(const RouteCost&) const = default;
+};
+
+/// The best route over wires from node to node through processors that pass channels on. The load of connection i is
+/// load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all outlive it.
+class RouteSearch {
+public:
+    RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
+                const std::vector<std::size_t>& load);
+
+    /// Over at least one wire, and through none of the nodes of `around`. Nothing if there is none.
+    std::optional<std::vector<RouteHop>> best(std::size_t from, std::size_t to,
+                                              const std::set<std::size_t>& around = {}) const;
+    bool leads_through(std::size_t node) const;
+
+private:
+    struct Distances; ///< of nodes from the end of a route
+    Distances distances_to(std::size_t to, std::size_t from, const std::set<std::size_t>& around) const;
+    RouteCost cost_of(const RouteHop& hop, std::size_t to) const;
+
+    const std::vector<Node>& nodes_;
+    const std::vector<LinkConnection>& connections_;
+    const std::vector<std::size_t>& load_;
+    std::vector<std::vector<RouteHop>> leaving_; ///< each node, the lowest link first
+};
+
+} // namespace placedpar

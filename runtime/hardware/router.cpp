@@ -1,0 +1,159 @@
+#include "runtime/hardware/router.hpp"
+
+#include "runtime/executive.hpp"
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <utility>
+
+namespace placedpar::hardware {
+
+Cycles Router::cycles_of_passing_on() const {
+    Cycles communication = executive_ ? executive_->costs().hard_communication : Cycles{0};
+    return static_cast<std::int64_t>(packets_passed_on_) * 2 * (handling + communication);
+}
+
+Router::Port::Port(Router& router, LinkDirection& to, LinkDirection& from, Channel<Packet>& out, Channel<Packet>& in)
+    : router_(router), out_(out), in_(in),
+      sender_(router.kernel_, "router sender " + to.name(), std::bind_front(&Port::send_packets, this),
+              router.executive_, Priority::high),
+      receiver_(router.kernel_, "router receiver " + from.name(), std::bind_front(&Port::receive_packets, this),
+                router.executive_, Priority::high) {
+    for (Process* process : {&sender_, &receiver_}) {
+        process->serve_machine();
+        router.kernel_.make_ready(*process);
+    }
+}
+
+void Router::Port::post(const Packet& packet) {
+    auto turn = std::ranges::find_if(turns_, [&](const auto& each) { return each.front().route == packet.route; });
+    if (turn == turns_.end())
+        turns_.push_back({packet});
+    else
+        turn->push_back(packet);
+    assert(turn == turns_.end() || turn->size() <= Route::most_under_way);
+    if (std::exchange(sender_idle_, false))
+        router_.kernel_.make_ready(sender_);
+}
+
+/// REQUIRES: a packet waits.
+Packet Router::Port::take_turn() {
+    auto turn = std::move(turns_.front());
+    turns_.pop_front();
+    Packet packet = turn.front();
+    turn.pop_front();
+    if (!turn.empty())
+        turns_.push_back(std::move(turn));
+    return packet;
+}
+
+void Router::Port::send_packets() {
+    for (;;) {
+        while (turns_.empty()) {
+            sender_idle_ = true;
+            sender_.wait_for(Activity::inputting, nullptr, SourceLocation::current());
+        }
+        Packet packet = take_turn();
+        compute(handling);
+        out_.out().output(packet);
+    }
+}
+
+void Router::Port::receive_packets() {
+    for (;;) {
+        Packet packet = in_.in().input();
+        compute(handling);
+        if (Port* port = packet.route->onward(packet)) {
+            ++router_.packets_passed_on_;
+            port->post(packet);
+        } else {
+            packet.route->arrived(packet);
+        }
+    }
+}
+
+RouterLink::RouterLink(Kernel&, Link& link, Router& a, Router& b)
+    : a_to_b_("packets " + link.from_a_to_b().name()), b_to_a_("packets " + link.from_b_to_a().name()),
+      a_(a.ports_.emplace_back(a, link.from_a_to_b(), link.from_b_to_a(), a_to_b_, b_to_a_)),
+      b_(b.ports_.emplace_back(b, link.from_b_to_a(), link.from_a_to_b(), b_to_a_, a_to_b_)) {
+    a_to_b_.put_on(link.from_a_to_b());
+    b_to_a_.put_on(link.from_b_to_a());
+}
+
+Route::Route(Kernel&, const std::vector<Hop>& hops) {
+    for (const Hop& hop : hops) {
+        forth_.push_back(hop.from_a_to_b ? &hop.link.a_ : &hop.link.b_);
+        back_.push_back(hop.from_a_to_b ? &hop.link.b_ : &hop.link.a_);
+    }
+    std::ranges::reverse(back_);
+}
+
+void Route::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
+    Process& self = Kernel::current()->running();
+    charge(self, &OperationCosts::hard_communication);
+    channel_ = &channel;
+    outputter_ = &self;
+    bytes_left_ = form.total();
+    all_sent_ = false;
+    while (!all_sent_ && under_way_ < most_under_way)
+        send_packet();
+    self.wait_for(Activity::outputting, &channel, where);
+}
+
+void Route::send_packet() {
+    std::int64_t bytes = std::min(bytes_left_, Packet::most_bytes);
+    bytes_left_ -= bytes;
+    all_sent_ = bytes_left_ == 0;
+    ++under_way_;
+    forth_.front()->post({this, false, all_sent_, 0, bytes});
+}
+
+void Route::input(AnyChannel& channel, const SourceLocation& where) {
+    Process& self = Kernel::current()->running();
+    charge(self, &OperationCosts::hard_communication);
+    inputter_ = &self;
+    while (!here_.empty()) {
+        Packet packet = here_.front();
+        here_.pop_front();
+        take(packet);
+    }
+    if (inputter_)
+        self.wait_for(Activity::inputting, &channel, where);
+}
+
+Router::Port* Route::onward(Packet& packet) const {
+    const auto& ports = packet.acknowledge ? back_ : forth_;
+    return ++packet.hop < ports.size() ? ports[packet.hop] : nullptr;
+}
+
+void Route::arrived(const Packet& packet) {
+    if (packet.acknowledge) {
+        --under_way_;
+        if (!all_sent_)
+            send_packet();
+        else if (under_way_ == 0)
+            outputter_->kernel().make_ready(*outputter_);
+    } else if (Process* inputter = inputter_) {
+        take(packet);
+        if (!inputter_)
+            inputter->kernel().make_ready(*inputter);
+    } else {
+        here_.push_back(packet);
+        assert(here_.size() <= most_under_way);
+        if (here_.size() == 1)
+            channel_->announce();
+    }
+}
+
+/// By the inputting process, which has its message with the last of them.
+void Route::take(const Packet& packet) {
+    if (packet.last) {
+        channel_->hand_over();
+        inputter_ = nullptr;
+    }
+    back_.front()->post({this, true, packet.last, 0, 0});
+}
+
+} // namespace placedpar::hardware

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "runtime/carrier.hpp"
+#include "runtime/channel.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/process.hpp"
+#include "runtime/source_location.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <list>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+class Executive;
+class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
+
+class Route;
+
+/// What routers send each other: a part of a message on its way, or the acknowledge of one on its way back.
+struct Packet {
+    static constexpr std::uint32_t header_bytes = 4; ///< ours: one word names the channel and the kind of packet
+    static constexpr std::int64_t most_bytes = 256;  ///< ours: of a message, in one packet
+
+    Route* route;
+    bool acknowledge;
+    bool last;       ///< of its message
+    std::size_t hop; ///< of its way: which link it goes over, or has come by
+    std::int64_t bytes;
+
+    WireForm wire_form() const { return WireForm(header_bytes + bytes); }
+};
+
+/// Passes on packets at one processor: several channels share a link, and channels lead over processors between. At
+/// each link that it uses two high-priority processes send and receive packets. What has come is for a process here, or
+/// goes on over another link. Channels whose packets wait for a link take turns, one packet each, so that a long
+/// message does not block a short one.
+///
+/// This costs the links a header on each packet, and the processors `handling` for each packet sent and received
+/// besides the instructions: a packet that is passed on is both.
+///
+/// No deadlock can come of it, however the routes lead. A receiver never waits for anything but its link: it takes
+/// every packet that comes, since there is room for it. There is, since no more than Route::most_under_way packets of a
+/// channel and acknowledges of them exist at a time, and each router on its route keeps room for so many. So a packet
+/// that has a link's turn gets over it, turns come round, and every packet arrives, whatever processes do; a channel
+/// waits for its processes only.
+class Router {
+public:
+    static constexpr Cycles handling{200}; ///< ours: queueing, looking up the route, rescheduling
+
+    /// At the processor that `executive` is; null is infinitely fast.
+    explicit Router(Kernel& kernel, Executive* executive) : kernel_(kernel), executive_(executive) {}
+    Router(const Router&) = delete;
+    Router& operator=(const Router&) = delete;
+
+    /// Packets that came from one link and went on over another, and what they cost the processor, instructions
+    /// included; not what it took to interrupt others, at most once when one comes and once when it has gone.
+    std::uint64_t packets_passed_on() const { return packets_passed_on_; }
+    Cycles cycles_of_passing_on() const;
+
+private:
+    friend class RouterLink;
+    friend class Route;
+
+    /// The two processes at one link, and the packets that wait to be sent.
+    class Port {
+    public:
+        /// The packets of the other end come by `in`.
+        Port(Router&, LinkDirection& to, LinkDirection& from, Channel<Packet>& out, Channel<Packet>& in);
+        void post(const Packet&);
+
+    private:
+        void send_packets();
+        void receive_packets();
+        Packet take_turn();
+
+        Router& router_;
+        Channel<Packet>& out_;
+        Channel<Packet>& in_;
+        std::deque<std::deque<Packet>> turns_; ///< the packets of each channel that has any, the next to send first
+        bool sender_idle_ = false;             ///< it waits for a packet to send
+        Process sender_, receiver_;
+    };
+
+    Kernel& kernel_;
+    Executive* executive_;
+    std::list<Port> ports_;
+    std::uint64_t packets_passed_on_ = 0;
+};
+
+/// A link whose channels travel in packets, between two routers. REQUIRES: nothing else uses the link.
+class RouterLink {
+public:
+    RouterLink(Kernel&, Link&, Router& a, Router& b);
+
+private:
+    friend class Route;
+
+    Channel<Packet> a_to_b_, b_to_a_;
+    Router::Port &a_, &b_;
+};
+
+/// One step of a route: over a link, to the router at its other end.
+struct Hop {
+    RouterLink& link;
+    bool from_a_to_b;
+};
+
+/// A channel that travels in packets, over one link or several. It is a rendezvous as any other: the outputting process
+/// goes on when the last packet's acknowledge has come back. A packet is acknowledged when the inputting process takes
+/// it; till then it waits at the receiving end, and a channel whose receiver is late stops no other.
+class Route final : public Carrier {
+public:
+    static constexpr std::size_t most_under_way = 4; ///< ours: packets that the sender is ahead of acknowledges
+
+    /// REQUIRES: at least one hop; each begins at the router where the one before ends, and none is passed twice.
+    Route(Kernel&, const std::vector<Hop>&);
+
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override;
+    bool message_waits(const AnyChannel&) const override { return !here_.empty(); }
+
+private:
+    friend class Router;
+
+    /// The packet, which has come over a link, goes on at that router; nothing if it has arrived.
+    Router::Port* onward(Packet&) const;
+    void arrived(const Packet&);
+    void send_packet();
+    void take(const Packet&);
+
+    std::vector<Router::Port*> forth_, back_; ///< that packets and acknowledges leave by, hop by hop
+    AnyChannel* channel_ = nullptr;
+
+    // Of the message under way.
+    Process* outputter_ = nullptr;
+    std::int64_t bytes_left_ = 0; ///< not yet sent
+    bool all_sent_ = false;
+    std::size_t under_way_ = 0; ///< packets sent and not yet acknowledged
+
+    Process* inputter_ = nullptr; ///< from when it asks for a message until it has it
+    std::deque<Packet> here_;     ///< arrived, and no process has taken them
+};
+
+} // namespace placedpar::hardware

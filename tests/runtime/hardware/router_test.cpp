@@ -1,0 +1,468 @@
+// Channels that share a link, and channels over processors between.
+
+#include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/hardware/router.hpp"
+#include "runtime/random.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <list>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using std::chrono::microseconds;
+using std::chrono::nanoseconds;
+using test::cycle;
+
+namespace {
+
+struct TwoNodes {
+    Simulation simulation;
+    Processor& a = simulation.add<Processor>("a");
+    Processor& b = simulation.add<Processor>("b");
+    Link& link = simulation.add<Link>();
+    RouterLink& shared = simulation.add<RouterLink>(link, simulation.add<Router>(&a), simulation.add<Router>(&b));
+
+    Carrier& carrier(bool forth) { return simulation.add<Route>(std::vector{Hop{shared, forth}}); }
+};
+
+} // namespace
+
+TEST_CASE("two channels each way over one link: every message arrives, in the order of its channel") {
+    TwoNodes nodes;
+    std::list<Channel<int>> channels;
+    std::array<std::vector<int>, 4> received;
+    for (std::size_t i = 0; i < 4; ++i) {
+        bool forth = i < 2;
+        Channel<int>& c = channels.emplace_back("c");
+        c.put_on(nodes.carrier(forth));
+        nodes.simulation.process(
+            "outputter",
+            [&c, i] {
+                for (int k = 0; k < 20; ++k)
+                    c.out().output(static_cast<int>(100 * i) + k);
+            },
+            forth ? &nodes.a : &nodes.b);
+        nodes.simulation.process(
+            "inputter",
+            [&c, &received, i] {
+                for (int k = 0; k < 20; ++k)
+                    received[i].push_back(c.in().input());
+            },
+            forth ? &nodes.b : &nodes.a);
+    }
+    CHECK(nodes.simulation.run().ending == Ending::completed);
+    for (std::size_t i = 0; i < 4; ++i) {
+        REQUIRE(received[i].size() == 20);
+        for (int k = 0; k < 20; ++k)
+            CHECK(received[i][static_cast<std::size_t>(k)] == static_cast<int>(100 * i) + k);
+    }
+}
+
+TEST_CASE(
+    "an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
+    TwoNodes nodes;
+    Channel<int> late("late"), prompt("prompt");
+    late.put_on(nodes.carrier(true));
+    prompt.put_on(nodes.carrier(true));
+    Time late_output{}, late_input{}, prompt_output{};
+    nodes.simulation.process(
+        "outputs late", [&] { late.out().output(1), late_output = now(); }, &nodes.a);
+    nodes.simulation.process(
+        "outputs prompt", [&] { prompt.out().output(1), prompt_output = now(); }, &nodes.a);
+    nodes.simulation.process(
+        "inputs late", [&] { wait_until(microseconds{1000}), late.in().input(), late_input = now(); }, &nodes.b);
+    nodes.simulation.process(
+        "inputs prompt", [&] { prompt.in().input(); }, &nodes.b);
+    CHECK(nodes.simulation.run().ending == Ending::completed);
+    CHECK(late_input >= microseconds{1000});
+    CHECK(late_output > late_input);
+    CHECK(prompt_output < microseconds{200});
+}
+
+TEST_CASE("the stated price: a packet each way on the link, two handlings on each processor") {
+    TwoNodes nodes;
+    Channel<std::array<char, 100>> c("c");
+    c.put_on(nodes.carrier(true));
+    Time output{}, input{};
+    nodes.simulation.process(
+        "outputs", [&] { c.out().output({}), output = now(); }, &nodes.a);
+    nodes.simulation.process(
+        "inputs", [&] { c.in().input(), input = now(); }, &nodes.b);
+    CHECK(nodes.simulation.run().ending == Ending::completed);
+    CHECK(nodes.link.from_a_to_b().bytes_carried() == Packet::header_bytes + 100);
+    CHECK(nodes.link.from_b_to_a().bytes_carried() == Packet::header_bytes);
+    // a: the sender handles the packet and outputs it, the receiver inputs the acknowledge and handles it, and
+    // the program outputs: 200 + 19, 19 + 200 and 19 cycles, and the receiver asks for a second packet, 19.
+    // The sender's start interrupts the program once at most.
+    for (const Processor* processor : {&nodes.a, &nodes.b}) {
+        Time least = (2 * 200 + 4 * 19) * cycle;
+        CHECK(processor->time_busy() >= least);
+        CHECK(processor->time_busy() <= least + 2 * 19 * cycle);
+    }
+    Time on_link = 103 * nanoseconds{560} + nanoseconds{550};
+    // The inputting process has low priority: b has handled the acknowledge packet before it goes on.
+    CHECK(input >= on_link + 3 * 200 * cycle);
+    CHECK(input <= on_link + (3 * 200 + 6 * 19) * cycle);
+    Time back_on_link = 3 * nanoseconds{560} + nanoseconds{550};
+    CHECK(output - input >= back_on_link + 200 * cycle);
+    CHECK(output - input <= back_on_link + (200 + 3 * 19) * cycle);
+}
+
+TEST_CASE("a router that has nothing to do does not keep a run from completing") {
+    TwoNodes nodes;
+    Channel<int> c("c");
+    c.put_on(nodes.carrier(true));
+    nodes.simulation.process(
+        "computes", [] { compute(Cycles{10}); }, &nodes.a);
+    CHECK(nodes.simulation.run().ending == Ending::completed);
+}
+
+namespace {
+
+/// Processors and the links between them.
+struct Graph {
+    std::size_t nodes;
+    std::vector<std::pair<std::size_t, std::size_t>> links;
+};
+
+Graph ring(std::size_t n) {
+    Graph graph{n, {}};
+    for (std::size_t i = 0; i < n; ++i)
+        graph.links.emplace_back(i, (i + 1) % n);
+    return graph;
+}
+
+Graph torus(std::size_t rows, std::size_t columns) {
+    Graph graph{rows * columns, {}};
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t c = 0; c < columns; ++c) {
+            graph.links.emplace_back(r * columns + c, r * columns + (c + 1) % columns);
+            graph.links.emplace_back(r * columns + c, (r + 1) % rows * columns + c);
+        }
+    return graph;
+}
+
+Graph hypercube(std::size_t dimensions) {
+    Graph graph{std::size_t{1} << dimensions, {}};
+    for (std::size_t i = 0; i < graph.nodes; ++i)
+        for (std::size_t d = 0; d < dimensions; ++d)
+            if ((i & (std::size_t{1} << d)) == 0)
+                graph.links.emplace_back(i, i | std::size_t{1} << d);
+    return graph;
+}
+
+/// A simulation of it, with a router at every processor.
+class RoutedMachine {
+public:
+    explicit RoutedMachine(const Graph& graph) : graph_(graph) {
+        for (std::size_t i = 0; i < graph.nodes; ++i) {
+            processors.push_back(&simulation.add<Processor>("t" + std::to_string(i)));
+            routers.push_back(&simulation.add<Router>(processors.back()));
+        }
+        for (auto [a, b] : graph.links) {
+            links.push_back(&simulation.add<Link>());
+            shared_.push_back(&simulation.add<RouterLink>(*links.back(), *routers[a], *routers[b]));
+        }
+    }
+
+    /// Along these processors, each a neighbour of the one before.
+    Carrier& route(const std::vector<std::size_t>& way) {
+        std::vector<Hop> hops;
+        for (std::size_t i = 0; i + 1 < way.size(); ++i)
+            hops.push_back(hop(way[i], way[i + 1]));
+        return simulation.add<Route>(hops);
+    }
+
+    /// Any way that passes no processor twice, shortest or not.
+    std::vector<std::size_t> random_way(std::size_t from, std::size_t to, RandomStream& random) const {
+        std::vector<std::size_t> way;
+        do {
+            way = {from};
+            while (way.back() != to) {
+                auto next = neighbours_not_on(way);
+                if (next.empty())
+                    break;
+                way.push_back(next[random.below(static_cast<std::uint32_t>(next.size()))]);
+            }
+        } while (way.back() != to);
+        return way;
+    }
+
+    Simulation simulation;
+    std::vector<Processor*> processors;
+    std::vector<Router*> routers;
+    std::vector<Link*> links;
+
+private:
+    Hop hop(std::size_t from, std::size_t to) const {
+        for (std::size_t i = 0; i < graph_.links.size(); ++i)
+            for (bool forth : {true, false})
+                if (graph_.links[i] == (forth ? std::pair(from, to) : std::pair(to, from)))
+                    return {*shared_[i], forth};
+        throw std::logic_error("no neighbours");
+    }
+
+    std::vector<std::size_t> neighbours_not_on(const std::vector<std::size_t>& way) const {
+        std::vector<std::size_t> found;
+        for (auto [a, b] : graph_.links)
+            for (auto [from, to] : {std::pair(a, b), std::pair(b, a)})
+                if (from == way.back() && std::ranges::find(way, to) == way.end())
+                    found.push_back(to);
+        return found;
+    }
+
+    Graph graph_;
+    std::vector<RouterLink*> shared_;
+};
+
+Graph line(std::size_t n) {
+    Graph graph = ring(n);
+    graph.links.pop_back();
+    return graph;
+}
+
+struct Text {
+    std::size_t number, bytes;
+    WireForm wire_form() const { return WireForm(bytes); }
+};
+
+/// Every processor sends every other one some messages, short and long: what came by each channel, in order.
+/// `machine`: null if nothing is placed.
+std::vector<std::vector<std::size_t>> all_talk_to_all(std::size_t nodes, std::uint64_t seed, RoutedMachine* machine) {
+    constexpr std::size_t messages = 2;
+    Simulation unplaced;
+    Simulation& simulation = machine ? machine->simulation : unplaced;
+    RandomStream random(seed, "messages"), ways(seed, "ways");
+    std::list<Channel<Text>> channels;
+    std::vector<std::vector<Channel<Text>*>> to(nodes);
+    std::vector<std::vector<std::size_t>> received(nodes * nodes);
+    for (std::size_t from = 0; from < nodes; ++from)
+        for (std::size_t there = 0; there < nodes; ++there)
+            if (there != from) {
+                Channel<Text>& c = channels.emplace_back("c");
+                if (machine)
+                    c.put_on(machine->route(machine->random_way(from, there, ways)));
+                std::vector<Text> texts;
+                for (std::size_t i = 0; i < messages; ++i)
+                    texts.push_back({random.below(1000), random.below(6) == 0 ? 600u : 1u + random.below(40)});
+                to[there].push_back(&c);
+                simulation.process(
+                    "sends",
+                    [&c, texts] {
+                        for (const Text& text : texts)
+                            c.out().output(text);
+                    },
+                    machine ? machine->processors[from] : nullptr);
+            }
+    for (std::size_t there = 0; there < nodes; ++there)
+        simulation.process(
+            "takes",
+            [&, there] {
+                std::vector<Input<Text>> inputs;
+                for (Channel<Text>* c : to[there])
+                    inputs.push_back(c->in());
+                for (std::size_t n = 0; n < messages * inputs.size(); ++n)
+                    alt(std::span<const Input<Text>>(inputs),
+                        [&](std::size_t i, const Text& text) { received[there * nodes + i].push_back(text.number); });
+            },
+            machine ? machine->processors[there] : nullptr);
+    CHECK(simulation.run().ending == Ending::completed);
+    return received;
+}
+
+} // namespace
+
+TEST_CASE("a transfer over two links takes what its parts take, to the picosecond") {
+    RoutedMachine machine(line(3));
+    Channel<std::array<char, 10>> c("c");
+    c.put_on(machine.route({0, 1, 2}));
+    Time begin{}, input{}, output{};
+    machine.simulation.process(
+        "outputs",
+        [&] {
+            wait_until(microseconds{100});
+            begin = now();
+            c.out().output({});
+            output = now();
+        },
+        machine.processors[0]);
+    machine.simulation.process(
+        "inputs", [&] { c.in().input(), input = now(); }, machine.processors[2]);
+    CHECK(machine.simulation.run().ending == Ending::completed);
+
+    constexpr auto handling = 200 * cycle, instruction = 19 * cycle;
+    auto on_link = [](int bytes) { return (bytes - 1) * nanoseconds{560} + nanoseconds{550}; };
+    // The message is output, and the sender handles its packet and outputs it.
+    Time there = instruction + handling + instruction + on_link(14);
+    // The receiver handles it and asks for the next; the sender handles it and outputs it.
+    constexpr Time passed_on = 2 * (handling + instruction);
+    there += passed_on + on_link(14);
+    // Where it arrives, the acknowledge is on its way before the inputting process, of low priority, goes on.
+    there += passed_on;
+    CHECK(input - begin == there);
+    Time back = on_link(4) + passed_on + on_link(4) + handling + instruction;
+    CHECK(output - input == back);
+    CHECK(machine.routers[1]->packets_passed_on() == 2);
+    CHECK(machine.routers[1]->cycles_of_passing_on() == Cycles{2 * 2 * (200 + 19)});
+    CHECK(machine.routers[0]->packets_passed_on() == 0);
+    CHECK(machine.links[0]->from_a_to_b().bytes_carried() == 14);
+    CHECK(machine.links[1]->from_a_to_b().bytes_carried() == 14);
+    CHECK(machine.links[0]->from_b_to_a().bytes_carried() == 4);
+}
+
+TEST_CASE("what computes at a processor between is slowed down by the packets passed on, and by nothing else") {
+    auto end_of_computing = [](int messages) {
+        RoutedMachine machine(line(3));
+        Channel<std::array<char, 100>> c("c");
+        c.put_on(machine.route({0, 1, 2}));
+        Time end{};
+        machine.simulation.process(
+            "outputs",
+            [&] {
+                wait_until(microseconds{100});
+                for (int i = 0; i < messages; ++i)
+                    c.out().output({});
+            },
+            machine.processors[0]);
+        machine.simulation.process(
+            "computes", [&] { compute(Cycles{200'000}), end = now(); }, machine.processors[1]);
+        machine.simulation.process(
+            "inputs",
+            [&] {
+                for (int i = 0; i < messages; ++i)
+                    c.in().input();
+            },
+            machine.processors[2]);
+        CHECK(machine.simulation.run().ending == Ending::completed);
+        return end;
+    };
+    // For each message a packet and an acknowledge: each is received and sent, and interrupts when it comes and when it
+    // has gone.
+    Time each = 2 * (2 * 19 + 2 * (200 + 19)) * cycle;
+    CHECK(end_of_computing(1) - end_of_computing(0) == each);
+    CHECK(end_of_computing(7) - end_of_computing(0) == 7 * each);
+}
+
+TEST_CASE("a short message overtakes a long one, on every link that they share") {
+    RoutedMachine machine(line(3));
+    Channel<Text> long_one("long"), short_one("short");
+    long_one.put_on(machine.route({0, 1, 2}));
+    short_one.put_on(machine.route({0, 1, 2}));
+    Time long_done{}, short_sent{}, short_done{};
+    machine.simulation.process(
+        "outputs long",
+        [&] {
+            long_one.out().output({1, 100'000}), long_done = now();
+        },
+        machine.processors[0]);
+    machine.simulation.process(
+        "outputs short",
+        [&] {
+            wait_until(microseconds{10'000});
+            short_sent = now();
+            short_one.out().output({2, 10}), short_done = now();
+        },
+        machine.processors[0]);
+    machine.simulation.process(
+        "inputs long", [&] { CHECK(long_one.in().input().number == 1); }, machine.processors[2]);
+    machine.simulation.process(
+        "inputs short", [&] { CHECK(short_one.in().input().number == 2); }, machine.processors[2]);
+    CHECK(machine.simulation.run().ending == Ending::completed);
+    CHECK(long_done > microseconds{56'000}); // 100000 bytes at 1786 bytes a millisecond
+    // On each link one packet of the other channel goes before it, and on the way back none but acknowledges.
+    Time packet = 260 * nanoseconds{560};
+    CHECK(short_done - short_sent > microseconds{100});
+    CHECK(short_done - short_sent < 2 * 2 * packet + microseconds{150});
+    CHECK(machine.links[0]->from_a_to_b().bytes_carried() == 100'000 + 391 * 4 + 14);
+}
+
+TEST_CASE("a long message over three links is nearly as fast as over one: its packets follow each other") {
+    auto time_over = [](std::size_t links) {
+        RoutedMachine machine(line(links + 1));
+        Channel<Text> c("c");
+        std::vector<std::size_t> way(links + 1);
+        std::iota(way.begin(), way.end(), std::size_t{0});
+        c.put_on(machine.route(way));
+        machine.simulation.process(
+            "outputs",
+            [&] {
+                c.out().output({1, 100'000});
+            },
+            machine.processors.front());
+        machine.simulation.process(
+            "inputs", [&] { c.in().input(); }, machine.processors.back());
+        RunResult result = machine.simulation.run();
+        CHECK(result.ending == Ending::completed);
+        return result.time;
+    };
+    CHECK(time_over(3) > time_over(1));
+    CHECK(time_over(3) < time_over(1) * 12 / 10);
+}
+
+TEST_CASE("all processors talk to all others at once, by any routes: nothing is lost, late or stuck") {
+    for (const Graph& graph : {line(4), ring(3), ring(6), torus(3, 3), hypercube(2), hypercube(3)})
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+            CAPTURE(graph.nodes);
+            CAPTURE(graph.links.size());
+            CAPTURE(seed);
+            RoutedMachine machine(graph);
+            CHECK(all_talk_to_all(graph.nodes, seed, &machine) == all_talk_to_all(graph.nodes, seed, nullptr));
+        }
+}
+
+TEST_CASE("routers add no room: processes that would wait for each other still do") {
+    RoutedMachine machine(ring(5));
+    std::list<Channel<int>> channels;
+    for (std::size_t i = 0; i < 5; ++i)
+        channels.emplace_back("c" + std::to_string(i)).put_on(machine.route({i, (i + 1) % 5, (i + 2) % 5}));
+    std::vector<Channel<int>*> at;
+    for (Channel<int>& c : channels)
+        at.push_back(&c);
+    for (std::size_t i = 0; i < 5; ++i)
+        machine.simulation.process(
+            "p" + std::to_string(i), {at[i]->out(), at[(i + 3) % 5]->in()},
+            [&, i] {
+                at[i]->out().output(1);
+                at[(i + 3) % 5]->in().input();
+            },
+            machine.processors[i]);
+    RunResult result = machine.simulation.run();
+    REQUIRE(result.ending == Ending::stuck);
+    CHECK(result.deadlock->cycle == std::vector<std::string>{"p0", "p2", "p4", "p1", "p3"});
+}
+
+TEST_CASE("a message that waits at the end of its route is one for an alternation") {
+    RoutedMachine machine(line(3));
+    Channel<int> far("far"), near("near");
+    far.put_on(machine.route({0, 1, 2}));
+    near.put_on(machine.route({1, 2}));
+    std::vector<int> taken;
+    machine.simulation.process(
+        "far", [&] { far.out().output(1); }, machine.processors[0]);
+    machine.simulation.process(
+        "near", [&] { wait_until(microseconds{500}), near.out().output(2); }, machine.processors[1]);
+    machine.simulation.process(
+        "takes",
+        [&] {
+            wait_until(microseconds{300});
+            for (int i = 0; i < 2; ++i)
+                alt(on(far.in(), [&](int x) { taken.push_back(x); }),
+                    on(near.in(), [&](int x) { taken.push_back(x); }));
+        },
+        machine.processors[2]);
+    CHECK(machine.simulation.run().ending == Ending::completed);
+    CHECK(taken == std::vector<int>{1, 2});
+}
