@@ -24,11 +24,11 @@ using test::cycle;
 
 namespace {
 
-struct Block {
+struct MovedBlock {
     std::uint32_t bytes;
     WireForm wire_form() const { return WireForm(bytes); }
 };
-using Bytes = Channel<Block>;
+using Bytes = Channel<MovedBlock>;
 
 constexpr std::int64_t hertz = 20'000'000;
 
