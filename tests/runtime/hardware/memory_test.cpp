@@ -30,12 +30,12 @@ struct MovedBlock {
 };
 using Bytes = Channel<MovedBlock>;
 
-constexpr std::int64_t hertz = 20'000'000;
+constexpr std::int64_t twenty_megahertz = 20'000'000;
 
 /// A processor with a link that processes without one use meanwhile.
 struct OneLink {
     explicit OneLink(const Memory& memory, bool receives = true)
-        : processor(simulation.add<Processor>("t", hertz, Cycles{0}, memory)), link(simulation.add<Link>()) {
+        : processor(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, memory)), link(simulation.add<Link>()) {
         processor.has_link(link);
         channel.put_on(receives ? link.from_a_to_b() : link.from_b_to_a());
     }
@@ -128,7 +128,7 @@ TEST_CASE("of a message that is still coming, the words until the end count, tho
 
 TEST_CASE("time that links take does not cost a process its timeslice, nor its place before its rivals") {
     Simulation simulation;
-    Processor& t800 = simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.access = Cycles{3}});
+    Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     Link& link = simulation.add<Link>();
     t800.has_link(link);
     Bytes channel("channel");
@@ -177,8 +177,8 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
     std::deque<Bytes> channels;
     std::vector<Processor*> chain;
     for (int i = 0; i < nodes; ++i)
-        chain.push_back(
-            &simulation.add<Processor>(fmt::format("t{}", i), hertz, Cycles{0}, Memory{.access = Cycles{3}}));
+        chain.push_back(&simulation.add<Processor>(fmt::format("t{}", i), twenty_megahertz, Cycles{0},
+                                                   Memory{.access = Cycles{3}}));
     for (int i = 0; i + 1 < nodes; ++i) {
         Link& link = simulation.add<Link>();
         chain[static_cast<std::size_t>(i)]->has_link(link), chain[static_cast<std::size_t>(i) + 1]->has_link(link);
@@ -221,7 +221,7 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
 
 TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s outside of the chip (databook)") {
     Simulation simulation;
-    Processor& t800 = simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.access = Cycles{3}});
+    Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     Bytes channel("soft");
     Time ended{};
     simulation.process(
@@ -234,6 +234,8 @@ TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s out
 
 TEST_CASE("memory that takes no time, or has words of another size, is refused") {
     Simulation simulation;
-    CHECK_THROWS_AS(simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.access = Cycles{0}}), std::logic_error);
-    CHECK_THROWS_AS(simulation.add<Processor>("t", hertz, Cycles{0}, Memory{.bytes_in_a_word = 8}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{0}}),
+                    std::logic_error);
+    CHECK_THROWS_AS(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.bytes_in_a_word = 8}),
+                    std::logic_error);
 }
