@@ -47,18 +47,21 @@ Time Timer::tick() const {
     return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
 }
 
-std::int64_t Timer::read() const {
+std::int32_t Timer::read() const {
     charge(Kernel::here().running(), &OperationCosts::timer_read);
-    return now() / tick();
+    return static_cast<std::int32_t>(now() / tick());
 }
 
-Time Timer::moment_after(std::int64_t ticks) const {
-    if (ticks < 0)
-        return Time{0};
-    return later(times(ticks, tick()), tick());
+Time Timer::moment_after(std::int32_t ticks) const {
+    std::int64_t since_start = now() / tick();
+    auto reading = static_cast<std::int32_t>(since_start);
+    if (is_after(reading, ticks))
+        return times(since_start, tick());
+    std::int64_t to_come = static_cast<std::uint32_t>(minus(ticks, reading)); // half of a round at most
+    return times(since_start + to_come + 1, tick());
 }
 
-void Timer::wait_after(std::int64_t ticks, const SourceLocation& where) const {
+void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {
     Time moment = moment_after(ticks);
     bool has_to_wait = moment > now();
     if (has_to_wait)

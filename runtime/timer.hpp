@@ -22,18 +22,32 @@ void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
 /// left behind: the run's time, its trace and its limit are those of the work.
 void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 
-/// occam's TIMER: the clock that the running process's executive shows to processes of its priority. Unlike the
-/// hardware's 32-bit clock it does not wrap round.
+// What occam does with readings of a clock, which has 32 bits and wraps round: at high priority after 71 minutes and
+// 35 seconds, at low after 76 hours.
+
+/// `a PLUS b`
+constexpr std::int32_t plus(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+/// `a MINUS b`: the ticks from b to a, if they are fewer than half of a round.
+constexpr std::int32_t minus(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+/// `a AFTER b`: whether a is later, if they are less than half of a round apart.
+constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0; }
+
+/// occam's TIMER: the clock that the running process's executive shows to processes of its priority.
 class Timer {
 public:
     /// The period of the running process's clock. That of a process that is not placed is a microsecond.
     Time tick() const;
-    /// `timer ? t`: whole ticks since the start.
-    std::int64_t read() const;
-    /// The moment at which the clock's reading becomes later than `ticks`: until then `timer ? AFTER ticks` waits.
-    Time moment_after(std::int64_t ticks) const;
+    /// `timer ? t`: whole ticks since the start of the run, of which the clock has the lowest 32 bits.
+    std::int32_t read() const;
+    /// The moment at which the clock's reading becomes later than `ticks`; one that is not to come if it is later
+    /// already. Until then `timer ? AFTER ticks` waits.
+    Time moment_after(std::int32_t ticks) const;
     /// `timer ? AFTER ticks`.
-    void wait_after(std::int64_t ticks, const SourceLocation& = SourceLocation::current()) const;
+    void wait_after(std::int32_t ticks, const SourceLocation& = SourceLocation::current()) const;
 };
 
 } // namespace placedpar

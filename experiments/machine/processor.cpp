@@ -50,7 +50,7 @@ public:
     double tick(Priority priority) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
-        std::int64_t ticks = 0;
+        std::int32_t ticks = 0;
         constexpr Time long_time = std::chrono::seconds{1};
         simulation.process(
             "reads", [&] { wait_until(long_time), ticks = Timer().read(); }, &t800, priority);

@@ -91,7 +91,9 @@ TEST_CASE("processes of both priorities, timeslices, timers and links just befor
     simulation.process("sends back", [&] { wait_until(late), d.out().output(1); });
     simulation.process("alternates", [&] { alt(on(d.in(), [](int) {}), after(Time::max(), [] {})); });
     simulation.process(
-        "timer", [] { Timer().wait_after(std::numeric_limits<std::int64_t>::max()); }, &t800);
+        "timer",
+        [] { wait_until(late), Timer().wait_after(plus(Timer().read(), std::numeric_limits<std::int32_t>::max())); },
+        &t800);
     CHECK(error_of(simulation).starts_with("virtual time lasts for 106 days"));
 }
 

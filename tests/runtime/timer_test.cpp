@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 using namespace placedpar;
 using namespace placedpar::hardware;
 using std::chrono::microseconds;
@@ -15,7 +17,7 @@ TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one eve
     for (Priority priority : {Priority::high, Priority::low}) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800");
-        std::int64_t early = 0, late = 0;
+        std::int32_t early = 0, late = 0;
         simulation.process(
             "reader",
             [&] {
@@ -36,7 +38,7 @@ TEST_CASE("AFTER waits until the clock reads more than the time given") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Time high{}, low{}, past{};
-    std::int64_t reading = 0;
+    std::int32_t reading = 0;
     simulation.process(
         "high", [&] { Timer().wait_after(5), high = now(); }, &t800, Priority::high);
     simulation.process(
@@ -53,6 +55,42 @@ TEST_CASE("AFTER waits until the clock reads more than the time given") {
     CHECK(low == microseconds{256});
     CHECK(reading == 4);
     CHECK(past == microseconds{256} + nanoseconds{(2 + 4) * 50}); // it does not wait, but costs its cycles
+}
+
+TEST_CASE("the clock has 32 bits: PLUS, MINUS and AFTER count on through its end") {
+    constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max(),
+                           first = std::numeric_limits<std::int32_t>::min();
+    static_assert(plus(last, 1) == first && minus(first, last) == 1);
+    static_assert(is_after(first, last) && !is_after(last, first) && !is_after(last, last));
+    static_assert(is_after(last, 0) && !is_after(first, 0)); // half of a round away: neither is later
+
+    constexpr Time half_round = (std::int64_t{1} << 31) * microseconds{1};
+    Simulation simulation;
+    Processor& t800 = simulation.add<Processor>("t800");
+    std::int32_t before = 0, behind = 0, round = 0;
+    Time waited{};
+    bool waited_for_the_past = false;
+    simulation.process(
+        "reads",
+        [&] {
+            Timer timer;
+            wait_until(half_round - microseconds{10});
+            before = timer.read();
+            timer.wait_after(plus(before, 20)), waited = now();
+            behind = timer.read();
+            Time since = now();
+            timer.wait_after(before);
+            waited_for_the_past = now() - since > microseconds{1};
+            wait_until(2 * half_round + microseconds{3});
+            round = timer.read();
+        },
+        &t800, Priority::high);
+    simulation.run();
+    CHECK(before == last - 9);
+    CHECK(waited == half_round + microseconds{11});
+    CHECK(behind == first + 11);
+    CHECK(!waited_for_the_past);
+    CHECK(round == 3);
 }
 
 TEST_CASE("delays of one moment end in the order in which they began") {
