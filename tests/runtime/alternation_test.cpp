@@ -137,6 +137,87 @@ TEST_CASE("the replicated form names the input that was chosen") {
     CHECK(chosen == "11 22 00 ");
 }
 
+namespace {
+
+/// What three outputters of five messages each send, in the order in which it is taken: by digits 0, 1 and 2.
+template <class Take>
+std::string taken(int messages, const Take& take) {
+    Simulation simulation;
+    std::list<Channel<int>> channels;
+    std::vector<Input<int>> inputs;
+    for (int i = 0; i < 3; ++i) {
+        auto& channel = channels.emplace_back(fmt::format("c{}", i));
+        inputs.push_back(channel.in());
+        simulation.process(fmt::format("outputter {}", i), [&channel, i] {
+            for (int n = 0; n < 5; ++n)
+                channel.out().output(i);
+        });
+    }
+    std::string log;
+    simulation.process("alternates", [&] {
+        for (int n = 0; n < messages; ++n) {
+            wait_for(microseconds{1}); // all are ready again
+            take(std::span<const Input<int>>(inputs), log);
+        }
+    });
+    simulation.run();
+    return log;
+}
+
+void note(std::string& log, int x) { log += static_cast<char>('0' + x); }
+
+} // namespace
+
+TEST_CASE("a replicated guard stands beside a time-out, in its place in the order") {
+    std::string chosen = run_with_outputs({microseconds{5}, microseconds{1}}, [](auto c, std::string& log) {
+        std::vector<Input<int>> inputs{c[0]->in(), c[1]->in()};
+        for (int i = 0; i < 3; ++i) {
+            std::size_t index = alt(each(std::span<const Input<int>>(inputs),
+                                         [&](std::size_t from, int x) { log += fmt::format("{}={}", from, x); }),
+                                    after(microseconds{3}, [&] { log += "late"; }));
+            log += fmt::format("@{}#{} ", now() / microseconds{1}, index);
+            if (index == 2)
+                wait_until(microseconds{6});
+        }
+    });
+    CHECK(chosen == "1=1@1#1 late@3#2 0=0@6#0 ");
+}
+
+TEST_CASE("PRI ALT takes the first as long as it is ready, a fair ALT takes each in its turn") {
+    CHECK(taken(9, [](auto inputs, std::string& log) {
+              alt(each(inputs, [&](std::size_t, int x) { note(log, x); }));
+          }) == "000001111");
+    Turn turn;
+    CHECK(taken(15, [&](auto inputs, std::string& log) {
+              alt(each(inputs, turn, [&](std::size_t i, int x) { note(log, static_cast<int>(i) == x ? x : 9); }));
+          }) == "012012012012012");
+}
+
+TEST_CASE("conditions stand before each of a replicated guard, by its number, in a fair one too") {
+    Turn turn;
+    CHECK(taken(6, [&](auto inputs, std::string& log) {
+              alt(when([](std::size_t i) { return i != 1; },
+                       each(inputs, turn, [&](std::size_t, int x) { note(log, x); })));
+          }) == "020202");
+    CHECK(taken(2, [&](auto inputs, std::string& log) {
+              alt(when(false, each(inputs, [&](std::size_t, int x) { note(log, x); })), skip([&] { log += "skip "; }));
+          }) == "skip skip ");
+}
+
+TEST_CASE("an ALT within an ALT stands in its place, and a condition before it counts for all of it") {
+    for (bool condition : {true, false})
+        CHECK(taken(3, [&](auto inputs, std::string& log) {
+                  auto from = [&](std::size_t i) { return on(inputs[i], [&](int x) { note(log, x); }); };
+                  alt(when(condition, either(from(2), from(1))), from(0));
+              }) == (condition ? "222" : "000"));
+}
+
+TEST_CASE("a replicated guard of no inputs is never ready") {
+    CHECK(taken(1, [](auto, std::string& log) {
+              alt(each(std::span<const Input<int>>(), [](std::size_t, int) {}), skip([&] { log += "skip"; }));
+          }) == "skip");
+}
+
 TEST_CASE("an alternation none of whose guards can be ready is an error that names the process") {
     Simulation simulation;
     Channel<int> c("c");
