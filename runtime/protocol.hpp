@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace placedpar {
@@ -21,6 +22,16 @@ public:
     template <std::integral... Bytes>
     requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
         : bytes_{length(bytes)...}, parts_(sizeof...(Bytes)) {}
+
+    /// The same behind a tag, a byte that is a communication of its own. Throws std::length_error beyond most_parts.
+    constexpr WireForm behind_tag() const {
+        if (parts_ == most_parts)
+            throw std::length_error("a variant of a message has 3 parts at most, behind its tag");
+        WireForm tagged(1);
+        for (std::size_t part = 0; part < parts_; ++part)
+            tagged.bytes_[tagged.parts_++] = bytes_[part];
+        return tagged;
+    }
 
     constexpr std::size_t parts() const { return parts_; }
     constexpr std::uint32_t operator[](std::size_t part) const { return bytes_[part]; }
@@ -60,6 +71,19 @@ WireForm wire_form(const T& message) {
 template <class T>
 requires std::is_trivially_copyable_v<T> WireForm wire_form(const std::vector<T>& message) {
     return WireForm(4u, message.size() * sizeof(T));
+}
+
+/// occam's variant protocol, `PROTOCOL P CASE ...`: a tag says which it is, and each variant weighs what it is. An
+/// empty struct is a variant that is nothing but its tag.
+template <class... Variants>
+WireForm wire_form(const std::variant<Variants...>& message) {
+    auto form = []<class T>(const T& variant) {
+        if constexpr (std::is_empty_v<T> && !requires { variant.wire_form(); })
+            return WireForm(1);
+        else
+            return wire_form(variant).behind_tag();
+    };
+    return std::visit(form, message);
 }
 
 } // namespace placedpar
