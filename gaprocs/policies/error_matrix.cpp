@@ -7,13 +7,16 @@ namespace placedpar {
 
 namespace {
 
-constexpr double least_error = 1e-12;
+// So that quotients and their sums are finite whatever a problem gives: an error that is no number counts as the
+// greatest.
+constexpr double least_error = 1e-12, greatest_error = 1e100;
 
 double error_of_window(std::span<const double> errors, ErrorMatrix::Sum sum) {
     double total = 0;
     for (double error : errors)
         total += sum == ErrorMatrix::Sum::plain ? error : error * error;
-    return sum == ErrorMatrix::Sum::means ? total / static_cast<double>(errors.size()) : std::abs(total);
+    double error = sum == ErrorMatrix::Sum::means ? total / static_cast<double>(errors.size()) : std::abs(total);
+    return error < greatest_error ? error : greatest_error;
 }
 
 } // namespace

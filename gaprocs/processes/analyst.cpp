@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -88,10 +89,18 @@ private:
         }
     }
 
-    /// Its work is the error of each best at each sample of the longest window.
+    /// Each best has one at each sample of the longest window, or of every window where it depends on where that
+    /// begins.
+    std::size_t errors_to_find() const {
+        const std::vector<std::size_t> windows = windows_of(islands_);
+        std::size_t of_each = problem_.depends_on_window()
+                                  ? std::accumulate(windows.begin(), windows.end(), std::size_t{0})
+                                  : longest_window_;
+        return islands_.size() * of_each;
+    }
+
     void analyse(const std::vector<IslandReport>& reports) {
-        compute(static_cast<std::int64_t>(islands_.size() * longest_window_) *
-                Cycles{environment_.integer("cycles_per_error")});
+        compute(static_cast<std::int64_t>(errors_to_find()) * Cycles{environment_.integer("cycles_per_error")});
         std::vector<Individual> bests;
         std::ranges::transform(reports, std::back_inserter(bests), &IslandReport::best);
         analysis_.analyse(bests, samples_.samples());

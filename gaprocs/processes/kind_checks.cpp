@@ -231,7 +231,9 @@ private:
                                          slaves, population, population - 1, population == 2 ? "" : "s"));
         std::size_t individuals = most_individuals(static_cast<std::size_t>(population),
                                                    static_cast<std::size_t>(slaves) + 1, split_named(text("split")));
-        check_message(process_, individuals, "string_bytes", integer("measurement_bytes"));
+        if (coded_problem_)
+            check_message(process_, individuals, "string_bytes", string_bytes(integer("string_bytes"), *coded_problem_),
+                          integer("measurement_bytes"));
         if (integer("tasks_under_way") > 1 && text("split") != "demand")
             refuse("tasks_under_way",
                    fmt::format("tasks_under_way = {}, but with the split \"{}\" each slave is sent one task",
@@ -239,16 +241,16 @@ private:
                    "split = \"demand\" sends several");
         for (std::size_t slave : tree.slaves) {
             check_problem(slave, process_);
-            check_message(slave, individuals, "fitness_bytes", 0);
+            check_message(slave, individuals, "fitness_bytes", integer_of(slave, "fitness_bytes"), 0);
         }
     }
 
-    void check_message(std::size_t process, std::size_t individuals, const char* bytes_each, std::int64_t others) {
+    void check_message(std::size_t process, std::size_t individuals, const char* parameter, std::int64_t bytes_each,
+                       std::int64_t others) {
         try {
-            message_bytes(individuals, static_cast<std::uint32_t>(integer_of(process, bytes_each)),
-                          static_cast<std::uint32_t>(others));
+            message_bytes(individuals, static_cast<std::uint32_t>(bytes_each), static_cast<std::uint32_t>(others));
         } catch (const UserError& too_long) {
-            refuse_of(process, bytes_each, too_long.what());
+            refuse_of(process, parameter, too_long.what());
         }
     }
 

@@ -53,6 +53,10 @@ Split split_named(const std::string& name) {
     return Split::evaluations; // the catalogue allows no other
 }
 
+std::uint32_t string_bytes(std::int64_t stated, const SearchProblem& problem) {
+    return static_cast<std::uint32_t>(stated > 0 ? stated : static_cast<std::int64_t>((problem.bits() + 7) / 8));
+}
+
 Workload read_slave_workload(const ProcessEnvironment& environment) {
     Workload workload;
     workload.error_evaluation = Cycles{environment.integer("cycles_per_error")};
@@ -64,7 +68,7 @@ Workload read_workload(const ProcessEnvironment& environment, const SearchProble
     Workload workload = read_slave_workload(environment);
     workload.genetic_operators = Cycles{environment.integer("cycles_per_individual")};
     workload.measurement_conversion = Cycles{environment.integer("cycles_per_measurement_word")};
-    workload.string_bytes = bytes(environment, "string_bytes");
+    workload.string_bytes = string_bytes(environment.integer("string_bytes"), problem);
     workload.measurement_bytes = problem.objective() ? 0 : bytes(environment, "measurement_bytes");
     return workload;
 }

@@ -18,6 +18,8 @@ class ProcessEnvironment;
 // The parameters that the process kinds describe, in the form that their bodies use.
 
 Split split_named(const std::string&); ///< as the parameter "split" names it
+/// What a string takes in a message: as stated, or where that is 0 the problem's bits in whole bytes.
+std::uint32_t string_bytes(std::int64_t stated, const SearchProblem&);
 /// An objective problem has no measurements to send.
 Workload read_workload(const ProcessEnvironment&, const SearchProblem&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< only what a slave uses

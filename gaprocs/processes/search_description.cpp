@@ -102,7 +102,10 @@ ParameterDescription fitness_bytes() {
 Parameters search_parameters() {
     return population_parameters() + operator_parameters() + workload_parameters() +
            Parameters{
-               bytes_in_message("string_bytes", 2, "an individual's string in a message"), fitness_bytes(),
+               description::integer("string_bytes", {.unit = "bytes", .by_default = 0, .least = 0, .most = 65536},
+                                    "an individual's string in a message; 0: what the problem's takes, in whole "
+                                    "bytes, 8 for each number or place"),
+               fitness_bytes(),
                bytes_in_message("measurement_bytes", 148, "the measurements of a window in a message (appendix E)")};
 }
 

@@ -2,6 +2,7 @@
 
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/parameters.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "tests/gaprocs/line_problem.hpp"
@@ -338,6 +339,22 @@ TEST_CASE("operators and codings that do not fit the strings are refused where t
     says(line("coding = \"gray(65)\""), "dont_care = 65 is out of range");
     says(line("mutation_operator = \"swap\""), "does not fit binary strings: expected bit");
     CHECK(line("coding = \"gray(dont_care = 2)\"").empty());
+}
+
+TEST_CASE("a string weighs what the netlist says, or else its bits in whole bytes") {
+    auto problem = make_search_problem(LineProblem{});
+    CHECK(string_bytes(0, *problem) == (problem->bits() + 7) / 8);
+    CHECK(string_bytes(2, *problem) == 2);
+    auto time_with = [](const std::string& stated) {
+        auto lines = statements();
+        lines.at("master") = "master (problem = \"line\", slaves = 2" + stated + ");";
+        Kinds kinds;
+        auto read = read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs");
+        REQUIRE(read.network);
+        return Machine(*read.network, kinds.catalogue, 1).run().result.time;
+    };
+    CHECK(time_with("") == time_with(", string_bytes = 1"));
+    CHECK(time_with("") < time_with(", string_bytes = 512"));
 }
 
 TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {

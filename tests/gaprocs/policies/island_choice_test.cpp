@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 using namespace placedpar;
@@ -111,6 +112,21 @@ TEST_CASE("with the row's own error, a change that only the shortest window has 
     RandomStream random(1, "not drawn from");
     CHECK(RowChoice{}(bests, random) == 3);
     CHECK(PrintedChoice{}(bests, random) == 0);
+}
+
+TEST_CASE("an error that is no number is the greatest: by the row's own error such an island is not chosen") {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    RandomStream random(1, "not drawn from");
+    for (double wrong : {nan, infinity, -infinity, 1e300}) {
+        CAPTURE(wrong);
+        // The last two samples are after a change that only the island with the shortest window has followed.
+        ErrorsOfBest bests{{4, 3, 2}, {{wrong, wrong, wrong, wrong}, {.01, .01, 1, 1}, {1, 1, .01, .01}}};
+        CHECK(IslandChoice::named("row")(bests, random) == 2);
+        ErrorMatrix matrix(bests, Sum::squares);
+        for (auto normaliser : {Normaliser::row, Normaliser::column})
+            for (std::size_t i = 0; i < 3; ++i)
+                CHECK(std::isfinite(matrix.ratio(i, normaliser)));
+    }
 }
 
 TEST_CASE("two perfect islands are equals, and the first is chosen") {
