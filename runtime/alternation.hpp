@@ -73,37 +73,42 @@ struct Turn {
     std::size_t next = 0;
 };
 
-/// A replicated guard that is fair: the first to be looked at is the one behind that which was chosen last, so that
-/// each that is ready is chosen before another is a second time (G. Jones, Carefully scheduled selection with ALT,
-/// occam user group newsletter 10, 1989). `each(inputs, turn, [&](std::size_t i, T message) { ... })`.
+namespace detail {
+
+/// One guard of each input, beginning with inputs[first]. `body` is given the number of the input.
 template <class T, class Body>
-auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
-          const SourceLocation& where = SourceLocation::current()) {
+auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, const SourceLocation& where) {
     std::vector<Guard> guards;
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-        numbers.push_back((turn.next + k) % inputs.size());
+        numbers.push_back((first + k) % inputs.size());
         guards.push_back({Guard::input, &inputs[numbers.back()].channel(), Time{}, where});
     }
-    return Guards{std::move(guards), std::move(numbers),
-                  [inputs, &turn, body = std::move(body), where](std::size_t i) mutable {
-                      turn.next = i + 1;
-                      body(i, inputs[i].input(where));
-                  }};
+    return Guards{std::move(guards), std::move(numbers), std::move(body)};
 }
 
+} // namespace detail
+
 /// A replicated guard, `ALT i = 0 FOR n`: `each(inputs, [&](std::size_t i, T message) { ... })`. Of several ready ones
-/// the first is chosen.
+/// the first is chosen. REQUIRES: the inputs outlive it.
 template <class T, class Body>
 auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
-    std::vector<Guard> guards;
-    std::vector<std::size_t> numbers;
-    for (const Input<T>& from : inputs) {
-        numbers.push_back(numbers.size());
-        guards.push_back({Guard::input, &from.channel(), Time{}, where});
-    }
-    return Guards{std::move(guards), std::move(numbers),
-                  [inputs, body = std::move(body), where](std::size_t i) mutable { body(i, inputs[i].input(where)); }};
+    auto take = [inputs, body = std::move(body), where](std::size_t i) mutable { body(i, inputs[i].input(where)); };
+    return detail::replicated(inputs, 0, std::move(take), where);
+}
+
+/// A replicated guard that is fair: the first to be looked at is the one behind that which was chosen last, so that
+/// each that is ready is chosen before another is a second time (G. Jones, Carefully scheduled selection with ALT,
+/// occam user group newsletter 10, 1989). `each(inputs, turn, [&](std::size_t i, T message) { ... })`. REQUIRES: the
+/// inputs and the turn outlive it.
+template <class T, class Body>
+auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
+          const SourceLocation& where = SourceLocation::current()) {
+    auto take = [inputs, &turn, body = std::move(body), where](std::size_t i) mutable {
+        turn.next = i + 1;
+        body(i, inputs[i].input(where));
+    };
+    return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
 /// An ALT within an ALT: its guards stand in its place, in their order.

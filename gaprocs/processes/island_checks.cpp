@@ -6,6 +6,7 @@
 #include "gaprocs/processes/island_run.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/processes/slave_tree.hpp"
 #include "text/counted.hpp"
 #include "text/user_error.hpp"
@@ -112,8 +113,10 @@ private:
         auto emigration = Emigration::named(text(process_, "emigration"));
         try {
             emigration.validate_for(static_cast<std::size_t>(integer(process_, "population")));
-            message_bytes(emigration.count(), static_cast<std::uint32_t>(integer(process_, "string_bytes") +
-                                                                         integer(process_, "fitness_bytes")));
+            if (auto recorded = named_problem(problems_, process_))
+                message_bytes(emigration.count(),
+                              string_bytes(integer(process_, "string_bytes"), *recorded->problem()) +
+                                  static_cast<std::uint32_t>(integer(process_, "fitness_bytes")));
         } catch (const UserError& too_many) {
             refuse("emigration", too_many.what());
         }
