@@ -35,6 +35,11 @@ public:
     /// Of so many bytes the last is on the wire until the moment `until`, which may be still to come.
     virtual void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) = 0;
 
+    /// A track of a bus, which is what it carries, or a master that waits for it, is the subject's from now on; it is
+    /// nobody's again.
+    virtual void occupied(const std::string& track, const std::string& subject, Time) = 0;
+    virtual void vacated(const std::string& track, Time) = 0;
+
     /// The work is over; the processes that are left still stand where they wait. Nothing is said afterwards.
     virtual void over(Time) = 0;
 

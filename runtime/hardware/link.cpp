@@ -117,7 +117,37 @@ void LinkDirection::take_part() {
         channel_->hand_over();
 }
 
+void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool last_part) {
+    serve(channel);
+    sender_ = &kernel_.running();
+    for (MemoryOfEngines* memory : memories_)
+        ++memory->parts_under_way;
+    bytes_in_part_ = bytes_left_ = bytes;
+    last_part_ = last_part;
+}
+
+void LinkDirection::write_byte() {
+    writable_ = false;
+    out_.ask_for_byte(*this);
+}
+
+void LinkDirection::may_be_written() {
+    writable_ = true;
+    writer_->register_ready();
+}
+
+LinkDirection::Ended LinkDirection::read_byte() {
+    readable_ = acknowledge_owed_ = first_byte_waits_ = false;
+    bool ends_part = bytes_left_ == 0, ends_message = ends_part && last_part_;
+    if (ends_part)
+        take_part();
+    back_.ask_for_acknowledge(*this);
+    return ends_message ? Ended::message : ends_part ? Ended::part : Ended::nothing;
+}
+
 void LinkDirection::start_byte() {
+    if (writer_)
+        return may_be_written();
     skipped_bytes_ = 0;
     opposite_.simulate_bytes_again();
     out_.ask_for_byte(*this);
@@ -136,13 +166,16 @@ void LinkDirection::byte_started() {
         last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(later(seen, timing_.data()));
     if (kernel_.trace()) {
         trace_bytes(kernel_.now());
-        if (bytes_left_ == 0)
+        if (bytes_left_ == 0 || writer_)
             trace_break(kernel_.now());
     }
 }
 
 void LinkDirection::byte_noticed() {
-    if (receiver_ || taken_)
+    if (reader_) {
+        readable_ = acknowledge_owed_ = true;
+        reader_->register_ready();
+    } else if (receiver_ || taken_)
         back_.ask_for_acknowledge(*this);
     else
         acknowledge_owed_ = true;
@@ -204,7 +237,11 @@ void LinkDirection::sending_ended() {
         --memory->parts_under_way;
         memory->words_of_ended_parts += memory->words_in(bytes_in_part_);
     }
-    kernel_.make_ready(*std::exchange(sender_, nullptr));
+    Process& sender = *std::exchange(sender_, nullptr);
+    if (writer_)
+        start_byte_.schedule(std::max(may_start_, kernel_.now()));
+    else
+        kernel_.make_ready(sender);
 }
 
 } // namespace placedpar::hardware

@@ -29,6 +29,17 @@ struct MemoryOfEngines {
     }
 };
 
+/// A program that writes the bytes of a direction of a link to a register, or reads them there, as that of a link
+/// adapter, instead of an engine that moves them from memory or to it.
+class RegisterUser {
+public:
+    /// The register is free for the next byte, or has one. It must not wait and must not throw.
+    virtual void register_ready() = 0;
+
+protected:
+    ~RegisterUser() = default;
+};
+
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
 /// `in` start at its ends. A sender goes on when the acknowledge of its last byte has arrived, a receiver when
 /// the last byte has. If no process has asked for a message, its first byte waits, unacknowledged, at the receiving
@@ -51,6 +62,22 @@ public:
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return first_byte_waits_; }
 
+    // For a link adapter, whose program is the sender or the receiver: a byte at a time.
+    void is_written_by(RegisterUser& user) { writer_ = &user; }
+    void is_read_by(RegisterUser& user) { reader_ = &user; }
+    /// The running process begins to send a part of the channel's message.
+    void begin_part(AnyChannel&, std::uint32_t bytes, bool last_part);
+    bool can_be_written() const { return writable_; }
+    /// REQUIRES: can_be_written().
+    void write_byte();
+    /// The running process begins to receive a message on the channel.
+    void begin_reading(AnyChannel& channel) { serve(channel); }
+    bool can_be_read() const { return readable_; }
+    /// What the byte was the last one of.
+    enum class Ended { nothing, part, message };
+    /// REQUIRES: can_be_read().
+    Ended read_byte();
+
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
@@ -69,6 +96,7 @@ private:
     // What happens to a byte, in this order.
     void start_byte();
     void byte_started() override;
+    void may_be_written();
     void byte_noticed();
     void first_byte_arrived();
     void last_byte_arrived();
@@ -83,7 +111,9 @@ private:
     // The closed form (link_closed_form.cpp).
     /// Whether it will use neither wire until a process acts.
     bool quiet() const { return !sender_ || acknowledge_owed_; }
-    bool quiet_enough_to_skip() const { return !every_byte_ && bytes_left_ > 2 && opposite_.quiet(); }
+    bool quiet_enough_to_skip() const {
+        return !every_byte_ && !writer_ && !reader_ && bytes_left_ > 2 && opposite_.quiet();
+    }
     void skip_middle_bytes();
     std::uint32_t skipped_bytes_started() const;
     std::uint32_t bytes_started_before(Time now) const;
@@ -121,6 +151,10 @@ private:
     /// The receiver has been given the part, and either its last byte or that byte's acknowledge is still to come.
     bool taken_ = false;
     bool took_last_part_ = false; ///< the part that was taken last ended its message
+
+    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
+    bool writable_ = true;                               ///< the register for the next byte
+    bool readable_ = false;
 
     bool every_byte_ = false;
     std::uint32_t skipped_bytes_ = 0; ///< bytes of the part under way that the closed form stands for

@@ -112,6 +112,8 @@ TEST_CASE("only the work is traced") {
         void communicated(const AnyChannel&, Time) override { note(); }
         void carries(const std::string&, const AnyChannel&, Time, Time) override { note(); }
         void carried(const std::string&, std::uint64_t, Time, Time) override { note(); }
+        void occupied(const std::string&, const std::string&, Time) override { note(); }
+        void vacated(const std::string&, Time) override { note(); }
         void over(Time now) override { work_over = now; }
     } sink;
     Simulation simulation;

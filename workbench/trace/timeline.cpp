@@ -148,6 +148,16 @@ void Timeline::carried(const std::string& direction, std::uint64_t bytes, Time n
     uses_[track].bytes = bytes;
 }
 
+void Timeline::occupied(const std::string& name, const std::string& subject, Time now) {
+    if (std::size_t track = taking(now) ? tracks_.of_bus(name) : Tracks::none; track != Tracks::none)
+        use(track, subject, now);
+}
+
+void Timeline::vacated(const std::string& name, Time now) {
+    if (std::size_t track = taking(now) ? tracks_.of_bus(name) : Tracks::none; track != Tracks::none)
+        uses_[track].stopped = now;
+}
+
 void Timeline::over(Time now) {
     if (taking(now))
         shut(now, "");

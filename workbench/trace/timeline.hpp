@@ -44,6 +44,8 @@ public:
     void communicated(const AnyChannel&, Time) override;
     void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
     void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
+    void occupied(const std::string& track, const std::string& subject, Time) override;
+    void vacated(const std::string& track, Time) override;
     void over(Time) override;
 
 private:
@@ -66,7 +68,7 @@ private:
         std::optional<Slice> last = {};           ///< when the trace has ended, what the process did then
         std::string path = {};                    ///< then: the process's
     };
-    /// What a processor executes, or a link carries.
+    /// What a processor executes, a link carries, or a bus does.
     struct Use {
         std::string subject;
         Time since;

@@ -44,6 +44,7 @@ void Tracks::number_as_drawn() {
         tracks_[i].outermost = i;
         Track::Kind kind = tracks_[i].place.kind;
         (kind == Track::Kind::link        ? links_
+         : kind == Track::Kind::bus       ? buses_
          : kind == Track::Kind::processor ? processors_
                                           : processes_)[tracks_[i].name] = i;
     }
@@ -98,5 +99,7 @@ bool Tracks::add_machine_process(const Process& process, const std::string& path
 std::size_t Tracks::of_processor(const std::string& node) const { return found_in(processors_, node); }
 
 std::size_t Tracks::of_link(const std::string& direction) const { return found_in(links_, direction); }
+
+std::size_t Tracks::of_bus(const std::string& name) const { return found_in(buses_, name); }
 
 } // namespace placedpar

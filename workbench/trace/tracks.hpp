@@ -16,8 +16,9 @@ namespace placedpar {
 /// A line of the picture that a trace draws.
 struct Track {
     /// Of a node, in the order in which they are drawn: what its processor executes; the processes that the netlist
-    /// places on it; those of the machine that serve its links; what leaves it over each link.
-    enum class Kind { processor, process, machine_process, link };
+    /// places on it; those of the machine that serve its links; what leaves it over each link;
+    /// of a bus, who has it, and when each of its masters waits for it.
+    enum class Kind { processor, process, machine_process, link, bus };
     /// Where it is drawn: by node and kind, then as the netlist declares them; a process is followed by the components
     /// of its PARs.
     struct Place {
@@ -50,6 +51,8 @@ public:
     /// Of what a node executes.
     std::size_t of_processor(const std::string& node) const;
     std::size_t of_link(const std::string& direction) const;
+    /// Of what a bus carries, or of a master that waits for it.
+    std::size_t of_bus(const std::string& name) const;
 
 private:
     std::size_t add(std::string name, Track::Place);
@@ -60,7 +63,7 @@ private:
 
     std::vector<Track> tracks_;
     std::vector<std::string> nodes_; ///< with their types
-    std::unordered_map<std::string, std::size_t> processors_, processes_, links_;
+    std::unordered_map<std::string, std::size_t> processors_, processes_, links_, buses_;
 };
 
 } // namespace placedpar

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "runtime/carrier.hpp"
+#include "runtime/hardware/vme_bus.hpp"
+#include "runtime/source_location.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+class Kernel;
+class Process;
+} // namespace placedpar
+
+namespace placedpar::hardware {
+
+/// Memory with two ports, as a transputer bus master's: its transputer works on it, and masters reach it over the bus
+/// (thesis, appendix D: the BBK-V2 has 2 Mbyte of it).
+class DualPortedMemory final : public BusSlave {
+public:
+    DualPortedMemory(Kernel&, std::string name) : name_(std::move(name)) {}
+    const std::string& bus_name() const override { return name_; }
+
+private:
+    std::string name_;
+};
+
+/// A direction between a master and the transputer of a dual-ported memory: messages go through a buffer in the memory,
+/// one at a time. The master moves its words over the bus; the transputer copies them from or to where its process
+/// wants them, and converts them where the two computers differ in the order of bytes: a 68020 is big endian, a T800
+/// little endian. Each end raises an interrupt at the other when the buffer is its to use.
+class MemoryLane final : public Carrier {
+public:
+    /// Ours: of the memory, for one direction. A longer message is moved in parts.
+    static constexpr std::int64_t buffer_bytes = 65536;
+
+    /// Who outputs: the master, or the transputer whose memory it is.
+    enum class From { master, memory };
+    /// `conversion`: cycles of the transputer for each word, none where no bytes need to be exchanged.
+    /// REQUIRES: they outlive it, and the processes at the two ends are executed by what the master and the memory
+    /// belong to.
+    MemoryLane(Kernel&, VmeMaster&, const DualPortedMemory&, From, Cycles conversion);
+
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override;
+    bool message_waits(const AnyChannel&) const override { return full_; }
+
+private:
+    static std::uint64_t words_in(std::int64_t bytes) { return static_cast<std::uint64_t>((bytes + 3) / 4); }
+    void move_over_bus(std::int64_t bytes, Cycles word);
+    void copy_in_memory(std::int64_t bytes);
+    void fill(std::int64_t bytes);
+    void empty(std::int64_t bytes);
+    void wait_until(bool full, Activity, AnyChannel&, const SourceLocation&, bool master);
+    void turn(bool full);
+
+    Kernel& kernel_;
+    VmeMaster& master_;
+    const DualPortedMemory& memory_;
+    From from_;
+    Cycles conversion_;
+    bool full_ = false;          ///< the buffer holds a part of a message
+    std::int64_t bytes_ = 0;     ///< of it
+    bool last_ = false;          ///< it ends its message
+    Process* waiting_ = nullptr; ///< for the buffer
+};
+
+} // namespace placedpar::hardware

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "runtime/event.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/process.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
+
+/// The processor of a host computer on a bus. It runs one process at a time, each until it waits; of those that are
+/// ready, ones of high priority go first. What its operating system spends on communication is not measured, so that
+/// channels, PAR, ALT and timers take no time on it: computing does, and programmed input and output over the bus.
+class Workstation final : public Executive {
+public:
+    /// A Sun 3/280's 68020 (data sheet).
+    static constexpr std::int64_t sun_3_clock = 25'000'000;
+    /// Of its clocks, at both priorities: that of a 50 Hz Unix.
+    static constexpr Time clock_tick = std::chrono::milliseconds{20};
+
+    /// Throws std::logic_error unless clock_hz > 0.
+    Workstation(Kernel&, std::string name, std::int64_t clock_hz = sun_3_clock);
+
+    std::int64_t clock_hz() const { return clock_hz_; }
+    /// How long it has computed so far, without waiting for the bus.
+    Time time_busy() const;
+
+    Time tick(Priority) const override { return clock_tick; }
+    void compute(Cycles, const Grain&) override;
+    void make_ready(Process&) override;
+    void leave(Process&, Process* successor) override;
+
+private:
+    struct Work final : Event {
+        explicit Work(Workstation& w) : workstation(w) {}
+        void happen() noexcept override;
+        Workstation& workstation;
+    };
+    void take_next();
+    void end_work();
+
+    Kernel& kernel_;
+    std::int64_t clock_hz_;
+    ProcessQueue high_, low_;
+    Process* current_ = nullptr;
+    Time began_{}, busy_{};
+    Work work_{*this};
+};
+
+} // namespace placedpar::hardware
