@@ -67,7 +67,7 @@ void charge_disabling(const Process& self, std::span<const Guard> guards) {
 } // namespace
 
 /// A process that sleeps on its guards. While this exists, the guards are enabled on their channels.
-class Alternation final : Event {
+class Alternation final : Event, Listener {
 public:
     Alternation(Process& process, std::span<AnyChannel* const> channels) : process_(process), channels_(channels) {}
     ~Alternation() {
@@ -80,25 +80,21 @@ public:
         if (timeout)
             process_.kernel().future().schedule(*this, *timeout, EventQueue::timer);
     }
+
+private:
+    void happen() noexcept override { wake(); }
+    void message_announced() override { wake(); }
     /// Wakes the process, once.
     void wake() {
         if (!std::exchange(woken_, true))
             process_.kernel().make_ready(process_);
     }
 
-private:
-    void happen() noexcept override { wake(); }
-
     Process& process_;
     std::span<AnyChannel* const> channels_;
     std::size_t enabled_ = 0;
     bool woken_ = false;
 };
-
-void AnyChannel::announce() {
-    if (alternation_)
-        alternation_->wake();
-}
 
 /// Waits until a guard is ready.
 void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
@@ -119,7 +115,7 @@ std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     bool has_to_sleep = !first_ready(guards);
-    if (has_to_sleep)
+    while (!first_ready(guards)) // an outputter may give up its message before the process that it woke goes on
         sleep(self, guards, where);
     std::size_t chosen = *first_ready(guards);
     charge_disabling(self, guards);

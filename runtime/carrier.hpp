@@ -3,6 +3,8 @@
 #include "runtime/protocol.hpp"
 #include "runtime/source_location.hpp"
 
+#include <cstdint>
+
 namespace placedpar {
 
 class AnyChannel;
@@ -21,6 +23,22 @@ public:
     virtual void input(AnyChannel&, const SourceLocation&) = 0;
     /// Whether a message has begun to arrive for which no process has asked yet.
     virtual bool message_waits(const AnyChannel&) const = 0;
+
+    // For reports.
+    /// Whether the process that outputs (inputs) waits for ever, whatever its partner does: of the message under way
+    /// something is lost, or one of them has given it up.
+    virtual bool output_is_lost(const AnyChannel&) const { return false; }
+    virtual bool input_is_lost(const AnyChannel&) const { return false; }
+
+    // Of carriers whose messages can be given up (runtime/recovery.hpp).
+    virtual bool can_be_given_up() const { return false; }
+    /// The process that is in output (input) goes on without its message: output (input) returns. Returns false, and
+    /// does nothing, when the message is over for that process. Called by events; a process is in it.
+    virtual bool give_up_output(AnyChannel&) { return false; }
+    virtual bool give_up_input(AnyChannel&) { return false; }
+    /// Clears the end after that; returns how many bytes of the message had got there. No process is in it.
+    virtual std::uint64_t reset_output(AnyChannel&) { return 0; }
+    virtual std::uint64_t reset_input(AnyChannel&) { return 0; }
 };
 
 } // namespace placedpar

@@ -33,6 +33,12 @@ void own(AnyChannel::User& end, const Process& process, const char* verb, const 
     end = user(process);
 }
 
+/// The link was left in the middle of a message.
+[[noreturn]] void refuse_unreset(const Process& self, const char* verb, const AnyChannel& channel) {
+    throw std::logic_error(fmt::format("process {} {} channel {}, on which it gave up a message: reset it first",
+                                       self.path(), verb, channel.name()));
+}
+
 /// Notes that a process is in the channel, for as long as it is.
 class Stay {
 public:
@@ -61,10 +67,22 @@ void charge_copy(const Process& self, const WireForm& form) {
     charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
 }
 
+void require_can_be_given_up(const Carrier* carrier, const AnyChannel& channel) {
+    if (carrier && !carrier->can_be_given_up())
+        throw std::logic_error(fmt::format("channel {} travels in packets, or by a link adapter: it cannot give up a "
+                                           "message, nor be reset",
+                                           channel.name()));
+}
+
+void require_nobody_in(const void* end, const AnyChannel& channel) {
+    if (end)
+        throw std::logic_error("channel " + channel.name() + " cannot be reset while a process is in it");
+}
+
 } // namespace
 
 void AnyChannel::put_on(Carrier& carrier) {
-    if (message_ || slot_ || alternation_)
+    if (message_ || slot_ || listener_)
         throw std::logic_error("channel " + name_ + " cannot be put on a link while a process is in it");
     carrier_ = &carrier;
 }
@@ -73,14 +91,22 @@ void AnyChannel::expect_outputter(const Process& process) { own(outputter_, proc
 
 void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 
-void AnyChannel::own_input(const Process& process) { own(inputter_, process, "inputs from", *this); }
+void AnyChannel::own_input(const Process& process) {
+    own(inputter_, process, "inputs from", *this);
+    if (input_out_of_order_)
+        refuse_unreset(process, "inputs from", *this);
+}
 
 void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
     Process& self = Kernel::here().running();
     if (!carrier_)
         charge(self, &OperationCosts::soft_communication);
     own(outputter_, self, "outputs to", *this);
+    if (output_out_of_order_)
+        refuse_unreset(self, "outputs to", *this);
     Stay stay(message_, message);
+    if (output_attempt_)
+        output_attempt_->entered();
     if (carrier_)
         carrier_->output(*this, form, where);
     else
@@ -93,10 +119,60 @@ void AnyChannel::input_any(void* slot, const SourceLocation& where) {
         charge(self, &OperationCosts::soft_communication);
     own_input(self);
     Stay stay(slot_, slot);
+    if (input_attempt_)
+        input_attempt_->entered();
     if (carrier_)
         carrier_->input(*this, where);
     else
         input_soft(self, where);
+}
+
+void AnyChannel::attempt_output(Entrant* attempt) {
+    if (attempt)
+        require_can_be_given_up(carrier_, *this);
+    output_attempt_ = attempt;
+}
+
+void AnyChannel::attempt_input(Entrant* attempt) {
+    if (attempt)
+        require_can_be_given_up(carrier_, *this);
+    input_attempt_ = attempt;
+}
+
+bool AnyChannel::give_up_output() {
+    if (carrier_)
+        return output_out_of_order_ = carrier_->give_up_output(*this);
+    if (!message_)
+        return false;
+    message_ = nullptr;
+    waiting_->kernel().make_ready(*waiting_);
+    return true;
+}
+
+bool AnyChannel::give_up_input() {
+    if (carrier_)
+        return input_out_of_order_ = carrier_->give_up_input(*this);
+    if (!slot_)
+        return false;
+    slot_ = nullptr;
+    waiting_->kernel().make_ready(*waiting_);
+    return true;
+}
+
+std::uint64_t AnyChannel::reset_output() {
+    require_can_be_given_up(carrier_, *this);
+    own(outputter_, Kernel::here().running(), "resets", *this);
+    require_nobody_in(message_, *this);
+    output_out_of_order_ = false;
+    return carrier_ ? carrier_->reset_output(*this) : 0;
+}
+
+std::uint64_t AnyChannel::reset_input() {
+    require_can_be_given_up(carrier_, *this);
+    own(inputter_, Kernel::here().running(), "resets", *this);
+    require_nobody_in(slot_, *this);
+    input_out_of_order_ = false;
+    return carrier_ ? carrier_->reset_input(*this) : 0;
 }
 
 void AnyChannel::hand_over() {

@@ -12,8 +12,26 @@
 
 namespace placedpar {
 
-class Alternation;
 class Process;
+
+/// Waits for messages that begin to wait in channels: an alternation; an attempt that a message ends.
+class Listener {
+public:
+    /// A message waits in the channel, for which no process has asked.
+    virtual void message_announced() = 0;
+
+protected:
+    ~Listener() = default;
+};
+
+/// Is told when its process is in the channel: an attempt.
+class Entrant {
+public:
+    virtual void entered() = 0;
+
+protected:
+    ~Entrant() = default;
+};
 
 /// A channel of any protocol: synchronous, unbuffered, from one process to one other.
 ///
@@ -63,20 +81,40 @@ public:
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
     /// The process has a guard on the channel. Throws std::logic_error when it does not own the end.
     void own_input(const Process&);
-    /// From now on a message wakes the alternation.
-    void enable(Alternation& alternation) { alternation_ = &alternation; }
-    void disable() { alternation_ = nullptr; }
+    /// From now on a message is announced.
+    void enable(Listener& listener) { listener_ = &listener; }
+    void disable() { listener_ = nullptr; }
+
+    // For attempts (runtime/recovery.hpp).
+    /// The next output (input) is this attempt's, until it is null. Throws std::logic_error when the channel cannot
+    /// give up a message.
+    void attempt_output(Entrant*);
+    void attempt_input(Entrant*);
+    /// The process that is in the channel to output (input) goes on without; false if the message has come over.
+    bool give_up_output();
+    bool give_up_input();
+    /// Clears the end after that. Throws std::logic_error when the running process does not own the end, or a process
+    /// is in it. Returns how many bytes of the message had come over; of a soft channel none.
+    std::uint64_t reset_output();
+    std::uint64_t reset_input();
 
     // For reports.
     /// A process is in the channel to output (input), and the message has not come over.
     bool output_waits() const { return message_ != nullptr; }
     bool input_waits() const { return slot_ != nullptr; }
 
+    /// The process that is in the channel to output (input) waits for ever, whatever its partner does.
+    bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
+    bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
+
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
     void hand_over();
-    /// A message waits for which no process has asked: wakes the alternation that is enabled, if any.
-    void announce();
+    /// A message waits for which no process has asked: tells who listens, if anybody does.
+    void announce() {
+        if (listener_)
+            listener_->message_announced();
+    }
 
 protected:
     void output_any(void* message, const WireForm&, const SourceLocation&);
@@ -90,11 +128,15 @@ private:
     std::string name_;
     Carrier* carrier_ = nullptr; ///< null if the channel is soft
     User outputter_, inputter_;
-    void* message_ = nullptr;            ///< set while an outputter is in the channel
-    void* slot_ = nullptr;               ///< set while an inputter is
-    Process* waiting_ = nullptr;         ///< on a soft channel, the first to arrive
-    WireForm waiting_form_{0};           ///< of its message, if it is the outputter
-    Alternation* alternation_ = nullptr; ///< of an inputter that sleeps on several channels
+    void* message_ = nullptr;           ///< set while an outputter is in the channel
+    void* slot_ = nullptr;              ///< set while an inputter is
+    Process* waiting_ = nullptr;        ///< on a soft channel, the first to arrive
+    WireForm waiting_form_{0};          ///< of its message, if it is the outputter
+    Listener* listener_ = nullptr;      ///< for an inputter that sleeps on several channels
+    Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
+    Entrant* input_attempt_ = nullptr;
+    bool output_out_of_order_ = false; ///< a message was given up at that end, which must be reset
+    bool input_out_of_order_ = false;
 };
 
 template <class T>
@@ -127,6 +169,8 @@ class Input {
 public:
     Input() = default;
     T input(const SourceLocation& where = SourceLocation::current()) const { return own().input(where); }
+    /// For attempts: the slot stays empty when the message is given up.
+    void input_into(std::optional<T>& slot, const SourceLocation& where) const { own().input_any(&slot, where); }
     AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
 

@@ -1,6 +1,7 @@
 #include "runtime/deadlock.hpp"
 
 #include "runtime/channel.hpp"
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
 #include <fmt/format.h>
@@ -33,9 +34,13 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
     return process->path() + (process->ended() ? " (has ended)" : "");
 }
 
+bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
+
 /// The processes that this one waits for: one of them would have to act.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
+    if (halted(process))
+        return partners;
     for (const AnyChannel* channel : process.awaited_channels())
         partners.push_back(who_is(
             process.activity() == Activity::outputting ? channel->last_inputter() : channel->last_outputter(), living));
@@ -104,9 +109,14 @@ private:
     Processes cycle_;
 };
 
+/// Of one that could go on, if its executive had not halted, none.
+std::vector<const AnyChannel*> channels_of_wait(const Process& process) {
+    return process.activity() == Activity::ready ? std::vector<const AnyChannel*>{} : process.awaited_channels();
+}
+
 StuckProcess describe(const Process& process) {
-    StuckProcess stuck{process.path(), process.activity(), {}, ""};
-    for (const AnyChannel* channel : process.awaited_channels())
+    StuckProcess stuck{process.path(), halted(process) ? Activity::halted : process.activity(), {}, ""};
+    for (const AnyChannel* channel : channels_of_wait(process))
         stuck.channels.push_back(channel->name());
     stuck.where = text_of(process.place_in_program());
     return stuck;
@@ -115,7 +125,7 @@ StuckProcess describe(const Process& process) {
 std::vector<StuckChannel> describe_channels(const Processes& stuck, const Processes& living) {
     std::map<std::string, StuckChannel> by_name;
     for (const Process* process : stuck)
-        for (const AnyChannel* channel : process->awaited_channels())
+        for (const AnyChannel* channel : channels_of_wait(*process))
             by_name.try_emplace(channel->name(),
                                 StuckChannel{channel->name(), path_of(channel->last_outputter(), living),
                                              path_of(channel->last_inputter(), living),
@@ -137,6 +147,7 @@ const char* name_of(Activity activity) {
     case Activity::alternating: return "alternates";
     case Activity::joining: return "waits for its components";
     case Activity::after_work: return "waits for the end of the work";
+    case Activity::halted: return "is halted";
     case Activity::ended: return "has ended";
     }
     return "";
@@ -156,18 +167,33 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
 }
 
 /// Whether a partner has yet to come to the channel, and it is known who that is. Not so when both are in it: then
-/// nothing but time is needed; nor when a link has brought the message, and only its acknowledge is still to come.
+/// nothing but time is needed, unless a link has lost the message; nor when a link has brought the message, and only
+/// its acknowledge is still to come.
 bool lacks_partner(const Process& process, const AnyChannel& channel) {
     bool known = channel.last_outputter().process && channel.last_inputter().process;
     switch (process.activity()) {
-    case Activity::outputting: return known && channel.output_waits() && !channel.input_waits();
-    case Activity::inputting: return known && channel.input_waits() && !channel.output_waits();
+    case Activity::outputting:
+        return known && (channel.output_is_lost() || (channel.output_waits() && !channel.input_waits()));
+    case Activity::inputting:
+        return known && channel.input_waits() && (!channel.output_waits() || channel.output_is_lost());
     default: return known && !channel.output_waits();
     }
 }
 
-/// Whether only another process can make it go on, and which is known.
+/// Whether nobody can make it go on.
+bool is_lost(const Process& process) {
+    auto lost = [&](const AnyChannel* channel) {
+        return process.activity() == Activity::outputting  ? channel->output_is_lost()
+               : process.activity() == Activity::inputting ? channel->input_is_lost()
+                                                           : false;
+    };
+    return halted(process) || (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
+}
+
+/// Whether only another process can make it go on, and which is known, or none can.
 bool needs_partner(const Process* process) {
+    if (is_lost(*process))
+        return true;
     switch (process->activity()) {
     case Activity::joining: return true;
     case Activity::outputting:
@@ -193,7 +219,7 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
     Processes stuck;
     std::ranges::copy_if(living, std::back_inserter(stuck), needs_partner);
     auto can_go_on = [&](const Process* process) {
-        return std::ranges::any_of(awaited_by(*process, living), [&](const Process* partner) {
+        return !is_lost(*process) && std::ranges::any_of(awaited_by(*process, living), [&](const Process* partner) {
             return !partner->ended() && !std::ranges::binary_search(stuck, partner->ordinal(), {}, &Process::ordinal);
         });
     };

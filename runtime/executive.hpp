@@ -35,6 +35,9 @@ struct OperationCosts {
     Cycles disable_timeout{};
     Cycles alternation_end{};
 
+    Cycles attempt{};       ///< a communication that may be given up, besides what it costs as such
+    Cycles reset_channel{}; ///< an end of it, after that
+
     /// Copying a message, rounded up to whole words.
     constexpr Cycles copy(std::int64_t bytes) const {
         return (bytes + bytes_in_a_word - 1) / bytes_in_a_word * copied_word;
@@ -68,6 +71,8 @@ public:
     /// The running process computes for so many cycles. REQUIRES: it has this executive. Throws std::logic_error when
     /// cycles < 0 or one of the grain's < 1.
     virtual void compute(Cycles, const Grain&) = 0;
+    /// Whether it has stopped for ever, by a fault, with all its processes.
+    virtual bool halted() const { return false; }
 
     // For the kernel.
     virtual void make_ready(Process&) = 0;

@@ -40,7 +40,7 @@ void Process::wait_for(Activity activity, const AnyChannel* channel, const Sourc
     awaited_.clear();
     if (channel)
         awaited_.push_back(channel);
-    awaits_timer_ = activity == Activity::delayed;
+    awaits_timer_ = activity == Activity::delayed || may_give_up_;
     where_ = where;
     wait(activity);
 }

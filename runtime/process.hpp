@@ -31,8 +31,8 @@ struct Grain {
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// What a process is doing, or what it waits for.
-enum class Activity { ready, delayed, outputting, inputting, alternating, joining, after_work, ended };
+/// What a process is doing, or what it waits for. `halted` is for reports: its executive has stopped for ever.
+enum class Activity { ready, delayed, outputting, inputting, alternating, joining, after_work, halted, ended };
 
 /// A PAR: how many of its components still run, and the process that waits for them.
 struct Join {
@@ -84,6 +84,9 @@ public:
     const std::vector<const AnyChannel*>& awaited_channels() const { return awaited_; }
     /// Whether its last wait ends at a certain moment if nothing else ends it before.
     bool awaits_timer() const { return awaits_timer_; }
+    /// From now on its waits end at a certain moment, or by another process, if their partner does not come; or not
+    /// any more.
+    void may_give_up(bool may) { may_give_up_ = may; }
     /// Where it last waited.
     const SourceLocation& place_in_program() const { return where_; }
     /// For a process at the outermost level: how long it and all components of its PARs waited for partners or delays
@@ -124,6 +127,7 @@ private:
     Activity activity_ = Activity::ready;
     std::vector<const AnyChannel*> awaited_; ///< the channels of its last wait
     bool awaits_timer_ = false;
+    bool may_give_up_ = false;
     SourceLocation where_; ///< where in its program it last waited
 
     // Of a process at the outermost level, for itself and its components.

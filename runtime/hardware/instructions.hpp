@@ -26,6 +26,10 @@ constexpr OperationCosts t800{
     .disable_guard = Cycles{8},          // disc, diss
     .disable_timeout = Cycles{23},       // dist
     .alternation_end = Cycles{4},        // altend
+    // Ours: a routine that can give up starts a process that waits for the moment, or for the channel by which it is
+    // told, beside the one that communicates, and ends it: startp, tin, endp.
+    .attempt = Cycles{12 + 30 + 13},
+    .reset_channel = Cycles{3}, // ours: resetch
 };
 
 /// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.

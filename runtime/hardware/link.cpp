@@ -32,9 +32,29 @@ const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
 } // namespace
 
 Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const std::string& b)
-    : timing_(checked(timing, a)), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
+    : kernel_(kernel), timing_(checked(timing, a)), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
       a_to_b_(kernel, a + " -> " + b, timing_, wire_from_a_, wire_from_b_, b_to_a_),
       b_to_a_(kernel, b + " -> " + a, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
+
+const FaultEffect& Link::suffer(const LinkFault& fault) {
+    if (!faults_) {
+        faults_.emplace(timing_.bits_per_second);
+        a_to_b_.suffer(*faults_, true);
+        b_to_a_.suffer(*faults_, false);
+        wire_from_a_.watch(*this);
+        wire_from_b_.watch(*this);
+    }
+    return faults_->add(fault);
+}
+
+void Link::packet_begins() {
+    std::int64_t speed = faults_->bits_per_second(kernel_.now());
+    if (speed == timing_.bits_per_second)
+        return;
+    a_to_b_.note_speed();
+    b_to_a_.note_speed();
+    timing_.bits_per_second = speed;
+}
 
 LinkDirection::LinkDirection(Kernel& kernel, std::string name, const LinkTiming& timing, Wire& out, Wire& back,
                              LinkDirection& opposite)
@@ -58,21 +78,26 @@ void LinkDirection::output(AnyChannel& channel, const WireForm& form, const Sour
     serve(channel);
     if (form.total() == 0)
         throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
+    output_given_up_ = receiver_left_ = false;
+    bytes_before_part_ = 0;
     std::size_t last = last_travelling_part(form);
-    for (std::size_t part = 0; part <= last; ++part)
+    for (std::size_t part = 0; part <= last && !output_given_up_; ++part)
         if (form[part] > 0) {
             charge(kernel_.running(), &OperationCosts::hard_communication);
-            send(form[part], part == last, where);
+            if (!output_given_up_)
+                send(form[part], part == last, where);
         }
 }
 
 void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     serve(channel);
-    bool last;
+    input_given_up_ = false;
+    bool last = false;
     do {
         charge(kernel_.running(), &OperationCosts::hard_communication);
-        last = receive(where);
-    } while (!last);
+        if (!input_given_up_)
+            last = receive(where);
+    } while (!last && !input_given_up_);
 }
 
 void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocation& where) {
@@ -81,6 +106,7 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocati
         ++memory->parts_under_way;
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
+    stalled_ = false;
     if (kernel_.now() >= may_start_)
         start_byte();
     else
@@ -90,7 +116,7 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocati
 
 bool LinkDirection::receive(const SourceLocation& where) {
     receiver_ = &kernel_.running();
-    bool first_byte_here = std::exchange(first_byte_waits_, false);
+    bool first_byte_here = std::exchange(first_byte_waits_, false) && !left_over_;
     if (std::exchange(acknowledge_owed_, false)) {
         opposite_.simulate_bytes_again();
         back_.ask_for_acknowledge(*this);
@@ -124,6 +150,7 @@ void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool la
         ++memory->parts_under_way;
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
+    stalled_ = false;
 }
 
 void LinkDirection::write_byte() {
@@ -154,20 +181,33 @@ void LinkDirection::start_byte() {
 }
 
 void LinkDirection::byte_started() {
-    Time seen = later(kernel_.now(), timing_.wire_delay);
-    byte_noticed_.schedule(later(seen, timing_.acknowledge_latency()));
-    if (bytes_left_ == bytes_in_part_) {
-        cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
-        first_byte_arrived_.schedule(later(seen, timing_.data()));
-    }
     ++bytes_carried_;
+    --bytes_left_;
     last_start_ = kernel_.now();
-    if (--bytes_left_ == 0)
-        last_byte_arrived_[last_byte_arrived_[0].scheduled()].schedule(later(seen, timing_.data()));
+    unacknowledged_ = true;
+    byte_comes_over_ = !left_over_ && !receiver_left_ && !(faults_ && is_lost(false));
+    if (byte_comes_over_)
+        foresee_arrival();
     if (kernel_.trace()) {
         trace_bytes(kernel_.now());
         if (bytes_left_ == 0 || writer_)
             trace_break(kernel_.now());
+    }
+    if (!byte_comes_over_)
+        stall();
+}
+
+/// Of the byte that starts now.
+void LinkDirection::foresee_arrival() {
+    Time seen = later(kernel_.now(), timing_.wire_delay);
+    byte_noticed_.schedule(later(seen, timing_.acknowledge_latency()));
+    if (bytes_left_ + 1 == bytes_in_part_) {
+        cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
+        first_byte_arrived_.schedule(later(seen, timing_.data()));
+    }
+    if (bytes_left_ == 0) {
+        last_of_part_ = last_byte_arrived_[0].scheduled();
+        last_byte_arrived_[last_of_part_].schedule(later(seen, timing_.data()));
     }
 }
 
@@ -198,6 +238,12 @@ void LinkDirection::last_byte_arrived() {
 }
 
 void LinkDirection::acknowledge_started() {
+    if (faults_ && is_lost(true)) {
+        if (bytes_left_ == 0)
+            take_part();
+        return stall();
+    }
+    unacknowledged_ = false;
     Time seen = later(kernel_.now(), timing_.wire_delay);
     may_start_ = later(seen, timing_.restart_latency());
     if (bytes_left_ == 0) {
@@ -224,24 +270,42 @@ void LinkDirection::trace_break(Time byte_started) {
 }
 
 Time LinkDirection::time_occupied() const {
-    Time last = last_start_;
+    auto bytes = static_cast<std::int64_t>(bytes_carried() - bytes_at_old_speed_);
+    Time end = old_speed_until_;
     if (std::uint32_t skipped = skipped_bytes_started(); skipped > 0)
-        last = first_skipped_start_ + (skipped - 1) * timing_.byte_period();
-    Time to_come = std::max(later(last, timing_.data()), kernel_.now()) - kernel_.now();
-    auto bytes = static_cast<std::int64_t>(bytes_carried());
-    return bytes == 0 ? Time{0} : times(bytes, timing_.data()) - to_come;
+        end = later(first_skipped_start_ + (skipped - 1) * timing_.byte_period(), timing_.data());
+    else if (bytes > 0)
+        end = later(last_start_, timing_.data());
+    Time to_come = std::max(end, kernel_.now()) - kernel_.now();
+    return later(occupied_at_old_speed_, times(bytes, timing_.data())) - to_come;
+}
+
+/// REQUIRES: no byte that is simulated together with others is to come.
+void LinkDirection::note_speed() {
+    auto bytes = static_cast<std::int64_t>(bytes_carried() - bytes_at_old_speed_);
+    if (bytes == 0)
+        return;
+    occupied_at_old_speed_ = later(occupied_at_old_speed_, times(bytes, timing_.data()));
+    old_speed_until_ = later(last_start_, timing_.data());
+    bytes_at_old_speed_ = bytes_carried();
 }
 
 void LinkDirection::sending_ended() {
-    for (MemoryOfEngines* memory : memories_) {
-        --memory->parts_under_way;
-        memory->words_of_ended_parts += memory->words_in(bytes_in_part_);
-    }
+    bytes_before_part_ += bytes_in_part_;
+    leave_memories();
     Process& sender = *std::exchange(sender_, nullptr);
     if (writer_)
         start_byte_.schedule(std::max(may_start_, kernel_.now()));
     else
         kernel_.make_ready(sender);
+}
+
+void LinkDirection::leave_memories() {
+    for (MemoryOfEngines* memory : memories_) {
+        --memory->parts_under_way;
+        memory->words_of_ended_parts += memory->words_in(bytes_in_part_ - bytes_left_);
+    }
+    bytes_in_part_ = bytes_left_ = 0;
 }
 
 } // namespace placedpar::hardware

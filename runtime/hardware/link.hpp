@@ -2,11 +2,13 @@
 
 #include "runtime/carrier.hpp"
 #include "runtime/event.hpp"
+#include "runtime/hardware/link_faults.hpp"
 #include "runtime/hardware/link_timing.hpp"
 #include "runtime/hardware/wire.hpp"
 #include "runtime/source_location.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,10 @@ protected:
 /// the last byte has. If no process has asked for a message, its first byte waits, unacknowledged, at the receiving
 /// end. The times are exact to the bit.
 ///
+/// A message of which a byte or an acknowledge is lost gets no further. A process that gives up its end in the middle
+/// of a message ends it: none of its bytes is acknowledged any more, and the other end stays in it until it is given up
+/// or reset, too. Ours: the real engines would take the rest of one message and the beginning of the next for one.
+///
 /// Throws std::logic_error when a second channel uses it, and for a message without bytes.
 class LinkDirection final : public Carrier, private WireUser {
 public:
@@ -78,6 +84,25 @@ public:
     /// REQUIRES: can_be_read().
     Ended read_byte();
 
+    bool output_is_lost(const AnyChannel&) const override { return sender_ && stalled_; }
+    bool input_is_lost(const AnyChannel&) const override { return left_over_ || (stalled_ && bytes_taken() > 0); }
+
+    bool can_be_given_up() const override { return !writer_ && !reader_; }
+    bool give_up_output(AnyChannel&) override;
+    bool give_up_input(AnyChannel&) override;
+    /// Bytes of the message that was given up at this end, or left in it by the other: those acknowledged, those
+    /// taken.
+    std::uint64_t reset_output(AnyChannel&) override;
+    std::uint64_t reset_input(AnyChannel&) override;
+
+    /// Its link has faults from now on. `leaves_a`: its bytes do.
+    void suffer(LinkFaults& faults, bool leaves_a) {
+        faults_ = &faults;
+        leaves_a_ = leaves_a;
+    }
+    /// The speed of the link is about to change.
+    void note_speed();
+
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
@@ -97,12 +122,24 @@ private:
     void start_byte();
     void byte_started() override;
     void may_be_written();
+    void foresee_arrival();
     void byte_noticed();
     void first_byte_arrived();
     void last_byte_arrived();
     void acknowledge_started() override;
     void sending_ended();
     void take_part();
+    void leave_memories();
+
+    // What is lost, and what is given up (link_recovery.cpp).
+    bool is_lost(bool acknowledge);
+    void stall();
+    std::uint64_t bytes_taken() const;
+    std::uint64_t bytes_acknowledged() const;
+    void withdraw_acknowledge();
+    void drop_bytes_on_their_way();
+    void drop_output();
+    void receiver_leaves();
 
     // For the trace.
     void trace_bytes(Time since);
@@ -110,10 +147,12 @@ private:
 
     // The closed form (link_closed_form.cpp).
     /// Whether it will use neither wire until a process acts.
-    bool quiet() const { return !sender_ || acknowledge_owed_; }
+    bool quiet() const { return !sender_ || acknowledge_owed_ || stalled_; }
     bool quiet_enough_to_skip() const {
-        return !every_byte_ && !writer_ && !reader_ && bytes_left_ > 2 && opposite_.quiet();
+        return !every_byte_ && !writer_ && !reader_ && bytes_left_ > 2 && opposite_.quiet() &&
+               (!faults_ || no_fault_until_the_last_byte());
     }
+    bool no_fault_until_the_last_byte() const;
     void skip_middle_bytes();
     std::uint32_t skipped_bytes_started() const;
     std::uint32_t bytes_started_before(Time now) const;
@@ -168,7 +207,24 @@ private:
     StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
     StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
 
+    LinkFaults* faults_ = nullptr; ///< null if its link has none
+    bool leaves_a_ = true;
+    bool stalled_ = false;                ///< the message under way gets no further
+    bool unacknowledged_ = false;         ///< the byte begun last: its acknowledge has not begun, or is lost
+    bool byte_comes_over_ = true;         ///< the byte begun last does
+    bool last_of_part_ = false;           ///< which event is that of the part under way: last_byte_arrived_[...]
+    bool receiver_left_ = false;          ///< the receiving end has given up the message under way
+    bool output_given_up_ = false;        ///< the message under way, by its sender
+    bool input_given_up_ = false;         ///< the same, by its receiver
+    std::uint64_t bytes_before_part_ = 0; ///< of the message under way
+    /// The receiving end is in a message that its sender has given up: how many bytes of it came.
+    std::optional<std::uint64_t> left_over_;
+    std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes; until the end is reset
+
     std::uint64_t bytes_carried_ = 0;
+    // Of them those that travelled before the speed changed last.
+    std::uint64_t bytes_at_old_speed_ = 0;
+    Time occupied_at_old_speed_{}, old_speed_until_{};
     std::uint64_t bytes_traced_ = 0; ///< of them, how many the trace was told of
     bool trace_carries_ = false;     ///< the trace was told that bytes follow each other
 };
@@ -183,7 +239,7 @@ inline std::uint32_t LinkDirection::bytes_started_before(Time now) const {
 }
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
-class Link {
+class Link : private WireWatch {
 public:
     /// The names are those of its ends, for reports. Throws std::logic_error unless bits_per_second > 0 and the wire's
     /// delay is not negative.
@@ -196,8 +252,16 @@ public:
     const LinkDirection& from_a_to_b() const { return a_to_b_; }
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
+    /// Adds a fault. REQUIRES: before the run. What it does is found in the effect, which lasts as long as the link.
+    /// Throws as LinkFaults::add.
+    const FaultEffect& suffer(const LinkFault&);
+
 private:
+    void packet_begins() override;
+
+    Kernel& kernel_;
     LinkTiming timing_;
+    std::optional<LinkFaults> faults_;
     Wire wire_from_a_, wire_from_b_;
     LinkDirection a_to_b_, b_to_a_;
 };

@@ -21,6 +21,7 @@ OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     costs.bytes_in_a_word = memory.bytes_in_a_word;
     costs.soft_communication = channel_call + costs.soft_communication;
     costs.hard_communication = channel_call + costs.hard_communication;
+    costs.reset_channel = channel_call + costs.reset_channel;
     return costs;
 }
 
@@ -51,6 +52,8 @@ void Processor::has_link(Link& link) {
         directions_.push_back(direction);
     }
 }
+
+bool Processor::halted() const { return kernel_.now() >= halts_at_; }
 
 Time Processor::memory_taken_by_links() const { return times(words_moved_by_links(), access_); }
 
@@ -99,6 +102,8 @@ void Processor::go_on(Process& successor) {
 }
 
 void Processor::dispatch() {
+    if (halted())
+        return;
     if (Process* p = high_.pop_front()) {
         current_ = p;
     } else if (preempted_) {
@@ -129,7 +134,8 @@ void Processor::compute(Cycles cycles, const Grain& how_fine) {
     } else {
         begin_turn();
         bool alone = self.priority() == Priority::high || low_.empty();
-        while (alone && kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
+        while (alone && later(kernel_.now(), work_left(self)) < halts_at_ &&
+               kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
             settle();
             if (work_left(self) == Time{0})
                 return account(self, kernel_.now() - turn_began_);
@@ -172,7 +178,7 @@ void Processor::take_turn() {
 
 /// Where links are busy the end is later: by the accesses of their engines, which settle() finds when it comes.
 void Processor::schedule_end() {
-    Time end = later(kernel_.now(), work_left(*current_));
+    Time end = std::min(later(kernel_.now(), work_left(*current_)), halts_at_);
     if (has_low_rivals())
         end = std::min(end, next_point_after_slice());
     kernel_.future().schedule(turn_, end, EventQueue::turn);
@@ -209,6 +215,8 @@ void Processor::account(const Process& process, Time worked) {
 
 void Processor::end_turn() {
     settle();
+    if (halted())
+        return stop_turn();
     bool unfinished = work_left(*current_) > Time{0};
     if (unfinished && !gives_way())
         return schedule_end();

@@ -52,6 +52,10 @@ public:
     /// One of the link's ends is this processor's: its engines use this processor's memory. REQUIRES: the link outlives
     /// the run.
     void has_link(Link&);
+    /// From this moment on it executes nothing; what waits for it waits for ever. That its links fall silent, too, is
+    /// their fault to state (LinkFault). REQUIRES: before the run.
+    void halt_at(Time moment) { halts_at_ = moment; }
+    bool halted() const override;
 
     std::int64_t clock_hz() const { return clock_hz_; }
     /// How long it has computed so far, waiting for its memory included.
@@ -94,6 +98,7 @@ private:
     Kernel& kernel_;
     std::int64_t clock_hz_;
     Time access_{}; ///< to a word of its memory
+    Time halts_at_ = Time::max();
     MemoryOfEngines engines_;
     std::vector<const LinkDirection*> directions_; ///< of its links, both of each
 

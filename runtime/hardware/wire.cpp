@@ -12,6 +12,8 @@ Wire::Wire(Kernel& kernel, const LinkTiming& timing)
 void Wire::serve() {
     Time now = kernel_.now();
     if (now >= free_at_) {
+        if (watch_)
+            watch_->packet_begins();
         if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
             free_at_ = later(now, timing_.acknowledge());
             user->acknowledge_started();

@@ -24,6 +24,15 @@ protected:
     ~WireUser() = default;
 };
 
+/// Is told when a wire is about to begin a packet: the owner of a link that has faults, which may change its speed.
+class WireWatch {
+public:
+    virtual void packet_begins() = 0;
+
+protected:
+    ~WireWatch() = default;
+};
+
 /// One wire of a link: it carries the bytes of one direction and the acknowledges of the other, one packet
 /// after the other. If both wait, the acknowledge goes first.
 class Wire {
@@ -37,6 +46,8 @@ public:
     /// Notes packets that were not simulated one by one.
     void occupied_until(Time time) { free_at_ = std::max(free_at_, time); }
 
+    void watch(WireWatch& watch) { watch_ = &watch; }
+
     void ask_for_byte(WireUser& user) {
         byte_for_ = &user;
         serve();
@@ -45,6 +56,11 @@ public:
         acknowledge_for_ = &user;
         serve();
     }
+    /// Whether the direction's acknowledge has yet to begin.
+    bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
+    /// A direction does not want to send after all what has not begun yet.
+    void withdraw_byte() { byte_for_ = nullptr; }
+    void withdraw_acknowledge() { acknowledge_for_ = nullptr; }
 
 private:
     struct Freed final : Event {
@@ -60,6 +76,7 @@ private:
     Time free_at_{};
     WireUser* byte_for_ = nullptr;        ///< the direction that waits to send a byte
     WireUser* acknowledge_for_ = nullptr; ///< the direction that waits to send an acknowledge
+    WireWatch* watch_ = nullptr;          ///< null if nobody wants to know
     Freed freed_{*this};
 };
 

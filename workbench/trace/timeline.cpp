@@ -19,6 +19,7 @@ Doing waiting_by(Activity activity) {
     case Activity::joining: return Doing::joins;
     case Activity::after_work: return Doing::after_work;
     case Activity::ready:
+    case Activity::halted:
     case Activity::ended: break;
     }
     return Doing::ready;

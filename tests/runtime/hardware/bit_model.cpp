@@ -1,5 +1,6 @@
 #include "bit_model.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace placedpar::test {
@@ -8,38 +9,70 @@ namespace {
 std::int64_t whole_ns(Time t) { return t.count() / 1000; }
 } // namespace
 
-BitModel::BitModel(const hardware::LinkTiming& timing, const std::array<Traffic, 2>& traffic)
-    : bit_(1'000'000'000 / timing.bits_per_second), delay_(whole_ns(timing.wire_delay)), notice_after_(bit_ * 52 / 10),
-      restart_after_(bit_ * 36 / 10 + 120), traffic_(traffic) {
-    if (!timing.overlapped_acknowledge) {
-        notice_after_ += bits(11);
-        restart_after_ += bits(2);
-    }
-}
-
-std::array<Course, 2> BitModel::run(std::int64_t limit) {
+BitModel::BitModel(const hardware::LinkTiming& timing, const std::array<Traffic, 2>& traffic,
+                   const std::vector<hardware::LinkFault>& faults)
+    : bit_(1'000'000'000 / timing.bits_per_second), delay_(whole_ns(timing.wire_delay)),
+      overlapped_(timing.overlapped_acknowledge), faults_(faults), traffic_(traffic) {
     for (std::size_t direction : {0u, 1u})
         if (!traffic_[direction].messages.empty()) {
             sender_[direction].wakes_at = traffic_[direction].messages[0].sender_pause;
             receiver_[direction].wakes_at = traffic_[direction].messages[0].receiver_pause;
         }
-    for (; !over(); ++now_) {
+}
+
+std::array<Course, 2> BitModel::run(std::int64_t limit) {
+    while (!over()) {
         if (now_ > limit)
             throw std::runtime_error("the link is stuck");
-        for (std::size_t end : {0u, 1u})
-            notice(end);
-        for (std::size_t end : {0u, 1u})
-            transmit(end);
-        for (std::size_t direction : {0u, 1u})
-            processes(direction);
-        for (std::size_t direction : {0u, 1u})
-            timers(direction);
-        for (std::size_t end : {0u, 1u})
-            drive(end);
-        for (std::size_t end : {0u, 1u})
-            decode(end);
+        step();
     }
     return course_;
+}
+
+std::array<Course, 2> BitModel::run_until(std::int64_t end) {
+    while (now_ <= end)
+        step();
+    return course_;
+}
+
+void BitModel::step() {
+    for (std::size_t end : {0u, 1u})
+        notice(end);
+    for (std::size_t end : {0u, 1u})
+        transmit(end);
+    for (std::size_t direction : {0u, 1u})
+        processes(direction);
+    for (std::size_t direction : {0u, 1u})
+        timers(direction);
+    for (std::size_t end : {0u, 1u})
+        drive(end);
+    for (std::size_t end : {0u, 1u})
+        decode(end);
+    ++now_;
+}
+
+std::int64_t BitModel::bit_at(std::int64_t time) const {
+    std::int64_t factor = 1;
+    for (const auto& fault : faults_)
+        if (fault.kind == hardware::LinkFault::Kind::slow && whole_ns(fault.from) <= time &&
+            (fault.until == Time::max() || time < whole_ns(fault.until)))
+            factor = std::max(factor, fault.factor);
+    return bit_ * factor;
+}
+
+/// The packet that begins now on the wire that leaves `end`.
+bool BitModel::loses_packet(std::size_t end, bool acknowledge) {
+    for (auto fault = faults_.begin(); fault != faults_.end(); ++fault) {
+        bool strikes = (end == 0 ? fault->wire_from_a : fault->wire_from_b) && whole_ns(fault->from) <= now_ &&
+                       (fault->until == Time::max() || now_ < whole_ns(fault->until));
+        if (strikes && fault->kind == hardware::LinkFault::Kind::silent)
+            return true;
+        if (strikes && acknowledge && fault->kind == hardware::LinkFault::Kind::loses_acknowledge) {
+            faults_.erase(fault);
+            return true;
+        }
+    }
+    return false;
 }
 
 bool BitModel::over() const {
@@ -56,29 +89,29 @@ void BitModel::decode(std::size_t end) {
     if (now_ < delay_)
         return;
     bool level = transmitter_[end].level[static_cast<std::size_t>(now_ - delay_)];
-    if (decoder.in_packet && decoder.bits && now_ >= decoder.began + bits(decoder.bits))
+    if (decoder.in_packet && decoder.bits && now_ >= decoder.began + decoder.bits * decoder.bit)
         decoder = {};
     if (!decoder.in_packet && level)
-        decoder = {true, now_, 0};
-    else if (decoder.in_packet && now_ == decoder.began + bit_ * 3 / 2) {
+        decoder = {true, now_, 0, bit_at(now_ - delay_)};
+    else if (decoder.in_packet && now_ == decoder.began + decoder.bit * 3 / 2) {
         decoder.bits = level ? 11 : 2;
         packet_known(end, level);
     }
 }
 
 void BitModel::packet_known(std::size_t end, bool data) {
-    std::int64_t began = decoder_[end].began;
+    std::int64_t began = decoder_[end].began, bit = decoder_[end].bit;
     if (data) {
         ++receiver_[end].seen;
-        receiver_[end].notice_at = began + notice_after_;
-        receiver_[end].arrives_at = began + bits(11);
+        receiver_[end].notice_at = began + bit * 52 / 10 + (overlapped_ ? 0 : 11 * bit);
+        receiver_[end].arrives_at = began + 11 * bit;
         return;
     }
     Sender& sender = sender_[1 - end]; // the acknowledge of the other direction's byte
     sender.awaits_acknowledge = false;
-    sender.may_start = began + restart_after_;
+    sender.may_start = began + bit * 36 / 10 + 120 + (overlapped_ ? 0 : 2 * bit);
     if (sender.to_start == 0)
-        sender.ends_at = began + bits(2);
+        sender.ends_at = began + 2 * bit;
 }
 
 /// Direction `d` has had a byte for long enough to acknowledge it, if its process has asked for it.
@@ -110,15 +143,18 @@ void BitModel::transmit(std::size_t end) {
     } else {
         return;
     }
+    if (loses_packet(end, transmitter.packet.size() == 2))
+        transmitter.packet.assign(transmitter.packet.size(), false);
     transmitter.packet_began = now_;
-    transmitter.idle_from = now_ + bits(static_cast<std::int64_t>(transmitter.packet.size()));
+    transmitter.bit = bit_at(now_);
+    transmitter.idle_from = now_ + transmitter.bit * static_cast<std::int64_t>(transmitter.packet.size());
 }
 
 void BitModel::drive(std::size_t end) {
     transmit(end); // what a process asked for in this nanosecond
     Transmitter& transmitter = transmitter_[end];
     bool level = now_ < transmitter.idle_from &&
-                 transmitter.packet[static_cast<std::size_t>((now_ - transmitter.packet_began) / bit_)];
+                 transmitter.packet[static_cast<std::size_t>((now_ - transmitter.packet_began) / transmitter.bit)];
     transmitter.level.push_back(level);
 }
 

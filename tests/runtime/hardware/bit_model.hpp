@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/hardware/link_faults.hpp"
 #include "runtime/hardware/link_timing.hpp"
 
 #include <array>
@@ -30,20 +31,22 @@ struct Course {
 /// runtime/hardware/link.cpp: there events, here levels.
 class BitModel {
 public:
-    BitModel(const hardware::LinkTiming&, const std::array<Traffic, 2>&);
+    BitModel(const hardware::LinkTiming&, const std::array<Traffic, 2>&, const std::vector<hardware::LinkFault>& = {});
     /// Steps until all traffic has passed. Throws when that takes longer than the limit.
     std::array<Course, 2> run(std::int64_t limit);
+    /// Steps until then.
+    std::array<Course, 2> run_until(std::int64_t end);
 
 private:
     struct Transmitter { ///< at one end, onto the wire that leaves it
         std::vector<bool> level;
         std::vector<bool> packet;
-        std::int64_t packet_began = 0, idle_from = 0;
+        std::int64_t packet_began = 0, idle_from = 0, bit = 0;
         bool acknowledge_wanted = false;
     };
     struct Decoder { ///< of the wire that comes in
         bool in_packet = false;
-        std::int64_t began = 0, bits = 0;
+        std::int64_t began = 0, bits = 0, bit = 0;
     };
     struct Sender {
         std::size_t message = 0, part = 0;
@@ -71,9 +74,13 @@ private:
     void next_output(std::size_t direction);
     void next_input(std::size_t direction);
     bool over() const;
-    std::int64_t bits(std::int64_t count) const { return count * bit_; }
+    void step();
+    std::int64_t bit_at(std::int64_t time) const;
+    bool loses_packet(std::size_t end, bool acknowledge);
 
-    std::int64_t bit_, delay_, notice_after_, restart_after_;
+    std::int64_t bit_, delay_;
+    bool overlapped_;
+    std::vector<hardware::LinkFault> faults_;
     std::array<Traffic, 2> traffic_;
     std::int64_t now_ = 0;
     // Direction d goes from end d to the other: its sender and the transmitter of its bytes have index d,

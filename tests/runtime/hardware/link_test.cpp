@@ -12,6 +12,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 using namespace placedpar;
 using namespace placedpar::hardware;
 using namespace placedpar::test;
@@ -39,12 +43,18 @@ struct Outcome {
     std::array<Course, 2> course;
     std::uint64_t fingerprint;
     bool completed;
+    Time end;
+    std::vector<FaultEffect> effects;
 };
 
 /// The same traffic over the runtime's link.
-Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, bool every_byte) {
+Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, bool every_byte,
+                       const std::vector<LinkFault>& faults = {}) {
     Simulation simulation;
     Link& link = simulation.add<Link>(timing);
+    std::vector<const FaultEffect*> effects;
+    for (const LinkFault& fault : faults)
+        effects.push_back(&link.suffer(fault));
     LinkDirection* directions[2] = {&link.from_a_to_b(), &link.from_b_to_a()};
     Channel<Parts> channels[2] = {Channel<Parts>("there"), Channel<Parts>("back")};
     std::array<Course, 2> course;
@@ -62,16 +72,21 @@ Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& t
         simulation.process(fmt::format("receiver {}", d), [&, d] {
             for (const auto& message : traffic[d].messages) {
                 wait_for(std::chrono::nanoseconds{message.receiver_pause});
+                Parts parts;
                 if (message.alternates)
-                    alt(on(channels[d].in(), [&](const Parts& parts) { CHECK(parts.bytes == message.parts); }));
+                    alt(on(channels[d].in(), [&](const Parts& it) { parts = it; }));
                 else
-                    CHECK(channels[d].in().input().bytes == message.parts);
+                    parts = channels[d].in().input();
+                CHECK(parts.bytes == message.parts);
                 course[d].input_ended.push_back(now_in_nanoseconds());
             }
         });
     }
     RunResult result = simulation.run();
-    return {course, result.fingerprint, result.ending == Ending::completed};
+    Outcome outcome{course, result.fingerprint, result.ending == Ending::completed, result.time, {}};
+    for (const FaultEffect* effect : effects)
+        outcome.effects.push_back(*effect);
+    return outcome;
 }
 
 /// Pauses of a sender and of a receiver never end at the same nanosecond by accident: they differ by one
@@ -137,5 +152,68 @@ TEST_CASE("the closed form gives the times of the single bytes, to the picosecon
         REQUIRE(bytes.completed);
         REQUIRE(closed.course == bytes.course);
         REQUIRE(closed.fingerprint == bytes.fingerprint);
+    }
+}
+
+namespace {
+
+/// One to three faults somewhere in the first so many nanoseconds.
+std::vector<LinkFault> random_faults(RandomStream& random, std::uint32_t nanoseconds) {
+    std::vector<LinkFault> faults(1 + random.below(3));
+    for (LinkFault& fault : faults) {
+        fault.kind = std::array{LinkFault::Kind::silent, LinkFault::Kind::loses_acknowledge,
+                                LinkFault::Kind::slow}[random.below(3)];
+        fault.from = std::chrono::nanoseconds{random.chance(0.1) ? 0 : random.below(nanoseconds)};
+        if (fault.kind != LinkFault::Kind::loses_acknowledge && random.chance(0.6))
+            fault.until = fault.from + std::chrono::nanoseconds{1 + random.below(20'000)};
+        if (fault.kind == LinkFault::Kind::slow)
+            fault.factor = std::array{1, 2, 4, 5}[random.below(4)]; // whole nanoseconds
+        else if (random.chance(0.6))
+            (random.chance(0.5) ? fault.wire_from_a : fault.wire_from_b) = false;
+    }
+    return faults;
+}
+
+bool same(const std::vector<FaultEffect>& x, const std::vector<FaultEffect>& y) {
+    return std::ranges::equal(x, y, [](const FaultEffect& a, const FaultEffect& b) {
+        bool same_hit = a.first.has_value() == b.first.has_value() &&
+                        (!a.first || (a.first->at == b.first->at && a.first->byte == b.first->byte &&
+                                      a.first->acknowledge == b.first->acknowledge));
+        return same_hit && a.bytes_lost == b.bytes_lost && a.acknowledges_lost == b.acknowledges_lost;
+    });
+}
+
+} // namespace
+
+TEST_CASE("random traffic over a link with faults goes as far, and takes the time, as on a circuit of bits") {
+    int stuck = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        RandomStream random(seed, "faulty link against bits");
+        LinkTiming timing = random_timing(random);
+        std::array<Traffic, 2> traffic = {random_traffic(random, 3, 20), random_traffic(random, 7, 20)};
+        std::vector<LinkFault> faults = random_faults(random, 60'000);
+        Outcome bytes = run_on_runtime(timing, traffic, true, faults);
+        auto expected = BitModel(timing, traffic, faults).run_until(bytes.end.count() / 1000 + 30'000);
+        REQUIRE(bytes.course == expected);
+        REQUIRE(run_on_runtime(timing, traffic, false, faults).course == expected);
+        stuck += !bytes.completed;
+    }
+    CHECK(stuck > 50);
+    CHECK(stuck < 180);
+}
+
+TEST_CASE("the closed form gives the times of the single bytes on a link with faults") {
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        CAPTURE(seed);
+        RandomStream random(seed, "closed form against bytes, with faults");
+        LinkTiming timing = random_timing(random);
+        std::array<Traffic, 2> traffic = {random_traffic(random, 0, 200), random_traffic(random, 0, 200)};
+        std::vector<LinkFault> faults = random_faults(random, random.chance(0.5) ? 50'000 : 500'000);
+        Outcome bytes = run_on_runtime(timing, traffic, true, faults);
+        Outcome closed = run_on_runtime(timing, traffic, false, faults);
+        REQUIRE(closed.course == bytes.course);
+        REQUIRE(closed.fingerprint == bytes.fingerprint);
+        REQUIRE(same(closed.effects, bytes.effects));
     }
 }

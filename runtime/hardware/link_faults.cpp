@@ -1,0 +1,54 @@
+#include "runtime/hardware/link_faults.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace placedpar::hardware {
+
+const FaultEffect& LinkFaults::add(const LinkFault& fault) {
+    if (fault.from < Time{0} || fault.from >= fault.until || fault.factor < 1)
+        throw std::logic_error("a fault of a link begins before it ends, and slows it down by a factor of 1 or more");
+    return faults_.emplace_back(Each{.fault = fault}).effect;
+}
+
+std::int64_t LinkFaults::bits_per_second(Time now) const {
+    std::int64_t factor = 1;
+    for (const Each& each : faults_)
+        if (each.fault.kind == LinkFault::Kind::slow && each.acts(now))
+            factor = std::max(factor, each.fault.factor);
+    return std::max<std::int64_t>(bits_per_second_ / factor, 1);
+}
+
+bool LinkFaults::Each::takes(const FaultEffect::Hit& packet, bool leaves_a) const {
+    if (fault.kind == LinkFault::Kind::slow || !acts(packet.at) || !(leaves_a ? fault.wire_from_a : fault.wire_from_b))
+        return false;
+    return fault.kind == LinkFault::Kind::silent || packet.acknowledge;
+}
+
+bool LinkFaults::take(const FaultEffect::Hit& packet, bool leaves_a) {
+    for (Each& each : faults_) {
+        bool takes = each.takes(packet, leaves_a);
+        if (takes || (each.fault.kind == LinkFault::Kind::slow && each.acts(packet.at)))
+            each.effect.first = each.effect.first.value_or(packet);
+        if (takes) {
+            ++(packet.acknowledge ? each.effect.acknowledges_lost : each.effect.bytes_lost);
+            each.effect.last = packet;
+            each.spent = each.fault.kind == LinkFault::Kind::loses_acknowledge;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool LinkFaults::Each::is_steady(Time now, Time last) const {
+    if (spent || fault.until <= now || fault.from > last)
+        return true;
+    bool slow_throughout = fault.kind == LinkFault::Kind::slow && acts(now) && last < fault.until;
+    return slow_throughout && effect.first.has_value();
+}
+
+bool LinkFaults::are_steady(Time now, Time last) const {
+    return std::ranges::all_of(faults_, [&](const Each& each) { return each.is_steady(now, last); });
+}
+
+} // namespace placedpar::hardware

@@ -1,0 +1,135 @@
+// Messages of which something is lost, and messages that are given up.
+
+#include "runtime/channel.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::hardware {
+
+/// REQUIRES: the link has faults, and the packet begins now.
+bool LinkDirection::is_lost(bool acknowledge) {
+    return faults_->take({kernel_.now(), channel_->name(), acknowledge, bytes_in_part_ - bytes_left_},
+                         acknowledge != leaves_a_);
+}
+
+bool LinkDirection::no_fault_until_the_last_byte() const {
+    Time first = std::max(may_start_, out_.free_at());
+    return faults_->are_steady(kernel_.now(), later(first, times(bytes_left_ - 1, timing_.byte_period())));
+}
+
+void LinkDirection::stall() {
+    stalled_ = true;
+    if (kernel_.trace() && trace_carries_)
+        trace_break(last_start_);
+}
+
+/// By the receiving end, of the message under way. A byte for which no process has asked counts when it waits there
+/// whole. REQUIRES, here and below: its bytes are simulated one by one.
+std::uint64_t LinkDirection::bytes_taken() const {
+    if (left_over_)
+        return *left_over_;
+    if (!channel_ || !channel_->output_waits() || receiver_left_)
+        return 0;
+    if (first_byte_waits_)
+        return bytes_before_part_ + 1;
+    if (acknowledge_owed_)
+        return bytes_before_part_;
+    bool on_its_way = unacknowledged_ && (!byte_comes_over_ || byte_noticed_.scheduled());
+    std::uint32_t started = bytes_in_part_ - bytes_left_;
+    return bytes_before_part_ + started - (started > 0 && on_its_way);
+}
+
+std::uint64_t LinkDirection::bytes_acknowledged() const {
+    std::uint32_t started = bytes_in_part_ - bytes_left_;
+    return bytes_before_part_ + started - (started > 0 && unacknowledged_);
+}
+
+/// A receiver that has been given its message may still wait for the arrival of the last byte.
+void LinkDirection::withdraw_acknowledge() {
+    cancel(byte_noticed_);
+    if (back_.acknowledge_waits(*this))
+        back_.withdraw_acknowledge();
+    if (!last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled())
+        taken_ = false;
+}
+
+/// And nothing of the part under way is acknowledged any more. The last byte of the part before may still be on a long
+/// wire, and its receiver waits for it.
+void LinkDirection::drop_bytes_on_their_way() {
+    cancel(first_byte_arrived_);
+    if (bytes_in_part_ > 0 && bytes_left_ == 0 && byte_comes_over_)
+        cancel(last_byte_arrived_[last_of_part_]);
+    withdraw_acknowledge();
+    acknowledge_owed_ = false;
+}
+
+/// The sender stops in the middle of its message, if it is in one.
+void LinkDirection::drop_output() {
+    if (channel_->output_waits()) {
+        if (std::uint64_t taken = bytes_taken())
+            left_over_ = taken;
+        drop_bytes_on_their_way();
+    } else {
+        withdraw_acknowledge();
+    }
+    cancel(start_byte_);
+    cancel(sending_ended_);
+    out_.withdraw_byte();
+    stall();
+}
+
+bool LinkDirection::give_up_output(AnyChannel& channel) {
+    if (!sender_ && !channel.output_waits())
+        return false;
+    simulate_bytes_again();
+    output_given_up_ = true;
+    sent_when_given_up_ = bytes_acknowledged();
+    drop_output();
+    if (sender_) {
+        leave_memories();
+        kernel_.make_ready(*std::exchange(sender_, nullptr));
+    }
+    return true;
+}
+
+/// The receiving end is in no message any more. If the sender is in one, it gets no further.
+void LinkDirection::receiver_leaves() {
+    if (!left_over_ && bytes_taken() > 0) {
+        drop_bytes_on_their_way();
+        for (auto& event : last_byte_arrived_)
+            cancel(event);
+        taken_ = false;
+        cancel(start_byte_);
+        out_.withdraw_byte();
+        receiver_left_ = true;
+        stall();
+    }
+    first_byte_waits_ = false;
+}
+
+bool LinkDirection::give_up_input(AnyChannel& channel) {
+    if (!channel.input_waits())
+        return false;
+    simulate_bytes_again();
+    input_given_up_ = true;
+    taken_when_given_up_ = bytes_taken();
+    receiver_leaves();
+    if (receiver_)
+        kernel_.make_ready(*std::exchange(receiver_, nullptr));
+    return true;
+}
+
+std::uint64_t LinkDirection::reset_output(AnyChannel&) { return std::exchange(sent_when_given_up_, 0); }
+
+std::uint64_t LinkDirection::reset_input(AnyChannel&) {
+    simulate_bytes_again();
+    std::uint64_t taken = std::max(std::exchange(taken_when_given_up_, 0), bytes_taken());
+    receiver_leaves();
+    left_over_.reset();
+    return taken;
+}
+
+} // namespace placedpar::hardware

@@ -1,0 +1,55 @@
+#include "runtime/recovery.hpp"
+
+#include "runtime/executive.hpp"
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+Attempt::Attempt(AnyChannel& channel, End end) : channel_(channel), end_(end), process_(Kernel::here().running()) {
+    charge(process_, &OperationCosts::attempt);
+    end_ == End::output ? channel_.attempt_output(this) : channel_.attempt_input(this);
+    process_.may_give_up(true);
+}
+
+Attempt::~Attempt() {
+    process_.may_give_up(false);
+    end_ == End::output ? channel_.attempt_output(nullptr) : channel_.attempt_input(nullptr);
+    if (failure_)
+        failure_->disable();
+}
+
+void Attempt::until_told_by(AnyChannel& failure) {
+    failure.own_input(process_);
+    failure_ = &failure;
+}
+
+/// What else can happen at this moment happens first.
+void Attempt::entered() {
+    EventQueue& future = process_.kernel().future();
+    Time now = process_.kernel().now();
+    if (deadline_)
+        return future.schedule(*this, std::max(*deadline_, now), EventQueue::timer);
+    failure_->enable(*this);
+    if (failure_->message_waits())
+        future.schedule(*this, now, EventQueue::timer);
+}
+
+void Attempt::message_announced() {
+    if (!scheduled() && !failed_)
+        process_.kernel().future().schedule(*this, process_.kernel().now(), EventQueue::timer);
+}
+
+void Attempt::happen() noexcept {
+    if (failure_ && !failure_->message_waits())
+        return; // it was given up itself
+    failed_ = end_ == End::output ? channel_.give_up_output() : channel_.give_up_input();
+}
+
+std::uint64_t reset(AnyChannel& channel, Attempt::End end) {
+    charge(Kernel::here().running(), &OperationCosts::reset_channel);
+    return end == Attempt::End::output ? channel.reset_output() : channel.reset_input();
+}
+
+} // namespace placedpar

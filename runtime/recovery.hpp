@@ -1,0 +1,125 @@
+#pragma once
+
+#include "runtime/channel.hpp"
+#include "runtime/event.hpp"
+#include "runtime/source_location.hpp"
+#include "runtime/time.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace placedpar {
+
+// How a program survives a link that fails, in the words of the libraries of the INMOS toolsets: InputOrFail and
+// OutputOrFail, with a time-out (.t) or with a channel whose message ends the attempt (.c), and Reinitialise; in C
+// ChanInTimeFail, ChanOutTimeFail, ChanInChanFail, ChanOutChanFail and ChanReset.
+//
+// 1. A channel may be soft, or hard and alone on its direction of a link. One that travels in packets throws
+//    std::logic_error, as the toolset has it of virtual channels.
+// 2. A message that is given up never comes. One that the sender gave up may have come all the same, when only the
+//    acknowledge of its last byte was lost.
+// 3. The end of a hard channel at which a message was given up must be reset before it is used again; else it throws
+//    std::logic_error. In the middle of a message the other end must be reset as well: until then nothing comes over.
+// 4. On a soft channel nothing is left behind, and reset changes nothing.
+// 5. They cost what the communication costs, and OperationCosts::attempt; a reset costs OperationCosts::reset_channel.
+
+/// One communication that may be given up, by the running process on its stack.
+class Attempt final : Event, Listener, Entrant {
+public:
+    enum class End { output, input };
+    /// Charges for the attempt. Throws std::logic_error when the channel cannot give up a message.
+    Attempt(AnyChannel&, End);
+    ~Attempt();
+    Attempt(const Attempt&) = delete;
+    Attempt& operator=(const Attempt&) = delete;
+
+    /// Gives up at that moment; when it has passed, as soon as nothing else can happen at this one.
+    void until(Time deadline) { deadline_ = deadline; }
+    /// Gives up when a message waits in the channel.
+    void until_told_by(AnyChannel& failure);
+    bool failed() const { return failed_; }
+
+private:
+    void entered() override;
+    void happen() noexcept override;
+    void message_announced() override;
+
+    AnyChannel& channel_;
+    End end_;
+    Process& process_;
+    std::optional<Time> deadline_;
+    AnyChannel* failure_ = nullptr;
+    bool failed_ = false;
+};
+
+/// Returns whether the message has gone, with its acknowledge, before the deadline.
+template <class T>
+bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
+    Attempt attempt(to.channel(), Attempt::End::output);
+    attempt.until(deadline);
+    to.output(std::move(message), where);
+    return !attempt.failed();
+}
+
+/// Returns whether it has gone before a message came from `failure`, which is input then.
+template <class T, class F>
+bool output_or_fail(Output<T> to, T message, Input<F> failure,
+                    const SourceLocation& where = SourceLocation::current()) {
+    bool failed;
+    {
+        Attempt attempt(to.channel(), Attempt::End::output);
+        attempt.until_told_by(failure.channel());
+        to.output(std::move(message), where);
+        failed = attempt.failed();
+    }
+    if (failed)
+        failure.input(where);
+    return !failed;
+}
+
+/// Returns whether the message has come before the deadline; else it is as it was.
+template <class T>
+bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
+    std::optional<T> slot;
+    Attempt attempt(from.channel(), Attempt::End::input);
+    attempt.until(deadline);
+    from.input_into(slot, where);
+    if (!attempt.failed())
+        message = std::move(*slot);
+    return !attempt.failed();
+}
+
+/// Returns whether it has come before a message came from `failure`, which is input then.
+template <class T, class F>
+bool input_or_fail(Input<T> from, T& message, Input<F> failure,
+                   const SourceLocation& where = SourceLocation::current()) {
+    std::optional<T> slot;
+    bool failed;
+    {
+        Attempt attempt(from.channel(), Attempt::End::input);
+        attempt.until_told_by(failure.channel());
+        from.input_into(slot, where);
+        failed = attempt.failed();
+    }
+    if (failed)
+        failure.input(where);
+    else
+        message = std::move(*slot);
+    return !failed;
+}
+
+/// Reinitialise, ChanReset: makes the end of the channel ready for a next message, after one was given up there or at
+/// the other end. Returns how many bytes of that had come over: those acknowledged, or those taken; of a soft channel
+/// none. Throws std::logic_error when another process owns the end, or one is in it.
+std::uint64_t reset(AnyChannel&, Attempt::End);
+template <class T>
+std::uint64_t reset(Output<T> end) {
+    return reset(end.channel(), Attempt::End::output);
+}
+template <class T>
+std::uint64_t reset(Input<T> end) {
+    return reset(end.channel(), Attempt::End::input);
+}
+
+} // namespace placedpar

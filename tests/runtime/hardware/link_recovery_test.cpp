@@ -1,0 +1,394 @@
+// Who is told what when a link loses something, and how it goes on.
+
+#include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/random.hpp"
+#include "runtime/recovery.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Letter {
+    int number = 0;
+    std::uint32_t bytes = 1, head = 0; ///< with a head it has two parts
+    WireForm wire_form() const { return head > 0 ? WireForm(head, bytes) : WireForm(bytes); }
+};
+
+/// When the packets of a message of so many bytes begin, one after the other: byte, acknowledge, byte...
+/// At 20 Mbit/s: a byte each 11.2 bits of 50 ns, its acknowledge 5.2 later.
+Time begin_of(std::uint32_t packet) { return packet / 2 * 560ns + packet % 2 * 260ns; }
+
+struct Told {
+    bool sender = false, receiver = false;
+    std::uint64_t acknowledged = 0, taken = 0;
+    std::vector<int> later; ///< messages received after the resets
+    FaultEffect effect;
+};
+
+/// A message of so many bytes, of which a fault takes one packet; both ends give up after 1 ms, reset, and try again.
+Told lose_packet(std::uint32_t bytes, std::uint32_t packet, bool every_byte) {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    if (every_byte)
+        link.from_a_to_b().simulate_every_byte();
+    bool acknowledge = packet % 2 == 1;
+    LinkFault fault{.from = begin_of(packet), .until = begin_of(packet) + 1ns};
+    (acknowledge ? fault.wire_from_a : fault.wire_from_b) = false;
+    const FaultEffect& effect = link.suffer(fault);
+    Channel<Letter> c("c");
+    c.put_on(link.from_a_to_b());
+    Told told;
+    simulation.process("sender", [&] {
+        told.sender = output_or_fail(c.out(), Letter{1, bytes}, Time{1ms});
+        told.acknowledged = reset(c.out());
+        wait_until(2ms);
+        c.out().output({2, bytes});
+    });
+    simulation.process("receiver", [&] {
+        Letter letter;
+        told.receiver = input_or_fail(c.in(), letter, Time{1ms});
+        told.taken = reset(c.in());
+        told.later.push_back(c.in().input().number);
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    told.effect = effect;
+    return told;
+}
+
+} // namespace
+
+TEST_CASE("a lost byte and a lost acknowledge: nobody is told, but the receiver of all bytes") {
+    for (bool every_byte : {true, false})
+        for (std::uint32_t bytes = 1; bytes <= 6; ++bytes)
+            for (std::uint32_t packet = 0; packet < 2 * bytes; ++packet) {
+                CAPTURE(bytes);
+                CAPTURE(packet);
+                bool acknowledge = packet % 2 == 1, last = packet / 2 + 1 == bytes;
+                Told told = lose_packet(bytes, packet, every_byte);
+                CHECK(!told.sender);
+                CHECK(told.receiver == (acknowledge && last));
+                CHECK(told.acknowledged == packet / 2);
+                CHECK(told.taken == (told.receiver ? 0 : packet / 2 + acknowledge));
+                CHECK(told.later == std::vector{2});
+                CHECK(told.effect.bytes_lost == !acknowledge);
+                CHECK(told.effect.acknowledges_lost == acknowledge);
+                REQUIRE(told.effect.first);
+                CHECK(told.effect.first->at == begin_of(packet));
+                CHECK(told.effect.first->byte == packet / 2 + 1);
+            }
+}
+
+TEST_CASE("without a time-out a lost byte is a deadlock, in which the two are named") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    link.suffer({.from = Time{3us}});
+    Channel<Letter> c("c");
+    c.put_on(link.from_a_to_b());
+    simulation.process("sender", [&] { c.out().output({1, 100}); });
+    simulation.process("receiver", [&] { c.in().input(); });
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->processes.size() == 2);
+}
+
+TEST_CASE("a lost message is a partial deadlock when a time limit ends the run") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    link.suffer({.from = Time{3us}});
+    Channel<Letter> c("c");
+    c.put_on(link.from_a_to_b());
+    simulation.process("sender", {c.out()}, [&] { c.out().output({1, 100}); });
+    simulation.process("receiver", {c.in()}, [&] { c.in().input(); });
+    simulation.process("clock", [&] {
+        for (;;)
+            wait_for(1ms);
+    });
+    RunResult result = simulation.run(10ms);
+    CHECK(result.ending == Ending::time_limit);
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->processes.size() == 2);
+}
+
+TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, until the receiver resets its end") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    Channel<Letter> c("c");
+    c.put_on(link.from_a_to_b());
+    simulation.process("sender", [&] {
+        CHECK(!output_or_fail(c.out(), Letter{1, 10}, Time{10us}));
+        CHECK(reset(c.out()) == 0);
+        CHECK(!output_or_fail(c.out(), Letter{2, 10}, Time{50us})); // the byte is in the way
+        CHECK(reset(c.out()) == 0);
+        wait_until(100us);
+        CHECK(!output_or_fail(c.out(), Letter{3, 10}, Time{200us}));
+    });
+    simulation.process("receiver", [&] {
+        wait_until(30us);
+        bool chosen = false;
+        alt(on(c.in(), [&](const Letter&) { chosen = true; }), after(Time{31us}, [] {}));
+        CHECK(!chosen);
+    });
+    CHECK(simulation.run().ending == Ending::stuck); // the byte made the guard ready, and the input waits for ever
+
+    Simulation again;
+    Link& other = again.add<Link>();
+    Channel<Letter> d("d");
+    d.put_on(other.from_a_to_b());
+    again.process("sender", [&] {
+        CHECK(!output_or_fail(d.out(), Letter{1, 10}, Time{10us}));
+        reset(d.out());
+        wait_until(100us);
+        CHECK(output_or_fail(d.out(), Letter{3, 10}, Time{200us}));
+    });
+    again.process("receiver", [&] {
+        wait_until(30us);
+        CHECK(reset(d.in()) == 1);
+        CHECK(d.in().input().number == 3);
+    });
+    CHECK(again.run().ending == Ending::completed);
+}
+
+TEST_CASE("an end at which a message was given up refuses the next one until it is reset") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    Channel<Letter> c("c");
+    c.put_on(link.from_a_to_b());
+    simulation.process("sender", [&] {
+        output_or_fail(c.out(), Letter{}, Time{1us});
+        c.out().output({});
+    });
+    CHECK_THROWS_WITH_AS(simulation.run(),
+                         "process sender outputs to channel c, on which it gave up a message: reset it first",
+                         std::logic_error);
+}
+
+TEST_CASE("a processor that halts executes nothing from that moment on, and its neighbours wait for it") {
+    Simulation simulation;
+    Processor& halting = simulation.add<Processor>("halting");
+    Processor& other = simulation.add<Processor>("other");
+    halting.halt_at(1ms);
+    Link& link = simulation.add<Link>();
+    link.suffer({.from = Time{1ms}, .wire_from_b = false});
+    Channel<int> c("c");
+    c.put_on(link.from_a_to_b());
+    int steps = 0, received = 0;
+    simulation.process(
+        "steps",
+        [&] {
+            for (;;)
+                compute(Cycles{1000}), ++steps, c.out().output(steps);
+        },
+        &halting);
+    simulation.process(
+        "delayed", [&] { wait_until(1ms), steps = 1000; }, &halting, Priority::high);
+    simulation.process(
+        "receives",
+        [&] {
+            for (;;)
+                received = c.in().input();
+        },
+        &other);
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    CHECK(steps == received);
+    CHECK(steps > 15);
+    CHECK(steps < 20);
+    CHECK(halting.time_busy() <= 1ms);
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->processes[0].activity == Activity::halted);
+    CHECK(result.deadlock->processes[2].activity == Activity::inputting);
+}
+
+TEST_CASE("a processor that computes when it halts has computed until then") {
+    for (Priority priority : {Priority::low, Priority::high}) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800");
+        t800.halt_at(300us);
+        int ended = 0;
+        for (int i = 0; i < 2; ++i)
+            simulation.process(
+                "computes", [&] { compute(Cycles{4000}), ++ended; }, &t800, priority);
+        CHECK(simulation.run().ending == Ending::stuck);
+        CHECK(t800.time_busy() == 300us);
+        CHECK(ended == 1);
+    }
+}
+
+namespace {
+
+/// Pairs of processes over links with random faults. Each end may give up, by a time-out or because a third process
+/// tells it, and resets; some do not, and wait for ever. What a sender was told has gone has come, once and in order.
+class RandomProgram {
+public:
+    RandomProgram(std::uint64_t seed, bool every_byte) : random_(seed, "recovery over links") {
+        bool placed = random_.chance(0.5);
+        for (std::size_t i = 0, n = 1 + random_.below(3); i < n; ++i) {
+            Link& link = simulation_.add<Link>(LinkTiming{
+                .wire_delay = random_.chance(0.5) ? Time{} : Time{std::chrono::nanoseconds{random_.below(900)}},
+                .overlapped_acknowledge = random_.chance(0.7)});
+            if (every_byte)
+                link.from_a_to_b().simulate_every_byte(), link.from_b_to_a().simulate_every_byte();
+            add_faults(link);
+            Processor* a = placed ? &simulation_.add<Processor>("a") : nullptr;
+            Processor* b = placed ? &simulation_.add<Processor>("b") : nullptr;
+            bool halts = placed && random_.chance(0.2);
+            if (halts)
+                a->halt_at(std::chrono::nanoseconds{random_.below(300'000)});
+            add_pair(link.from_a_to_b(), a, b);
+            if (random_.chance(0.6))
+                add_pair(link.from_b_to_a(), b, a), pairs_.back().receiver_halts = halts;
+        }
+    }
+
+    RunResult run() { return simulation_.run(20ms); }
+    void check() const {
+        for (const Pair& pair : pairs_) {
+            for (int number : pair.told)
+                CHECK((pair.receiver_halts || std::ranges::count(pair.received, number) == 1));
+            CHECK(std::ranges::is_sorted(pair.received, std::less_equal<>{}));
+        }
+    }
+    std::size_t given_up() const { return given_up_; }
+
+private:
+    struct Pair {
+        explicit Pair(std::string name) : channel(name), kill("kill " + name) {}
+        Channel<Letter> channel;
+        Channel<int> kill;
+        bool receiver_halts = false; ///< it may have a message, and not go on
+        std::vector<int> told, received;
+    };
+
+    void add_faults(Link& link) {
+        for (std::uint32_t i = 0, n = random_.below(4); i < n; ++i) {
+            LinkFault fault{.from = std::chrono::nanoseconds{random_.below(200'000)}};
+            fault.kind = std::array{LinkFault::Kind::silent, LinkFault::Kind::loses_acknowledge,
+                                    LinkFault::Kind::slow}[random_.below(3)];
+            fault.factor = 1 + random_.below(5);
+            if (random_.chance(0.9))
+                fault.until = fault.from + std::chrono::nanoseconds{1 + random_.below(30'000)};
+            if (random_.chance(0.6))
+                (random_.chance(0.5) ? fault.wire_from_a : fault.wire_from_b) = false;
+            link.suffer(fault);
+        }
+    }
+
+    void add_pair(Carrier& direction, Processor* from, Processor* to) {
+        Pair& pair = pairs_.emplace_back(fmt::format("pair {}", pairs_.size()));
+        pair.channel.put_on(direction);
+        auto seed = random_.below(1'000'000);
+        simulation_.process(
+            "sender", [this, &pair, seed] { send(pair, RandomStream(seed, "sender")); }, from, some_priority());
+        simulation_.process(
+            "receiver", [this, &pair, seed] { receive(pair, RandomStream(seed, "receiver")); }, to, some_priority());
+        if (from && random_.chance(0.5))
+            simulation_.process(
+                "computes", [] { compute(Cycles{5000}); }, from);
+    }
+
+    Priority some_priority() { return random_.chance(0.5) ? Priority::high : Priority::low; }
+    static Time soon(RandomStream& random) { return now() + std::chrono::nanoseconds{random.below(30'000)}; }
+    static void pause(RandomStream& random) {
+        if (random.chance(0.5))
+            wait_for(std::chrono::nanoseconds{random.below(15'000)});
+    }
+
+    void send(Pair& pair, RandomStream random) {
+        for (int number = 0; number < 12; ++number) {
+            pause(random);
+            Letter letter{number, 1 + random.below(random.chance(0.5) ? 3 : 60), random.below(3)};
+            if (random.chance(0.01)) {
+                pair.channel.out().output(letter);
+                pair.told.push_back(number);
+            } else if (try_output(pair, letter, random)) {
+                pair.told.push_back(number);
+            } else {
+                ++given_up_;
+                pause(random);
+                reset(pair.channel.out());
+            }
+        }
+    }
+    static bool try_output(Pair& pair, const Letter& letter, RandomStream& random) {
+        Time deadline = soon(random);
+        if (random.chance(0.7))
+            return output_or_fail(pair.channel.out(), letter, deadline);
+        // as the toolset does it: a process beside it that tells it
+        bool gone = false;
+        Channel<int> stop("stop");
+        par(
+            [&] {
+                gone = output_or_fail(pair.channel.out(), letter, pair.kill.in()),
+                gone ? static_cast<void>(pair.kill.in().input()) : void();
+            },
+            [&] { wait_until(deadline), pair.kill.out().output(1); });
+        return gone;
+    }
+
+    void receive(Pair& pair, RandomStream random) {
+        for (int times = 0; times < 40; ++times) {
+            pause(random);
+            Letter letter;
+            if (random.chance(0.04) &&
+                alt(on(pair.channel.in(), [&](const Letter& it) { pair.received.push_back(it.number); }),
+                    after(soon(random), [] {})) == 0)
+                continue;
+            if (input_or_fail(pair.channel.in(), letter, soon(random))) {
+                pair.received.push_back(letter.number);
+            } else {
+                ++given_up_;
+                if (random.chance(0.5))
+                    pause(random);
+                reset(pair.channel.in());
+            }
+        }
+    }
+
+    Simulation simulation_;
+    RandomStream random_;
+    std::deque<Pair> pairs_;
+    std::size_t given_up_ = 0;
+};
+
+} // namespace
+
+TEST_CASE("random programs over links with faults end, completed or diagnosed, and nobody is told what is not so") {
+    std::size_t given_up = 0, completed = 0, stuck = 0;
+    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+        CAPTURE(seed);
+        RandomProgram bytes(seed, true), closed(seed, false);
+        RunResult result = bytes.run(), with_closed_form = closed.run();
+        REQUIRE(result.ending != Ending::time_limit);
+        REQUIRE(result.ending == with_closed_form.ending);
+        REQUIRE(result.time == with_closed_form.time);
+        REQUIRE(result.fingerprint == with_closed_form.fingerprint);
+        bytes.check(), closed.check();
+        if (result.ending == Ending::stuck)
+            REQUIRE(!result.deadlock->processes.empty());
+        given_up += bytes.given_up();
+        ++(result.ending == Ending::completed ? completed : stuck);
+    }
+    CHECK(given_up > 10'000);
+    CHECK(completed > 300);
+    CHECK(stuck > 100);
+}
