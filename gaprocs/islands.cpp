@@ -97,9 +97,12 @@ void IslandsSettings::validate_for(std::size_t record_length) const {
 std::string IslandsSettings::warning() const {
     if (!topology.exchanges())
         return "";
-    auto parts = separate_parts(topology.neighbours(islands.size()));
-    if (parts.size() == 1)
-        return "";
+    Neighbours neighbours = topology.neighbours(islands.size());
+    auto parts = separate_parts(neighbours);
+    if (parts.size() == 1) {
+        auto lost = one_way(neighbours);
+        return lost ? fmt::format("nothing of island {} ever comes to island {}", lost->from, lost->never_to) : "";
+    }
     std::vector<std::string> listed;
     for (const auto& part : parts)
         listed.push_back(fmt::format("{}", fmt::join(part, ", ")));

@@ -35,7 +35,8 @@ struct IslandsSettings {
     /// island has individuals, for more immigrants at once than it can accept, and for islands of different numbers of
     /// generations per sample.
     void validate_for(std::size_t record_length) const;
-    /// What is allowed, but hardly meant: a topology in parts that exchange nothing with each other. "" if nothing is.
+    /// What is allowed, but hardly meant: a topology in parts that exchange nothing with each other, or where the
+    /// individuals of an island never come to another. "" if nothing is.
     /// Throws as Topology::neighbours().
     std::string warning() const;
 };

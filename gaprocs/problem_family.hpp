@@ -11,10 +11,17 @@
 
 namespace placedpar {
 
+/// What a search over a record has to be set to; a netlist that says otherwise is warned.
+struct RecordAdvice {
+    std::size_t trials = 0; ///< generations for each sample, where the record's own time is counted in them; 0: any
+    double bias = 0;        ///< B of a sample, where the thesis's is of another order of magnitude; 0: the thesis's
+};
+
 /// A record of measurement that costs something to make, such as a simulation.
 struct RecordToMake {
     std::size_t samples = 0; ///< how many make() gives, known without calling it
     std::function<std::vector<Sample>()> make = nullptr;
+    RecordAdvice advice = {};
 };
 
 /// Problems of one name that differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". Objective problems:

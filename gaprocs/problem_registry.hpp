@@ -21,11 +21,13 @@ public:
     /// problem has a record.
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
-        : problem_(std::move(problem)), samples_(record.samples), make_(std::move(record.make)) {}
+        : problem_(std::move(problem)), samples_(record.samples), advice_(record.advice),
+          make_(std::move(record.make)) {}
 
     const std::shared_ptr<const SearchProblem>& problem() const { return problem_; }
     /// The length of the record, which need not be made for it.
     std::size_t samples() const { return samples_; }
+    const RecordAdvice& advice() const { return advice_; }
     /// In order of time. The first call makes the record if it was added by add_to_make(); it then throws
     /// std::invalid_argument as the constructor, or std::logic_error when there are not as many samples as promised.
     const std::vector<Sample>& record() const;
@@ -35,6 +37,7 @@ private:
 
     std::shared_ptr<const SearchProblem> problem_;
     std::size_t samples_;
+    RecordAdvice advice_;
     mutable std::function<std::vector<Sample>()> make_; ///< empty once the record is there
     mutable std::vector<Sample> record_;
 };

@@ -42,8 +42,8 @@ std::uint64_t code_around(std::uint64_t centre, std::uint64_t code, std::size_t 
 
 void Recoding::validate() const {
     if (bits.empty() || bits.size() != problem_bits.size())
-        throw std::invalid_argument(
-            fmt::format("{} to be bred for {} of the problem", counted(bits.size(), "field"), problem_bits.size()));
+        throw std::invalid_argument(fmt::format("the problem's string has {}, but bits are given for {}",
+                                                counted(problem_bits.size(), "field"), bits.size()));
     if (coding == Coding::real)
         throw std::invalid_argument("real numbers have no bits");
     for (std::size_t i = 0; i < bits.size(); ++i)

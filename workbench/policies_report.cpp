@@ -132,8 +132,10 @@ std::vector<Asked> ask(const Catalogue& catalogue, const std::string& name) {
 }
 
 std::string print_number(const PolicyNumberDescription& number) {
+    std::string about = number.about.empty() ? "" : fmt::format("  {:<28} {}\n", "", number.about);
     return fmt::format("  {:<16} {:<7} default {:<14} {} .. {}\n", number.name, number.whole ? "int" : "double",
-                       number.by_default, number.least, number.most);
+                       number.by_default, number.least, number.most) +
+           about;
 }
 
 std::string print_deciding(const Deciding& deciding) {
@@ -301,7 +303,8 @@ boost::json::array numbers_json(const PolicyDescription& policy) {
                          {"whole", number.whole},
                          {"default", number.by_default},
                          {"least", number.least},
-                         {"most", number.most}});
+                         {"most", number.most},
+                         {"about", number.about}});
     return array;
 }
 

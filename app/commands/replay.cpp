@@ -129,6 +129,15 @@ void write_files(const Replay& replay, const ReplayOptions& options, const std::
         write_plots(replay, options.plots);
 }
 
+/// What an interrupted study leaves to go on from.
+std::string what_is_left(const ReplayOptions& options, const UnfinishedRun& unfinished) {
+    if (unfinished.ending != Ending::interrupted || find_experiment(options.experiment).seeds == 0)
+        return "";
+    return options.resume.empty()
+               ? "hint: with --resume FILE the runs that ended are kept\n"
+               : fmt::format("the runs that ended are in {}: the same command goes on from them\n", options.resume);
+}
+
 ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     const Experiment& experiment = find_experiment(options.experiment);
     require_study(experiment, options);
@@ -139,7 +148,7 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     write_files(result, options, typed);
     return result.within_tolerance() ? ExitCode::success : ExitCode::missed_tolerance;
 } catch (const UnfinishedRun& unfinished) {
-    fmt::print(stderr, "placedpar: {}\n", unfinished.what());
+    fmt::print(stderr, "placedpar: {}\n{}", unfinished.what(), what_is_left(options, unfinished));
     return exit_code_of(unfinished.ending);
 }
 

@@ -87,7 +87,9 @@ void add_tables(std::vector<Comparison>& comparisons, const BroadcastStudies& st
 }
 
 Plot two_islands_plot(const BroadcastStudies& noiseless) {
-    Plot plot{"Figure 5.4: broadcast in every generation (experiment #2), one run, noiseless", {}};
+    Plot plot{
+        "Figure 5.4: broadcast in every generation (experiment #2), one run, quartiles of all",
+        {}};
     for (const PlantStudy* study : noiseless.all())
         plot.panels.push_back(
             single_run_panel(study->islands.name, {{"first island", study, 0}, {"last island", study, 3}}));
@@ -110,7 +112,7 @@ extern const Experiment pga_2_experiment{
     .chapter = "5",
     .number = 2,
     .run = replay_pga_2,
-    .seeds = plant_seeds,
+    .seeds = plant_seeds_of_claims,
 };
 
 } // namespace placedpar

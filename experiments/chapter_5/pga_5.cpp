@@ -99,7 +99,7 @@ extern const Experiment pga_5_experiment{
     .chapter = "5",
     .number = 5,
     .run = replay_pga_5,
-    .seeds = plant_seeds,
+    .seeds = plant_seeds_of_claims,
 };
 
 } // namespace placedpar

@@ -107,6 +107,29 @@ std::string print_error(const Cell& cell, const std::string& against) {
     return error ? fmt::format("{:+.1f}%", *error) : "";
 }
 
+/// In the cell's unit, or in percent; empty where it is not judged, or by a bound that stands in place of its error.
+std::string print_tolerance(const Cell& cell) {
+    if (cell.at_least || cell.at_most || !cell.reference)
+        return "";
+    if (cell.tolerance)
+        return fmt::format("{:.3g}", *cell.tolerance);
+    return cell.tolerance_percent ? fmt::format("{:g}%", *cell.tolerance_percent) : "";
+}
+
+/// Each tolerance of the row once, in the order of its columns.
+std::string print_tolerances(const Cells& row) {
+    std::vector<std::string> each;
+    for (const Cell& cell : row)
+        if (std::string tolerance = print_tolerance(cell);
+            !tolerance.empty() && std::ranges::find(each, tolerance) == each.end())
+            each.push_back(tolerance);
+    return fmt::format("{}", fmt::join(each, ", "));
+}
+
+bool has_tolerances(const Table& table) {
+    return std::ranges::any_of(table.rows, [](const Cells& row) { return !print_tolerances(row).empty(); });
+}
+
 /// Finds what its columns have to show.
 Table with_what_is_shown(Table table, const std::string& against) {
     for (ShownColumn& column : table.columns)
@@ -131,6 +154,8 @@ std::string print_row(const Cells& row, const Table& table, const std::string& a
         auto cell = std::ranges::find(row, column.name, &Cell::column);
         out += fmt::format("  {:>{}}", cell == row.end() ? "" : print_cell(*cell, column, against), column.width());
     }
+    if (has_tolerances(table))
+        out += "  " + print_tolerances(row);
     out.erase(out.find_last_not_of(' ') + 1);
     return out;
 }
@@ -144,7 +169,8 @@ std::string print_head(const Table& table, const std::string& against, std::size
             "simulat." + (column.known ? fmt::format("{:>8}", against) : "") + (column.error ? "   error" : "");
         figures += fmt::format("  {:>{}}", each, column.width());
     }
-    return fmt::format("\n{:<{}}{}\n{:<{}}{}", "", width, names, "", width, figures);
+    return fmt::format("\n{:<{}}{}\n{:<{}}{}{}", "", width, names, "", width, figures,
+                       has_tolerances(table) ? "  tolerance" : "");
 }
 
 std::string print_table(const Table& table, const std::string& against, std::size_t width) {

@@ -21,8 +21,9 @@ struct Comparison {
 
 /// A table for people: each cell as simulated, known and error: in percent, or in the cell's unit where its tolerance
 /// is or that is percent itself; a cell judged from one side shows its bound instead of an error, and one beside a
-/// claim, which is a bound in words, none. What no cell of a column has is left out. Rows and columns come in the order
-/// of the cells. A row with a column that the rows above it do not have begins a table of its own.
+/// claim, which is a bound in words, none. Behind a row stand the tolerances of its cells. What no cell of a column has
+/// is left out. Rows and columns come in the order of the cells. A row with a column that the rows above it do not have
+/// begins a table of its own.
 std::string print_comparison(const Comparison&);
 
 } // namespace placedpar

@@ -22,7 +22,7 @@ void require_end(const RunReport& report, const std::filesystem::path& netlist) 
 
 void end_if_requested(const Interruption& interruption) {
     if (interruption.requested())
-        throw UnfinishedRun("interrupted: the experiment is not complete, and nothing was written",
+        throw UnfinishedRun("interrupted: the experiment is not complete, and no table or plot of it was made",
                             Ending::interrupted);
 }
 

@@ -40,7 +40,8 @@ struct WorstAcceptance {
                                       source = "ours: the thesis does not say";
     bool only_if_better = false;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"only_if_better", &WorstAcceptance::only_if_better, 0, 1});
+        return std::tuple(PolicyNumber{"only_if_better", &WorstAcceptance::only_if_better, 0, 1,
+                                       "1: only where the guest is the better one; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -51,7 +52,8 @@ struct RandomAcceptance {
                                       source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"only_if_better", &RandomAcceptance::only_if_better, 0, 1});
+        return std::tuple(PolicyNumber{"only_if_better", &RandomAcceptance::only_if_better, 0, 1,
+                                       "1: only where the guest is the better one; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -64,7 +66,8 @@ struct AlikeAcceptance {
                                       source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1});
+        return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1,
+                                       "1: only where the guest is the better one; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };

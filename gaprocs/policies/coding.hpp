@@ -19,7 +19,10 @@ struct NaturalCoding {
     static constexpr std::string_view name = "natural", about = "fields in natural binary",
                                       source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64,
+                                       "bits stuffed into each field that mean nothing (6.14, 6.15)"});
+    }
 };
 
 /// In the (binary reflected) Gray code neighbours differ in one bit.
@@ -27,7 +30,10 @@ struct GrayCoding {
     static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit",
                                       source = "F. Gray, 1953; don't-care bits: thesis eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64,
+                                       "bits stuffed into each field that mean nothing (6.14, 6.15)"});
+    }
 };
 
 /// No bits: the parameters themselves, each in the range of its field.

@@ -67,7 +67,10 @@ struct BlendCrossover {
                                       about = "numbers between the parents', and `alpha` of their distance beyond",
                                       source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
+                                       "how far beyond its parents a child may lie, in their distances"});
+    }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
 };

@@ -19,7 +19,9 @@ class RandomStream;
 struct BestEmigration {
     static constexpr std::string_view name = "best", about = "the `count` best", source = "thesis 4.3 and 5.2.1";
     std::size_t count = 1;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"count", &BestEmigration::count, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"count", &BestEmigration::count, 1, 1e6, "individuals that leave"});
+    }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
@@ -28,7 +30,9 @@ struct RandomEmigration {
     static constexpr std::string_view name = "random", about = "`count` drawn at random",
                                       source = "a control: not in the thesis";
     std::size_t count = 1;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"count", &RandomEmigration::count, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"count", &RandomEmigration::count, 1, 1e6, "individuals that leave"});
+    }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
@@ -39,8 +43,9 @@ struct TournamentEmigration {
                                       source = "not in the thesis";
     std::size_t count = 1, size = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"count", &TournamentEmigration::count, 1, 1e6},
-                          PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6});
+        return std::tuple(
+            PolicyNumber{"count", &TournamentEmigration::count, 1, 1e6, "individuals that leave"},
+            PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6, "individuals that are drawn for each"});
     }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };

@@ -26,8 +26,9 @@ class RandomStream;
 /// The greatest Sw_i / SA_i to the letter of 5.3, 5.4 and 5.7, with the squares of 5.1.
 struct PrintedChoice {
     static constexpr std::string_view name = "printed",
-                                      about = "greatest Sw/SA as printed, squared errors: never the shortest window "
-                                              "before the longest, which it nearly always chooses",
+                                      about = "greatest Sw/SA as printed, squared errors: where these do not depend "
+                                              "on the window, never the shortest before the longest, which it nearly "
+                                              "always chooses",
                                       source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -65,7 +66,9 @@ struct FixedChoice {
     static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0",
                                       source = "a control: not in the thesis";
     std::size_t island = 0;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6, "from 0"});
+    }
     /// Throws as IslandChoice::validate_for().
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };

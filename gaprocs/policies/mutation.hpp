@@ -44,7 +44,8 @@ struct GaussianMutation {
                                       source = "I. Rechenberg, 1973";
     double deviation = 0.1;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"deviation", &GaussianMutation::deviation, 0, 10});
+        return std::tuple(PolicyNumber{"deviation", &GaussianMutation::deviation, 0, 10,
+                                       "standard deviation of the step, in widths of the parameter's bounds"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -59,8 +60,10 @@ struct BreederMutation {
                                       source = "H. Mühlenbein and D. Schlierkamp-Voosen, 1993";
     double range = 0.1, precision = 24;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"range", &BreederMutation::range, 0, 1},
-                          PolicyNumber{"precision", &BreederMutation::precision, 0, 60});
+        return std::tuple(
+            PolicyNumber{"range", &BreederMutation::range, 0, 1, "greatest step, in widths of the parameter's bounds"},
+            PolicyNumber{"precision", &BreederMutation::precision, 0, 60,
+                         "the least step is the greatest by 2 to this power"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,

@@ -24,21 +24,24 @@ namespace placedpar {
 // and a step is done by a OneOf<...> of them. Library and netlists name a policy by the same text:
 // "tournament", "tournament(3)", "tournament(size = 3)".
 
-/// A number of a policy, a double, a size or a bool (0 or 1): its name, where it lies, and its range with both ends.
+/// A number of a policy, a double, a size or a bool (0 or 1): its name, where it lies, its range with both ends, and a
+/// line about it, with its unit.
 template <class Policy, class T>
 struct PolicyNumber {
     std::string_view name;
     T Policy::*member;
     double least, most;
+    std::string_view about = "";
 };
 
 template <class Policy, class T> // for Clang 14, which deduces none for an aggregate
-PolicyNumber(std::string_view, T Policy::*, double, double)->PolicyNumber<Policy, T>;
+PolicyNumber(std::string_view, T Policy::*, double, double, std::string_view = "")->PolicyNumber<Policy, T>;
 
 struct PolicyNumberDescription {
     std::string name;
     double by_default, least, most;
     bool whole;
+    std::string about = ""; ///< one line; empty: its name says it
 };
 
 /// A policy as the catalogue lists it.
@@ -70,7 +73,8 @@ PolicyDescription describe_policy() {
     auto describe = [](const auto& number) {
         double by_default = static_cast<double>(Policy{}.*number.member);
         bool whole = !std::is_same_v<std::remove_cvref_t<decltype(Policy{}.*number.member)>, double>;
-        return PolicyNumberDescription{std::string(number.name), by_default, number.least, number.most, whole};
+        return PolicyNumberDescription{std::string(number.name), by_default, number.least, number.most, whole,
+                                       std::string(number.about)};
     };
     auto describe_all = [&](const auto&... number) {
         return std::vector<PolicyNumberDescription>{describe(number)...};

@@ -53,7 +53,10 @@ struct ScaledReproduction {
                                       source = "D. Goldberg, 1989, p. 76";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100,
+                                       "copies that the best expects, where the mean expects 1"});
+    }
 
     /// As UniversalReproduction; there are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
@@ -67,7 +70,10 @@ struct RankingReproduction {
                                       source = "J. Baker, 1985";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2,
+                                       "copies that the best expects; the worst expects 2 less this"});
+    }
 
     /// As UniversalReproduction; there are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
@@ -81,7 +87,9 @@ struct TournamentReproduction {
         source = "D. Goldberg and K. Deb, 1991";
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals that are drawn"});
+    }
 
     /// `size` numbers a parent, at least; there are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;

@@ -20,7 +20,9 @@ struct BroadcastSchedule {
     static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once",
                                       source = "thesis 5.3.2; every third generation: 4.3";
     std::size_t every = 3;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &BroadcastSchedule::every, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"every", &BroadcastSchedule::every, 1, 1e6, "generations"});
+    }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
@@ -31,7 +33,9 @@ struct SequentialSchedule {
                                       about = "every `every` generations to one neighbour, each in its turn",
                                       source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &SequentialSchedule::every, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"every", &SequentialSchedule::every, 1, 1e6, "generations"});
+    }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
@@ -42,7 +46,9 @@ struct AsynchronousSchedule {
                                       about = "every `every` generations to all neighbours, waiting for none",
                                       source = "not in the thesis";
     std::size_t every = 3;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"every", &AsynchronousSchedule::every, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"every", &AsynchronousSchedule::every, 1, 1e6, "generations"});
+    }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 

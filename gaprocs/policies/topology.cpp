@@ -178,4 +178,15 @@ std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbour
     return parts;
 }
 
+std::optional<OneWay> one_way(const Neighbours& neighbours) {
+    for (const auto& part : separate_parts(neighbours))
+        for (std::size_t from : part) {
+            auto distance = distances(neighbours, from);
+            for (std::size_t to : part)
+                if (!distance[to])
+                    return OneWay{from, to};
+        }
+    return std::nullopt;
+}
+
 } // namespace placedpar

@@ -25,7 +25,10 @@ struct RingTopology {
     static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before",
                                       source = "thesis, appendix E";
     std::size_t ways = 1;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"ways", &RingTopology::ways, 1, 2}); }
+    static constexpr auto numbers() {
+        return std::tuple(
+            PolicyNumber{"ways", &RingTopology::ways, 1, 2, "1: to the next island; 2: to the one before as well"});
+    }
     Neighbours operator()(std::size_t islands) const;
 };
 
@@ -44,7 +47,10 @@ struct TorusTopology {
     static constexpr std::string_view name = "torus", about = "a closed rectangle, to the east, south, west and north",
                                       source = "not in the thesis";
     std::size_t rows = 2;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(
+            PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6, "of islands; as many columns as there are islands for"});
+    }
     Neighbours operator()(std::size_t islands) const;
 };
 
@@ -105,5 +111,12 @@ std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, 
 /// The islands in parts that exchange nothing with each other, each part and the parts in ascending order. One part:
 /// the whole is connected.
 std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
+
+/// Two islands of one part, where nothing of the first ever comes to the second, as from the end of a chain of one way
+/// to its beginning: the first such pair.
+struct OneWay {
+    std::size_t from, never_to;
+};
+std::optional<OneWay> one_way(const Neighbours& neighbours);
 
 } // namespace placedpar

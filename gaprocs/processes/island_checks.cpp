@@ -183,8 +183,10 @@ private:
     /// At the first island of the second part; the first one says it.
     void warn_of_parts() {
         auto parts = separate_parts(archipelago_.neighbours());
-        if (number_ != 0 || parts.size() == 1)
+        if (number_ != 0)
             return;
+        if (parts.size() == 1)
+            return warn_of_one_way();
         if (parts.size() == archipelago_.islands().size())
             return warn_of_islands_alone();
         std::vector<std::string> listed;
@@ -193,6 +195,13 @@ private:
         warn(parts[1].front(), "",
              fmt::format("the islands are in {} parts that exchange nothing with each other: {}", parts.size(),
                          fmt::join(listed, "; ")));
+    }
+
+    void warn_of_one_way() {
+        if (auto lost = one_way(archipelago_.neighbours()))
+            warn(lost->from, "",
+                 fmt::format("nothing of \"{}\" ever comes to \"{}\"", names({lost->from}), names({lost->never_to})),
+                 "a ring leads back to the first island");
     }
 
     /// At the first of those that do not say that it is meant.

@@ -56,6 +56,7 @@ public:
                                integer("population")),
                    fmt::format("it is {} at the most", integer("population") - 2));
         check_coding();
+        warn_of_short_strings();
         check_operators();
         auto host = other_end(network_, process_, "from_host");
         if (host && !host->at_edge() && network_.processes[host->process].kind == "ga.host")
@@ -83,6 +84,9 @@ private:
     std::int64_t integer_of(std::size_t process, const char* parameter) const {
         return std::get<std::int64_t>(network_.processes[process].parameters.at(parameter));
     }
+    double number(const char* parameter) const {
+        return std::get<double>(network_.processes[process_].parameters.at(parameter));
+    }
     const std::string& text(const char* parameter) const { return text_of(process_, parameter); }
     const std::string& text_of(std::size_t process, const char* parameter) const {
         return std::get<std::string>(network_.processes[process].parameters.at(parameter));
@@ -96,9 +100,7 @@ private:
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
-            auto problem = other.parameters.find("problem");
-            return other.kind.starts_with("ga.") && problem != other.parameters.end() &&
-                   problem->second == Value(text("problem"));
+            return other.kind.starts_with("ga.") && is_same(other, "problem");
         });
     }
 
@@ -117,6 +119,54 @@ private:
                     binding.port,
                     fmt::format("\"{}.{}\" is one channel: a slave has one process before it", name(process_), port),
                     fmt::format("connect ... {}.{};", name(process_), port));
+    }
+
+    void warn(std::string about, std::string message, std::string hint) {
+        complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
+    }
+
+    /// Settings that run, but not as the record is meant. The first process of several with the same says it.
+    void warn_of_advice() {
+        const RecordAdvice& advice = recorded_->advice();
+        if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
+            warn(given("trials") ? "trials" : "",
+                 fmt::format(
+                     "trials = {}, but the record of \"{}\" has a sample for every {}: what changes in it changes "
+                     "at another generation than it says",
+                     integer("trials"), text("problem"),
+                     advice.trials == 1 ? "generation" : counted(advice.trials, "generation")),
+                 fmt::format("trials = {}", advice.trials));
+        if (advice.bias != 0 && !given("bias") && !is_as_before("bias"))
+            warn("",
+                 fmt::format("bias = {:g} is the boom's: beside it the errors of \"{}\" make hardly a difference in "
+                             "fitness",
+                             number("bias"), text("problem")),
+                 fmt::format("bias = {:g}", advice.bias));
+    }
+
+    void warn_of_short_strings() {
+        if (!coded_problem_ || is_as_before("string_bytes"))
+            return;
+        auto stated = integer("string_bytes"), needed = static_cast<std::int64_t>(string_bytes(0, *coded_problem_));
+        if (stated != 0 && stated < needed)
+            warn("string_bytes",
+                 fmt::format("string_bytes = {}, but a string of \"{}\" takes {}: messages are shorter than what they "
+                             "carry",
+                             stated, text("problem"), needed),
+                 "left out, it is what the problem's strings take");
+    }
+
+    /// Whether a process before this one has the same problem and the same number.
+    bool is_as_before(const char* parameter) const {
+        auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
+        return std::any_of(first, self, [&](const ProcessInstance& other) {
+            return other.kind.starts_with("ga.") && is_same(other, "problem") && is_same(other, parameter);
+        });
+    }
+    bool is_same(const ProcessInstance& other, const char* parameter) const {
+        auto found = other.parameters.find(parameter);
+        return found != other.parameters.end() &&
+               found->second == network_.processes[process_].parameters.at(parameter);
     }
 
     void refuse_given(std::initializer_list<const char*> parameters, const std::string& hint) {
@@ -173,6 +223,8 @@ private:
     }
 
     void check_window() {
+        if (recorded_)
+            warn_of_advice();
         if (recorded_ && integer("window") > record_length())
             refuse("window", fmt::format("the window holds {} samples, the record of \"{}\" only {}", integer("window"),
                                          text("problem"), record_length()));

@@ -7,6 +7,8 @@
 #include "gaprocs/processes/search_process.hpp"
 #include "netlist/kinds/description.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +27,9 @@ ParameterDescription bits_of_fields(std::string name, std::string about) {
 
 ProcessKind searching_recoded(std::string name, std::string about, PortDescription other_one,
                               const ProblemRegistry& problems, SearchObserver* observer) {
-    Parameters recoding{bits_of_fields("fields", "bits of each field of the problem's string, such as \"2 7 7 7 7 7\""),
+    Parameters recoding{bits_of_fields("fields",
+                                       "bits of each field of the problem's string, such as \"2 7 7 7 7 7\": it "
+                                       "is binary, and so are the operators"),
                         bits_of_fields("bits", "bits of each field that are bred, at most as many")};
     ProcessKind kind = searching({.name = std::move(name),
                                   .about = std::move(about),
@@ -35,7 +39,9 @@ ProcessKind searching_recoded(std::string name, std::string about, PortDescripti
                                  problems, observer);
     kind.check = [&problems, check_search = std::move(kind.check)](const Network& network, std::size_t process) {
         auto complaints = check_search(network, process);
-        return complaints.empty() ? check_pair(network, process, problems) : complaints;
+        if (std::ranges::all_of(complaints, &Complaint::warning))
+            std::ranges::move(check_pair(network, process, problems), std::back_inserter(complaints));
+        return complaints;
     };
     return kind;
 }

@@ -31,6 +31,9 @@ public:
 
 private:
     const ProcessInstance& self() const { return network_.processes[process_]; }
+    const std::string& text(const char* parameter) const {
+        return std::get<std::string>(self().parameters.at(parameter));
+    }
     void refuse(std::string about, std::string message, std::string hint = "") {
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint)});
     }
@@ -39,6 +42,9 @@ private:
         const RecordedProblem* recorded = named_problem(problems_, self());
         if (!recorded)
             return;
+        if (text("coding").starts_with("real"))
+            return refuse("coding", "a pair breeds the bits of fields, and real numbers have none",
+                          "coding = \"natural\" or \"gray\"");
         try {
             RecodedProblem(*recorded->problem(), read_recoding(self()));
         } catch (const UserError& not_the_problems) {

@@ -22,8 +22,9 @@ struct OverBox {
     std::size_t dimensions = Function::usual_dimensions;
     std::size_t bits = Function::usual_bits; ///< of each parameter
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000},
-                          PolicyNumber{"bits", &Function::bits, 1, 52});
+        return std::tuple(
+            PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000, "parameters"},
+            PolicyNumber{"bits", &Function::bits, 1, 52, "of each parameter's field"});
     }
     static constexpr std::size_t least_dimensions = 1;
     ParameterCoding representation() const { return {dimensions, {Function::low, Function::high, bits}}; }
@@ -66,8 +67,10 @@ struct Quartic : OverBox<Quartic> {
     double noise = 1; ///< standard deviation
     std::size_t seed = 1;
     static constexpr auto numbers() {
-        return std::tuple_cat(OverBox::numbers(), std::tuple(PolicyNumber{"noise", &Quartic::noise, 0, 1e6},
-                                                             PolicyNumber{"seed", &Quartic::seed, 0, 1e15}));
+        return std::tuple_cat(OverBox::numbers(),
+                              std::tuple(PolicyNumber{"noise", &Quartic::noise, 0, 1e6,
+                                                      "standard deviation of what is added to each objective"},
+                                         PolicyNumber{"seed", &Quartic::seed, 0, 1e15, "of that noise"}));
     }
     double objective(std::span<const double> x) const;
     std::optional<double> optimum() const;
@@ -77,7 +80,9 @@ struct Quartic : OverBox<Quartic> {
 struct Foxholes {
     static constexpr std::string_view name = "foxholes", about = "Shekel's 25 foxholes in a plain (De Jong's F5)";
     std::size_t bits = 17;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"bits", &Foxholes::bits, 1, 52}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"bits", &Foxholes::bits, 1, 52, "of each of the two fields"});
+    }
     ParameterCoding representation() const { return {2, {-65.536, 65.536, bits}}; }
     double objective(std::span<const double> x) const;
     /// To six digits, as it is found in the literature.

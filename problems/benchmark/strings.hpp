@@ -17,7 +17,9 @@ namespace placedpar {
 struct OneMax {
     static constexpr std::string_view name = "one-max", about = "the number of ones: each bit counts by itself";
     std::size_t bits = 100;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"bits", &OneMax::bits, 1, 1e6}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"bits", &OneMax::bits, 1, 1e6, "length of the string"});
+    }
     BitString representation() const { return BitString(bits); }
     double objective(const Genome& genome) const;
     double optimum() const { return static_cast<double>(bits); }
@@ -31,7 +33,8 @@ struct Trap {
                                       about = "deceptive traps: blocks where each bit by itself leads away";
     std::size_t blocks = 10, size = 5;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"blocks", &Trap::blocks, 1, 1e5}, PolicyNumber{"size", &Trap::size, 2, 64});
+        return std::tuple(PolicyNumber{"blocks", &Trap::blocks, 1, 1e5, "in a string"},
+                          PolicyNumber{"size", &Trap::size, 2, 64, "of a block, in bits"});
     }
     BitString representation() const { return BitString(blocks * size); }
     double objective(const Genome& genome) const;
@@ -67,8 +70,10 @@ struct NkLandscape {
                                       about = "a landscape where each bit counts by its `k` neighbours, from a seed";
     std::size_t bits = 32, k = 4, seed = 1;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"bits", &NkLandscape::bits, 1, 10000}, PolicyNumber{"k", &NkLandscape::k, 0, 8},
-                          PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15});
+        return std::tuple(
+            PolicyNumber{"bits", &NkLandscape::bits, 1, 10000, "length of the string: N"},
+            PolicyNumber{"k", &NkLandscape::k, 0, 8, "neighbours on which a bit's part depends: K, less than N"},
+            PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15, "of the table of parts"});
     }
     /// Throws UserError unless k < bits.
     Landscape problem() const;

@@ -37,7 +37,9 @@ struct CircleTour {
     static constexpr std::string_view name = "tour-circle",
                                       about = "the travelling salesman, cities on a circle of radius 1";
     std::size_t cities = 20;
-    static constexpr auto numbers() { return std::tuple(PolicyNumber{"cities", &CircleTour::cities, 1, 10000}); }
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"cities", &CircleTour::cities, 1, 10000, "on the circle"});
+    }
     Tour problem() const;
 };
 
@@ -48,8 +50,8 @@ struct LatticeTour {
                                       about = "the travelling salesman, cities on a lattice of width 1";
     std::size_t rows = 5, columns = 4;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100},
-                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100});
+        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100, "of cities"},
+                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100, "of cities"});
     }
     Tour problem() const;
 };
@@ -60,8 +62,8 @@ struct RandomTour {
                                       about = "the travelling salesman, cities at random in a square, from a seed";
     std::size_t cities = 20, seed = 1;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"cities", &RandomTour::cities, 1, 10000},
-                          PolicyNumber{"seed", &RandomTour::seed, 0, 1e15});
+        return std::tuple(PolicyNumber{"cities", &RandomTour::cities, 1, 10000, "in the square"},
+                          PolicyNumber{"seed", &RandomTour::seed, 0, 1e15, "of their places"});
     }
     Tour problem() const;
 };

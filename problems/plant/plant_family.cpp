@@ -28,12 +28,19 @@ struct PlantFamily {
     static constexpr auto numbers() {
         constexpr double widest = 1.67; // with a2 = -.7 the poles are a complex pair
         return std::tuple(
-            PolicyNumber{"a1", &PlantFamily::a1, -widest, widest}, PolicyNumber{"from", &PlantFamily::from, 0, 1e6},
-            PolicyNumber{"lasts", &PlantFamily::lasts, 0, 1e6}, PolicyNumber{"noise", &PlantFamily::noise, 0, 1e3},
-            PolicyNumber{"c1", &PlantFamily::c1, -10, 10}, PolicyNumber{"c2", &PlantFamily::c2, -10, 10},
-            PolicyNumber{"generations", &PlantFamily::generations, 1, 1e6},
-            PolicyNumber{"per_sample", &PlantFamily::per_sample, 1, 1e3},
-            PolicyNumber{"simulated", &PlantFamily::simulated, 0, 1});
+            PolicyNumber{"a1", &PlantFamily::a1, -widest, widest,
+                         "what the coefficient a1 changes to, from 1.5 (Table 5.4)"},
+            PolicyNumber{"from", &PlantFamily::from, 0, 1e6, "generation at which the change begins"},
+            PolicyNumber{"lasts", &PlantFamily::lasts, 0, 1e6,
+                         "generations that it takes, in a straight line; 0: at once"},
+            PolicyNumber{"noise", &PlantFamily::noise, 0, 1e3, "standard deviation of the white noise e (5.8)"},
+            PolicyNumber{"c1", &PlantFamily::c1, -10, 10, "colour of the noise: e(k) + c1 e(k-1) + c2 e(k-2)"},
+            PolicyNumber{"c2", &PlantFamily::c2, -10, 10, "colour of the noise, too"},
+            PolicyNumber{"generations", &PlantFamily::generations, 1, 1e6, "how many the record is long enough for"},
+            PolicyNumber{"per_sample", &PlantFamily::per_sample, 1, 1e3,
+                         "generations between two samples; an island's trials are to be as many"},
+            PolicyNumber{"simulated", &PlantFamily::simulated, 0, 1,
+                         "1: the model is simulated inside the window; 0: it predicts from measured outputs"});
     }
 
     PlantExperiment experiment() const {
@@ -47,6 +54,12 @@ struct PlantFamily {
 
 PlantExperiment experiment_of(const std::vector<double>& numbers) {
     return make_policy<PlantFamily>(numbers).experiment();
+}
+
+/// What chapter 5's pages search it with.
+RecordAdvice advice_for(const std::vector<double>& numbers) {
+    auto plant = make_policy<PlantFamily>(numbers);
+    return {.trials = plant.per_sample, .bias = plant.simulated ? 100.0 : 10.0};
 }
 
 template <class Problem>
@@ -67,7 +80,7 @@ ProblemFamily plant_family(std::uint64_t seed) {
     auto record = [seed](const std::vector<double>& numbers) {
         PlantExperiment experiment = experiment_of(numbers);
         auto make = [=] { return plant_record(experiment, RandomStream(seed, "record of the plant")); };
-        return RecordToMake{experiment.record_length(), make};
+        return RecordToMake{experiment.record_length(), make, advice_for(numbers)};
     };
     return {describe_policy<PlantFamily>(), plant_with, record};
 }

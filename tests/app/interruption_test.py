@@ -67,6 +67,18 @@ class Interruption(unittest.TestCase):
                 self.assertIn("interrupted", errors)
                 self.assertEqual(os.listdir(folder), [])
 
+    def test_an_interrupted_study_says_what_is_kept_of_it(self):
+        for kept, said in (([], "hint: with --resume FILE the runs that ended are kept\n"),
+                           (["--resume", "kept"], "the runs that ended are in kept: the same command goes on from them\n")):
+            with tempfile.TemporaryDirectory() as folder:
+                with subprocess.Popen([PROGRAM, "replay", "pga-4", "--seeds", "100000", *kept], cwd=folder,
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+                    wait_until_it_listens(run, signal.SIGINT)
+                    run.send_signal(signal.SIGINT)
+                    output, errors = run.communicate(timeout=60)
+                self.assertEqual((run.returncode, output), (130, ""), errors)
+                self.assertIn("no table or plot of it was made\n" + said, errors)
+
     def test_the_trace_grows_beside_its_place_and_is_whole_in_the_end(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "trace.json"

@@ -127,6 +127,13 @@ class Kinds(unittest.TestCase):
         self.assertEqual(json.loads(said("one-max(4096)", "--json"))["problems"][0]["optimum"], 4096)
         self.assertIn("dimensions = 0 is out of range", refusal("kinds", "rastrigin(0)"))
 
+    def test_every_number_of_a_problem_says_what_it_is(self):
+        for problem in json.loads(said("problems", "--json"))["problems"]:
+            text = said(problem["name"])
+            for each in problem["numbers"]:
+                self.assertTrue(each["about"], (problem["name"], each["name"]))
+                self.assertIn(each["about"], text)
+
     def test_what_problems_are_about_stands_in_one_column(self):
         lines = said("problems").splitlines()[1:]
         alone = ["  plant(a1 = 0.5, from = 200, lasts = 200, noise = 0, c1 = 0, c2 = 0, generations = 601, per_sample = 3, simulated = 0)",
@@ -154,7 +161,8 @@ class Kinds(unittest.TestCase):
                 self.assertIn(f"  source: {policy['source']}\n", text)
                 for each in policy["numbers"]:
                     self.assertRegex(text, rf"{each['name']} +(int|double) +default {default_of(each['default'])} +"
-                                           rf"{number(each['least'])} .. {number(each['most'])}\n")
+                                           rf"{number(each['least'])} .. {number(each['most'])}\n"
+                                           rf" +{re.escape(each['about'])}\n")
             for form in noun["forms"]:
                 self.assertRegex(listed, rf"(?m)^    {form['name']} +{re.escape(form['about'])}$")
                 self.assertIn(f"\n{form['name']}\n  {form['about']}\n", text)

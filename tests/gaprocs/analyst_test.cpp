@@ -4,6 +4,7 @@
 #include "gaprocs/generation_log.hpp"
 #include "tests/gaprocs/island_netlist.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <doctest/doctest.h>
 
 #include <cstddef>
@@ -138,20 +139,25 @@ TEST_CASE("answers are logged behind their generation, from whom they come") {
     CHECK(rows.back().time > rows[rows.size() - 2].time);
 }
 
-TEST_CASE("an analysis costs the errors of every best over the longest window") {
+TEST_CASE("an analysis costs the errors of every best over the longest window, or over each where that matters") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
-    auto busy = [&](int cycles) {
-        RunReport report = run_on_line(
+    auto busy = [&](const char* problem, int cycles) {
+        std::string text =
             replaced(with_analyst(netlist, fmt::format("cycles_per_error = {}", cycles)), "place analyst on sun",
-                     "T800 a; connect a.link[0] to sun.link[3]; connect a.link[1] to t0.link[1]; place analyst on a"));
+                     "T800 a; connect a.link[0] to sun.link[3]; connect a.link[1] to t0.link[1]; place analyst on a");
+        boost::algorithm::replace_all(text, "\"line\"", problem);
+        RunReport report = run_on_line(text);
         for (const auto& processor : report.processors)
             if (processor.name == "a")
                 return in_milliseconds(processor.busy);
         return 0.0;
     };
-    CHECK(busy(1000) - busy(0) ==
-          doctest::Approx(6 * 4 * 10 * 1000 * 50e-6).epsilon(0.001)); // 6 answers, cycles of 50 ns
+    // 6 answers on 4 islands, a thousand cycles of 50 ns for each error
+    constexpr double of_a_sample = 6 * 4 * 1000 * 50e-6;
+    CHECK(busy("\"line\"", 1000) - busy("\"line\"", 0) == doctest::Approx(of_a_sample * 10).epsilon(0.001));
+    CHECK(busy("\"along\"", 1000) - busy("\"along\"", 0) ==
+          doctest::Approx(of_a_sample * (10 + 7 + 5 + 3)).epsilon(0.001));
 }
 
 TEST_CASE("what an analyst cannot compare is refused at its place") {

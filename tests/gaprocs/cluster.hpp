@@ -89,6 +89,7 @@ inline constexpr std::size_t line_samples = 12;
 inline RunReport run_on_line(const std::string& netlist, std::uint64_t seed = 1, SearchObserver* observer = nullptr) {
     ProblemRegistry problems;
     problems.add("line", make_search_problem(LineProblem{}), line_record(line_samples));
+    problems.add("along", make_search_problem(LineAlongWindow{}), line_record(line_samples));
     problems.add("sphere", minimise(PlainSphere{}));
     problems.add("nowhere", minimise(Nowhere{}));
     problems.add("seats", minimise(Seats{}));

@@ -84,10 +84,9 @@ TEST_CASE("the names that older netlists know an island's ports by are told the 
     check_says(text, "hint: it is called \"from_neighbours\" now");
 }
 
-TEST_CASE("rings, one-way connections and islands that shall be alone are good") {
+TEST_CASE("rings and islands that shall be alone are good") {
     CHECK(said_of(3, all(""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"ring\""), ring(3)).empty());
-    CHECK(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}).empty());
     CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
     CHECK(said_of(2,
                   all(", schedule = \"sequential(every = 5)\", emigration = \"tournament(2, 3)\", acceptance = "
@@ -117,6 +116,16 @@ TEST_CASE("a topology that is not connected is a warning, once") {
                   "island[0], island[1]; island[2], island[3]\n"
                   "    process island[n];\n"
                   "            ^\n");
+}
+
+TEST_CASE("a chain of one way is a warning, once: the last island's individuals never come to the first") {
+    check_says(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}), // a star of one way
+               "warning: nothing of \"island[1]\" ever comes to \"island[0]\"");
+    auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 2, 0}});
+    CHECK(text == "islands.cfs:2:9: warning: nothing of \"island[1]\" ever comes to \"island[0]\"\n"
+                  "    process island[n];\n"
+                  "            ^\n"
+                  "hint: a ring leads back to the first island\n");
 }
 
 TEST_CASE("islands of which none is connected are a warning, once, unless they say that it is meant") {
@@ -215,7 +224,8 @@ TEST_CASE("islands in step are sent as many samples") {
                        "host (problem = \"line\"); hosts (problem = \"line\", samples = 11);\n"
                        "i (problem = \"line\"); j (problem = \"line\");\n"
                        "connect host.to_masters[0] to i.from_host; connect hosts.to_masters[0] to j.from_host;\n"
-                       "connect i.to_neighbours[0] to j.from_neighbours[0];\n";
+                       "connect i.to_neighbours[0] to j.from_neighbours[0]; "
+                       "connect j.to_neighbours[0] to i.from_neighbours[0];\n";
     check_says(said_of(text), "error: \"j\" and \"i\" are not sent as many samples: 11 and 12");
     text.replace(text.find("samples = 11"), 12, "samples = 12");
     CHECK(said_of(text).empty());

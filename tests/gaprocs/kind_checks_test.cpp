@@ -53,6 +53,8 @@ struct Kinds {
         problems.add("other line", make_search_problem(LineProblem{}), line_record(samples));
         problems.add("along", make_search_problem(LineAlongWindow{}), line_record(samples));
         problems.add("sphere", minimise(PlainSphere{}));
+        auto make = [] { return line_record(samples); };
+        problems.add_to_make("timed", make_search_problem(LineProblem{}), {samples, make, {.trials = 3, .bias = 10}});
         add_genetic_algorithm_kinds(catalogue, problems);
     }
 };
@@ -88,6 +90,38 @@ auto star_statements() {
 }
 
 } // namespace
+
+TEST_CASE("a message shorter than the string that it carries is a warning") {
+    CHECK(refusal("master", "master (problem = \"line\", slaves = 2, string_bytes = 1);").empty());
+    CHECK(refusal("master", "master (problem = \"line\", slaves = 2, coding = \"natural(1)\", string_bytes = 2);")
+              .empty());
+    auto said =
+        refusal("master", "master (problem = \"line\", slaves = 2, coding = \"natural(1)\", string_bytes = 1);");
+    CHECK(said.starts_with("farm.cfs:5:62: warning: string_bytes = 1, but a string of \"line\" takes 2"));
+}
+
+TEST_CASE("settings that run, but not as the record is meant, are warnings, once") {
+    auto lines = statements();
+    for (auto& [name, statement] : lines)
+        if (auto at = statement.find("line"); at != std::string::npos)
+            statement.replace(at, 4, "timed");
+    auto said_with = [&](const std::string& more) {
+        lines["master"] = "master (problem = \"timed\", slaves = 2" + more + ");";
+        return refusal_of(lines);
+    };
+    CHECK(said_with(", trials = 3, bias = 10").empty());
+    CHECK(said_with(", trials = 3, bias = 400").empty()); // who says so means it
+    CHECK(said_with(", trials = 2, bias = 10") ==
+          "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has a sample for every 3 generations: what "
+          "changes in it changes at another generation than it says\n"
+          "    master (problem = \"timed\", slaves = 2, trials = 2, bias = 10);\n"
+          "                                           ^\n"
+          "hint: trials = 3\n");
+    std::string said = said_with("");
+    CHECK(said.find("warning: trials = 5, but") != std::string::npos);
+    CHECK(said.find("warning: bias = 400 is the boom's") != std::string::npos);
+    CHECK(said.find("hint: bias = 10\n") != std::string::npos);
+}
 
 TEST_CASE("the netlist that the refused ones differ from is good") {
     Kinds kinds;

@@ -33,16 +33,17 @@ struct PairNetlist {
     std::string bits_of_coarse = "4", bits_of_fine = "5";
     std::string both = "fields = \"8\", window = 6, first_window = 4, trials = 3, elite = 1, problem = \"line\"";
     std::string coarse = "population = 20", fine = "population = 16";
+    std::string host = "problem = \"line\"";
     std::string host_of_fine = "host.to_masters[1]";
 
     std::string text() const {
         return fmt::format("workstation sun; process host; process coarse; process fine; {}\n"
                            "use \"ga.host\" for host; use \"ga.coarse\" for coarse; use \"ga.fine\" for fine; "
-                           "place host on sun; host (problem = \"line\");\n"
+                           "place host on sun; host ({});\n"
                            "connect host.to_masters[0] to coarse.from_host; connect {} to fine.from_host; "
                            "connect coarse.to_fine to fine.from_coarse;\n"
                            "coarse (bits = \"{}\", {}, {});\nfine (bits = \"{}\", {}, {});\n",
-                           placement, host_of_fine, bits_of_coarse, coarse, both, bits_of_fine, fine, both);
+                           placement, host, host_of_fine, bits_of_coarse, coarse, both, bits_of_fine, fine, both);
     }
 };
 
@@ -155,11 +156,22 @@ TEST_CASE("the answer of a pair is the best ever where a problem has an objectiv
     netlist.both = "problem = \"valley\", fields = \"4 4\"";
     netlist.bits_of_coarse = "2 2";
     netlist.bits_of_fine = "3 3";
-    std::string text = netlist.text();
-    text.replace(text.find("host (problem = \"line\")"), 23, "host (problem = \"valley\", generations = 40)");
-    RunReport report = run_on_line(text);
+    netlist.host = "problem = \"valley\", generations = 40";
+    RunReport report = run_on_line(netlist.text());
     CHECK(report.measured("fine", "best_objective") == 0);
     CHECK(report.measured("fine", "across") == 0);
+}
+
+TEST_CASE("a pair whose objective is nowhere a number comes to its end, and says so") {
+    PairNetlist netlist;
+    netlist.both = "problem = \"nowhere\", fields = \"2\"";
+    netlist.bits_of_coarse = "1";
+    netlist.bits_of_fine = "2";
+    netlist.host = "problem = \"nowhere\", generations = 9";
+    RunReport report = run_on_line(netlist.text());
+    CHECK(report.result.ending == Ending::completed);
+    CHECK(report.measured("fine", "generations") == 9);
+    CHECK(report.measured_text("fine", "best_objective") == "not a finite number");
 }
 
 TEST_CASE("what cannot be bred is refused at its place") {
@@ -167,14 +179,16 @@ TEST_CASE("what cannot be bred is refused at its place") {
     wrong.bits_of_coarse = "9";
     check_pair_refused(wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, which it has in the problem");
     wrong.bits_of_coarse = "4 4";
-    check_pair_refused(wrong, ":4:", "2 fields to be bred for 1 of the problem");
+    check_pair_refused(wrong, ":4:", "the problem's string has 1 field, but bits are given for 2");
     for (const char* text : {"", "4.5", "0", "64", "four", "4,4"}) {
         wrong.bits_of_coarse = text;
         check_pair_refused(wrong, ":4:", "expected the bits of each field, numbers from 1 to 63");
     }
     wrong = {};
-    wrong.both += ", coding = \"real\"";
-    CHECK(refusal_of_pair(wrong) != "");
+    wrong.both = "fields = \"4 4\", problem = \"valley\", coding = \"real\"";
+    wrong.host = "problem = \"valley\"";
+    wrong.bits_of_coarse = wrong.bits_of_fine = "2 2";
+    check_pair_refused(wrong, ":4:", "a pair breeds the bits of fields, and real numbers have none");
     wrong = {};
     wrong.both.replace(wrong.both.find("\"8\""), 3, "\"9\"");
     check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string 8");

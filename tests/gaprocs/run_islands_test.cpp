@@ -320,6 +320,11 @@ TEST_CASE("islands begin together where they exchange, and only there") {
     IslandsSettings settings = small_islands(4);
     settings.topology = GivenTopology{{{1}, {0}, {3}, {2}}};
     CHECK(settings.warning() == "the islands are in 2 parts that exchange nothing with each other: 0, 1; 2, 3");
+    settings.topology = GivenTopology{{{1}, {2}, {3}, {0}}};
+    CHECK(settings.warning().empty());
+    settings.topology = GivenTopology{{{1}, {2}, {3}, {1}}};
+    CHECK(settings.warning() == "nothing of island 1 ever comes to island 0");
+    settings.topology = GivenTopology{{{1}, {0}, {3}, {2}}};
     settings.islands[1].window.length = settings.islands[2].window.length = settings.islands[3].window.length = 3;
     IslandsResult result = run_on_line_record(settings);
     CHECK(result.islands[0].estimates.front().sample == 4);

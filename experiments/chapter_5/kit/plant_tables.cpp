@@ -61,15 +61,28 @@ void add_pole_series(Panel& panel, const std::string& name, int colour, std::siz
     }));
 }
 
-double median_part(const TrackRow& row, std::size_t point, double Pole::*part) {
+/// Of each seed's run.
+std::vector<double> parts_of(const TrackRow& row, std::size_t point, double Pole::*part) {
     std::vector<double> parts;
     for (const auto& run : row.study->runs)
         parts.push_back(run[row.track].poles[point].*part);
-    return identification::median(parts);
+    return parts;
 }
 
 Pole median_pole(const TrackRow& row, std::size_t point) {
-    return {median_part(row, point, &Pole::alpha), median_part(row, point, &Pole::beta)};
+    return {identification::median(parts_of(row, point, &Pole::alpha)),
+            identification::median(parts_of(row, point, &Pole::beta))};
+}
+
+/// The quartiles of the real part over the seeds.
+Band quartiles(const TrackRow& row, int colour, std::size_t points) {
+    Band band{"", {}, colour};
+    for (std::size_t i = 0; i < points; ++i) {
+        auto real_parts = parts_of(row, i, &Pole::alpha);
+        band.points.push_back({5.0 * static_cast<double>(i), identification::quantile(real_parts, 0.25),
+                               identification::quantile(real_parts, 0.75)});
+    }
+    return band;
 }
 
 template <class PoleAt>
@@ -80,8 +93,11 @@ Panel panel_of(std::string title, const std::vector<TrackRow>& rows, PoleAt pole
     const PlantStudy& first = *rows.front().study;
     std::size_t points = first.runs.front().front().poles.size();
     int colour = 0;
-    for (const TrackRow& row : rows)
+    for (const TrackRow& row : rows) {
+        if (row.study->runs.size() > 1)
+            panel.bands.push_back(quartiles(row, colour, points));
         add_pole_series(panel, row.name, colour++, points, [&](std::size_t i) { return pole_at(row, i); });
+    }
     add_pole_series(panel, "truth", truth_colour, points, [&](std::size_t i) {
         return pole_of(a1_at(first.islands.plant.change, 5.0 * static_cast<double>(i)), Plant{}.a2);
     });
@@ -127,7 +143,9 @@ Cell judged_delay(const TrackRow& row, double known, double tolerance) {
     return judged_cell(row.name, "median", "generations", known, delay, tolerance, 1);
 }
 
-std::string median_of_seeds(const ReplayContext& context) { return fmt::format("median of {} seeds", context.seeds); }
+std::string median_of_seeds(const ReplayContext& context) {
+    return fmt::format("medians of {} seeds, quartiles of the real part", context.seeds);
+}
 
 Panel pole_panel(std::string title, const std::vector<TrackRow>& rows) {
     return panel_of(std::move(title), rows, median_pole);

@@ -27,9 +27,9 @@ TEST_CASE("a comparison is printed with its decimals, its marks, and the error i
     comparison.cells[2].tolerance_percent = 0.5;
     CHECK(print_comparison(comparison) == "name\n"
                                           "                                   a                         b\n"
-                                          "            simulat.  thesis   error  simulat.  thesis   error\n"
-                                          "spool [in]  0.27406  0.2741 -.00004   0.27000  0.2688 +.00120!\n"
-                                          "flow          49.50      50   -1.0%!     1.00\n"
+                                          "            simulat.  thesis   error  simulat.  thesis   error  tolerance\n"
+                                          "spool [in]  0.27406  0.2741 -.00004   0.27000  0.2688 +.00120!  0.0002\n"
+                                          "flow          49.50      50   -1.0%!     1.00                   0.5%\n"
                                           "notes\n");
 }
 
@@ -43,8 +43,17 @@ TEST_CASE("a row with columns of its own begins a table") {
                                           "x        1.00       1   +0.0%      2.00       2   +0.0%\n"
                                           "y                                  3.00       3   +0.0%\n"
                                           "                             c\n"
-                                          "      simulat.   known   error\n"
-                                          "z        0.00       0       0\n");
+                                          "      simulat.   known   error  tolerance\n"
+                                          "z        0.00       0       0   0.001\n");
+}
+
+TEST_CASE("a row shows each of its tolerances once, and none where bounds judge") {
+    Comparison comparison{.name = "name"};
+    comparison.cells = {cell("x", "a", "", 1, 1, 0.1), cell("x", "b", "", 2, 2, 0.1), cell("x", "c", "", 3, 3, 25),
+                        at_least(1, cell("y", "a", "", 1, 1, 0.1))};
+    std::string printed = print_comparison(comparison);
+    CHECK(printed.find("0   0.1, 25\n") != std::string::npos);
+    CHECK(printed.find(">= 1\n") != std::string::npos);
 }
 
 TEST_CASE("tolerances: in percent, in the unit, none; without a figure no tolerance is met") {

@@ -67,6 +67,8 @@ TEST_CASE("every noun and policy says what it is, and every policy where it is f
         CAPTURE(noun.name + ": " + policy.name);
         CHECK_FALSE(policy.about.empty());
         CHECK_FALSE(policy.source.empty());
+        for (const PolicyNumberDescription& number : policy.numbers)
+            CHECK_FALSE(number.about.empty());
         CHECK(nouns.count(policy.name) == 0);
         CHECK(policies.insert(noun.name + "/" + policy.name).second);
     });

@@ -128,6 +128,16 @@ TEST_CASE("no topology: nobody has neighbours, one island too") {
     CHECK_FALSE(distances(neighbours_in("none", 2), 0)[1].has_value());
 }
 
+TEST_CASE("an island whose individuals never come to another of its part") {
+    auto lost = one_way({{1}, {2}, {}}); // a chain
+    REQUIRE(lost);
+    CHECK(lost->from == 1);
+    CHECK(lost->never_to == 0);
+    CHECK_FALSE(one_way({{1}, {0}, {}})); // the third is a part of its own
+    for (const char* topology : {"ring", "torus(2)", "hypercube", "star", "complete"})
+        CHECK_FALSE(one_way(neighbours_in(topology, 8)));
+}
+
 TEST_CASE("parts that exchange nothing with each other") {
     for (const char* topology : {"ring", "ring(2)", "hypercube", "torus(4)", "star", "complete"})
         CHECK(separate_parts(neighbours_in(topology, 8)).size() == 1);
