@@ -87,9 +87,7 @@ void add_tables(std::vector<Comparison>& comparisons, const BroadcastStudies& st
 }
 
 Plot two_islands_plot(const BroadcastStudies& noiseless) {
-    Plot plot{
-        "Figure 5.4: broadcast in every generation (experiment #2), one run, quartiles of all",
-        {}};
+    Plot plot{"Figure 5.4: broadcast in every generation (experiment #2), one run, quartiles of all", {}};
     for (const PlantStudy* study : noiseless.all())
         plot.panels.push_back(
             single_run_panel(study->islands.name, {{"first island", study, 0}, {"last island", study, 3}}));

@@ -49,9 +49,11 @@ constexpr TrackColumn track_columns[]{{"delay to 20 %", Tracking::delay_20, 1},
 /// A colour for each row; the truth has one of its own.
 constexpr int truth_colour = 7;
 
+double generation_of(std::size_t point) { return 5.0 * static_cast<double>(point); }
+
 template <class PoleAt>
 void add_pole_series(Panel& panel, const std::string& name, int colour, std::size_t points, PoleAt pole_at) {
-    auto time = [](int i) { return 5.0 * i; };
+    auto time = [](int i) { return generation_of(static_cast<std::size_t>(i)); };
     int steps = static_cast<int>(points) - 1;
     panel.series.push_back(curve({.name = name, .colour = colour}, steps, [&](int i) {
         return Point{time(i), pole_at(static_cast<std::size_t>(i)).alpha};
@@ -75,13 +77,16 @@ Pole median_pole(const TrackRow& row, std::size_t point) {
 }
 
 /// The quartiles of the real part over the seeds.
+BandPoint quartiles_at(const TrackRow& row, std::size_t point) {
+    auto real_parts = parts_of(row, point, &Pole::alpha);
+    return {generation_of(point), identification::quantile(real_parts, 0.25),
+            identification::quantile(real_parts, 0.75)};
+}
+
 Band quartiles(const TrackRow& row, int colour, std::size_t points) {
     Band band{"", {}, colour};
-    for (std::size_t i = 0; i < points; ++i) {
-        auto real_parts = parts_of(row, i, &Pole::alpha);
-        band.points.push_back({5.0 * static_cast<double>(i), identification::quantile(real_parts, 0.25),
-                               identification::quantile(real_parts, 0.75)});
-    }
+    for (std::size_t i = 0; i < points; ++i)
+        band.points.push_back(quartiles_at(row, i));
     return band;
 }
 
@@ -99,7 +104,7 @@ Panel panel_of(std::string title, const std::vector<TrackRow>& rows, PoleAt pole
         add_pole_series(panel, row.name, colour++, points, [&](std::size_t i) { return pole_at(row, i); });
     }
     add_pole_series(panel, "truth", truth_colour, points, [&](std::size_t i) {
-        return pole_of(a1_at(first.islands.plant.change, 5.0 * static_cast<double>(i)), Plant{}.a2);
+        return pole_of(a1_at(first.islands.plant.change, generation_of(i)), Plant{}.a2);
     });
     return panel;
 }
