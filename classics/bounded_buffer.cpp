@@ -8,6 +8,8 @@
 #include "runtime/alternation.hpp"
 #include "runtime/executive.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 
@@ -46,6 +48,20 @@ void ask_and_consume(ProcessEnvironment& environment) {
     }
 }
 
+std::string holding_in_promela(const PromelaProcess& self) {
+    std::string take = self.channel_if(
+        fmt::format("held < {} && come < {}", self.integer("capacity"), self.integer("count")), self.channel("in"));
+    std::string give = self.channel_if("held > 0", self.channel("request"));
+    return fmt::format("int held, come, gone;\ndo\n:: gone < {} ->\nif\n:: {} ? m -> held++; come++\n"
+                       ":: {} ? m -> {} ! m; held--; gone++\nfi\n:: else -> break\nod\n",
+                       self.integer("count"), take, give, self.channel("out"));
+}
+
+std::string asking_in_promela(const PromelaProcess& self) {
+    return promela_loop(self.integer("count"), fmt::format("{} ! m;\n{} ? m;\n{} ! m;\n", self.channel("request"),
+                                                           self.channel("in"), self.channel("out")));
+}
+
 ProcessKind buffer() {
     using namespace description;
     return {.name = "csp.buffer",
@@ -55,7 +71,8 @@ ProcessKind buffer() {
                            integer("capacity", {.unit = "packets", .by_default = 10, .least = 1, .most = 1e9},
                                    "held at the most")},
             .measurements = {{"most_held", "packets", "at once"}},
-            .body = hold};
+            .body = hold,
+            .promela = holding_in_promela};
 }
 
 ProcessKind customer() {
@@ -64,7 +81,8 @@ ProcessKind customer() {
             .about = "Asks a buffer for packets and outputs them: what stands between it and a consumer.",
             .ports = {packets_out("request", "asks for the next packet"), packets_in(), packets_out()},
             .parameters = {packet_count()},
-            .body = ask_and_consume};
+            .body = ask_and_consume,
+            .promela = asking_in_promela};
 }
 
 } // namespace

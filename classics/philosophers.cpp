@@ -9,6 +9,8 @@
 #include "runtime/executive.hpp"
 #include "runtime/timer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace placedpar {
@@ -70,6 +72,32 @@ void wait_on_table(ProcessEnvironment& environment) {
     }
 }
 
+std::string dining_in_promela(const PromelaProcess& self) {
+    std::string forks = fmt::format("{} ! m;\n{} ! m;\n", self.channel("left"), self.channel("right"));
+    std::string butler = self.connected("butler") ? self.channel("butler") + " ! m;\n" : "";
+    return promela_loop(self.integer("meals"), butler + forks + forks + butler);
+}
+
+std::string fork_in_promela(const PromelaProcess& self) {
+    std::string hands;
+    for (const std::string& hand : self.channels("hand"))
+        hands += fmt::format(":: {0} ? m -> {0} ? m\n", hand);
+    return promela_loop(self.integer("uses"), "if\n" + hands + "fi\n");
+}
+
+std::string butler_in_promela(const PromelaProcess& self) {
+    auto philosophers = self.channels("philosopher");
+    std::string movements;
+    for (std::size_t i = 0; i < philosophers.size(); ++i)
+        movements += fmt::format(
+            ":: {} ? m -> seated = (sits[{}] -> seated - 1 : seated + 1); sits[{}] = !sits[{}]\n",
+            self.channel_if(fmt::format("sits[{}] || seated < {}", i, self.integer("seats")), philosophers[i]), i, i,
+            i);
+    auto times = 2 * self.integer("meals") * static_cast<std::int64_t>(philosophers.size());
+    return fmt::format("bool sits[{}];\nint seated;\n", philosophers.size()) +
+           promela_loop(times, "if\n" + movements + "fi\n");
+}
+
 ParameterDescription meals(std::string about) {
     return description::integer("meals", {.by_default = 10, .least = 1, .most = 1e9}, std::move(about));
 }
@@ -91,7 +119,8 @@ ProcessKind philosopher_kind() {
             .parameters = {meals("before the philosopher leaves"), work("thinking", "workload: before each meal"),
                            work("eating", "workload: each meal")},
             .measurements = {{"time", "ms", "when the last meal was over"}},
-            .body = dine};
+            .body = dine,
+            .promela = dining_in_promela};
 }
 
 ProcessKind fork_kind() {
@@ -101,7 +130,8 @@ ProcessKind fork_kind() {
             .ports = {input<Signal>("hand", "signal", "an array: the neighbours")},
             .parameters = {integer("uses", {.by_default = 20, .least = 1, .most = 1e9},
                                    "how often it is picked up before it ends: twice the meals of a philosopher")},
-            .body = serve_as_fork};
+            .body = serve_as_fork,
+            .promela = fork_in_promela};
 }
 
 ProcessKind butler_kind() {
@@ -112,7 +142,8 @@ ProcessKind butler_kind() {
             .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
             .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6}, "sitting at once"),
                            meals("of each philosopher")},
-            .body = wait_on_table};
+            .body = wait_on_table,
+            .promela = butler_in_promela};
 }
 
 } // namespace

@@ -2,9 +2,11 @@
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "netlist/print/print.hpp"
+#include "netlist/print/promela.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 #include "workbench/picture/svg.hpp"
+#include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,11 +25,12 @@ struct ShowOptions {
 };
 
 std::string text_of(const Network& network, const std::string& format, bool software) {
-    return software          ? print_software_svg(network)
-           : format == "cfs" ? print_cfs(network)
-           : format == "svg" ? print_svg(network)
-           : format == "dot" ? print_dot(network)
-                             : print_json(network);
+    return software              ? print_software_svg(network)
+           : format == "cfs"     ? print_cfs(network)
+           : format == "svg"     ? print_svg(network)
+           : format == "dot"     ? print_dot(network)
+           : format == "promela" ? print_promela(network, known_kinds(known_problems(0)))
+                                 : print_json(network);
 }
 
 void require_apart_from_inputs(const std::filesystem::path& output, const Network& network,
@@ -58,9 +61,11 @@ ExitCode show(const ShowOptions& options) {
 Action declare_show(CLI::App& command, const std::string&) {
     auto options = std::make_shared<ShowOptions>();
     add_netlist(command, options->netlist);
-    command.add_option("--format", options->format, "the netlist language, a drawing, a drawing for Graphviz, or JSON")
-        ->check(CLI::IsMember({"cfs", "svg", "dot", "json"}).description(""))
-        ->type_name("cfs|svg|dot|json")
+    command
+        .add_option("--format", options->format,
+                    "the netlist language, a drawing, a drawing for Graphviz, JSON, or a model for Spin")
+        ->check(CLI::IsMember({"cfs", "svg", "dot", "json", "promela"}).description(""))
+        ->type_name("cfs|svg|dot|json|promela")
         ->capture_default_str();
     command.add_flag("--software", options->software,
                      "with --format svg: draws processes and channels, not processors and wires");

@@ -7,6 +7,8 @@
 #include "runtime/executive.hpp"
 #include "runtime/timer.hpp"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -103,12 +105,34 @@ void consume(ProcessEnvironment& environment) {
     }
 }
 
+/// What a relay says in Promela: an input, then `and_then`, `count` times.
+PromelaStatements relayed(std::function<std::string(const PromelaProcess&)> and_then) {
+    return [and_then = std::move(and_then)](const PromelaProcess& self) {
+        return promela_loop(self.integer("count"), self.channel("in") + " ? m;\n" + and_then(self));
+    };
+}
+
+std::string nothing(const PromelaProcess&) { return ""; }
+
+/// To each of the outputs, in order.
+std::string handed_on(const PromelaProcess& self) {
+    std::string statements;
+    for (const std::string& out : self.channels("out"))
+        statements += out + " ! m;\n";
+    return statements;
+}
+
+std::string handed_on_but_the_last(const PromelaProcess& self) {
+    return fmt::format("if\n:: i < {} -> {} ! m\n:: else\nfi\n", self.integer("count"), self.channel("out"));
+}
+
 ProcessKind producer_kind() {
     return {.name = "csp.producer",
             .about = "Outputs numbered packets.",
             .ports = {packets_out()},
             .parameters = {packet_count(), bytes(), packet_cycles()},
-            .body = produce};
+            .body = produce,
+            .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
 
 /// A kind that inputs packets and outputs them again, each in its manner.
@@ -117,7 +141,8 @@ ProcessKind relay_kind(std::string name, std::string about, std::function<void(P
             .about = std::move(about),
             .ports = {packets_in(), packets_out()},
             .parameters = {packet_count(), packet_cycles()},
-            .body = std::move(body)};
+            .body = std::move(body),
+            .promela = relayed(handed_on)};
 }
 
 ProcessKind identity_kind() {
@@ -129,7 +154,10 @@ ProcessKind prefix_kind() {
             .about = "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
             .ports = {packets_in(), packets_out()},
             .parameters = {packet_count(), bytes(), packet_cycles()},
-            .body = prefix};
+            .body = prefix,
+            .promela = [](const PromelaProcess& self) {
+                return self.channel("out") + " ! m;\n" + relayed(handed_on_but_the_last)(self);
+            }};
 }
 
 ProcessKind delta_kind() {
@@ -149,7 +177,8 @@ ProcessKind consumer_kind() {
                              {"last_number", "", "the number of the last packet"},
                              {"time_per_packet", "us", "mean"},
                              {"rate", "Kbyte/s", "of the packets' bytes; 1000 bytes a Kbyte"}},
-            .body = consume};
+            .body = consume,
+            .promela = relayed(nothing)};
 }
 
 } // namespace

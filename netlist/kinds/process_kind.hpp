@@ -1,6 +1,7 @@
 #pragma once
 
 #include "netlist/kinds/parameter.hpp"
+#include "netlist/kinds/promela.hpp"
 #include "netlist/network/direction.hpp"
 
 #include <cstddef>
@@ -56,6 +57,8 @@ struct ProcessKind {
     std::vector<std::vector<std::string>> together = {};
     /// May be empty. Called for each process of the kind, with a network in which everything else is right.
     std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
+    /// What a process of the kind communicates, for Spin. May be empty: such networks have no model.
+    PromelaStatements promela = {};
 
     /// Null where there is none.
     const PortDescription* port(std::string_view name) const;

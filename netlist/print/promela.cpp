@@ -1,0 +1,88 @@
+#include "netlist/print/promela.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::size_t most_processes = 254; ///< Spin's 255, less init
+
+std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
+    std::vector<std::string> names;
+    for (const auto& [name, kind] : catalogue.kinds())
+        if (kind.promela)
+            names.push_back(name);
+    return names;
+}
+
+const PromelaStatements& statements_of(const ProcessInstance& process, const Catalogue& catalogue) {
+    const ProcessKind* kind = catalogue.find(process.kind);
+    if (!kind || !kind->promela)
+        throw UserError(fmt::format("\"{}\" is a {}, which does not say in Promela what it communicates; these do: {}",
+                                    process.name, process.kind.empty() ? "process of no kind" : process.kind,
+                                    fmt::join(kinds_in_promela(catalogue), ", ")));
+    return kind->promela;
+}
+
+/// "fork[1]" as fork_1_, with its number before it, which keeps it apart from others and from Promela's words.
+std::string identifier(const Network& network, std::size_t process) {
+    std::string name = fmt::format("p{}_{}", process, network.processes[process].name);
+    std::ranges::replace_if(
+        name, [](unsigned char character) { return std::isalnum(character) == 0; }, '_');
+    return name;
+}
+
+std::string indented(const std::string& statements) {
+    std::string out;
+    std::istringstream lines(statements);
+    std::size_t depth = 1;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("}") || line == "fi" || line == "od")
+            --depth;
+        bool option = line.starts_with("::");
+        out += std::string(4 * (option ? depth - 1 : depth), ' ') + line + "\n";
+        if (line.ends_with("{") || line == "if" || line == "do")
+            ++depth;
+    }
+    return out;
+}
+
+std::string proctype(const Network& network, std::size_t process, const Catalogue& catalogue) {
+    const ProcessInstance& self = network.processes[process];
+    const PromelaStatements& statements = statements_of(self, catalogue);
+    return fmt::format("\n/* {}, a {} */\nproctype {}() {{\n    int i;\n    byte m;\n{}}}\n", self.name, self.kind,
+                       identifier(network, process), indented(statements(PromelaProcess(network, process))));
+}
+
+std::string legend(const Network& network) {
+    std::string out;
+    for (std::size_t i = 0; i < network.channels.size(); ++i)
+        out += fmt::format("/* c[{}]: {} */\n", i, network.channels[i].name);
+    return out + fmt::format("/* c[{}]: nothing passes, where a guard is closed */\n", network.channels.size());
+}
+
+} // namespace
+
+std::string print_promela(const Network& network, const Catalogue& catalogue) {
+    if (network.processes.size() > most_processes)
+        throw UserError(
+            fmt::format("{} processes, and Spin has room for {}", network.processes.size(), most_processes));
+    std::string out = legend(network) + fmt::format("chan c[{}] = [0] of {{ byte }};\n", network.channels.size() + 1);
+    std::string start;
+    for (std::size_t process = 0; process < network.processes.size(); ++process) {
+        out += proctype(network, process, catalogue);
+        start += fmt::format("        run {}();\n", identifier(network, process));
+    }
+    return out + "\ninit {\n    atomic {\n" + start + "    }\n}\n";
+}
+
+} // namespace placedpar

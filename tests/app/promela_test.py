@@ -1,0 +1,85 @@
+"""placedpar show --format promela: what Spin finds of the model is what runs do."""
+
+import pathlib
+import random
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from program import EXAMPLES, placedpar
+
+SHUFFLES = 24
+PHILOSOPHERS = EXAMPLES / "30-philosophers" / "philosophers.cfs"
+
+
+def can_get_stuck(netlist, *settings):
+    """Whether Spin finds an end in which a process still waits."""
+    with tempfile.TemporaryDirectory() as folder:
+        model = placedpar("show", netlist, "--format", "promela", *settings)
+        assert model.returncode == 0, model.stderr
+        (pathlib.Path(folder) / "model.pml").write_text(model.stdout, encoding="utf-8")
+        for command in (["spin", "-a", "model.pml"], ["cc", "-O1", "-DSAFETY", "-o", "pan", "pan.c"]):
+            subprocess.run(command, cwd=folder, check=True, capture_output=True, timeout=60)
+        found = subprocess.run(["./pan", "-m1000000"], cwd=folder, check=True, capture_output=True, text=True, timeout=60)
+    assert "max search depth too small" not in found.stdout and "errors: " in found.stdout, found.stdout
+    return "errors: 0" not in found.stdout
+
+
+def runs_that_get_stuck(netlist, *settings):
+    codes = [placedpar("run", netlist, *settings, "--shuffle", seed).returncode for seed in range(SHUFFLES)]
+    assert set(codes) <= {0, 2}, codes
+    return codes.count(2)
+
+
+def random_network(seed):
+    """Producers, buffers and consumers in a line or a ring, that pass one or two packets, not all the same number."""
+    chance = random.Random(seed)
+    middle = [chance.choice(("csp.identity", "csp.prefix", "csp.successor")) for _ in range(chance.randint(1, 4))]
+    ring = chance.random() < 0.5
+    kinds = middle if ring else ["csp.producer", *middle, "csp.consumer"]
+    lines = ["T800 t;"]
+    for number, kind in enumerate(kinds):
+        lines += [f"process p{number}; use \"{kind}\" for p{number}; place p{number} on t;",
+                  f"p{number} (count = {chance.randint(1, 2)});"]
+    for number in range(len(kinds) - (not ring)):
+        lines.append(f"connect p{number}.out to p{(number + 1) % len(kinds)}.in;")
+    return "\n".join(lines) + "\n"
+
+
+@unittest.skipUnless(shutil.which("spin") and shutil.which("cc"), "Spin is not installed")
+class Models(unittest.TestCase):
+    def check_agreement(self, netlist, *settings):
+        """Spin looks at every course: where it finds no stuck end no run may get stuck; else one of many does."""
+        stuck = can_get_stuck(netlist, *settings)
+        runs = runs_that_get_stuck(netlist, *settings)
+        self.assertEqual(runs > 0, stuck, f"{runs} of {SHUFFLES} runs get stuck")
+        return stuck
+
+    def test_the_examples(self):
+        for stuck, *example in ((False, EXAMPLES / "01-commstime" / "commstime.cfs", "--set", "count=3"),
+                                (True, EXAMPLES / "02-deadlock" / "ring.cfs"),
+                                (False, PHILOSOPHERS, "--set", "meals=1"), (True, PHILOSOPHERS, "--set", "butler=0"),
+                                (False, EXAMPLES / "34-bounded-buffer" / "buffer.cfs", "--set", "count=3")):
+            self.assertEqual(self.check_agreement(*example), stuck, example)
+
+    def test_random_networks(self):
+        verdicts = set()
+        with tempfile.TemporaryDirectory() as folder:
+            for seed in range(16):
+                netlist = pathlib.Path(folder) / f"{seed}.cfs"
+                netlist.write_text(random_network(seed), encoding="utf-8")
+                verdicts.add(self.check_agreement(netlist))
+        self.assertEqual(verdicts, {True, False})
+
+
+class Refusals(unittest.TestCase):
+    def test_a_kind_that_says_nothing_in_promela_is_named(self):
+        run = placedpar("show", EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "--format", "promela")
+        self.assertEqual((run.returncode, run.stdout), (1, ""))
+        self.assertIn('"host" is a ga.host, which does not say in Promela what it communicates; these do: csp.buffer',
+                      run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
