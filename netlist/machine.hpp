@@ -27,6 +27,8 @@ public:
     /// pass the end of virtual time.
     RunReport run(Time limit = Time::max());
     void interrupt() { simulation_.interrupt(); }
+    /// REQUIRES: before run(). See Kernel::shuffle.
+    void shuffle(std::uint64_t seed) { simulation_.shuffle(seed); }
     /// REQUIRES: before run(); the sink outlives it.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 

@@ -53,6 +53,8 @@ boost::json::object manifest_json(const Manifest& manifest, const Network& netwo
                              {"seed", manifest.seed}};
     if (manifest.until != Time::max())
         json["until_ps"] = manifest.until.count();
+    if (manifest.shuffle)
+        json["shuffle"] = *manifest.shuffle;
     return json;
 }
 

@@ -7,6 +7,7 @@
 #include <boost/json.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace placedpar {
@@ -18,6 +19,7 @@ struct Manifest {
     Overrides overrides;
     ReadOptions read = {};
     Time until = Time::max(); ///< where the run was to be stopped
+    std::optional<std::uint64_t> shuffle = {};
 };
 
 extern const char* const version;
@@ -29,7 +31,7 @@ std::string version_text();
 
 /// {"version", "commit", "command", "netlist", "netlist_hash", "overrides", "set", "programs", "include_folders",
 /// "seed"}. The overrides are as they were asked for; "set" says which elements each of them reached, none for a val.
-/// With "until_ps" where the run was to be stopped.
+/// With "until_ps" where the run was to be stopped, "shuffle" where it was shuffled.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.

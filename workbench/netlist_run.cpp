@@ -29,6 +29,8 @@ void Interruption::request() noexcept {
 RunReport run_netlist(const Network& network, const ProblemRegistry& problems, const RunSettings& settings) {
     Catalogue catalogue = known_kinds(problems, settings.observer);
     Machine machine(network, catalogue, settings.seed);
+    if (settings.shuffle)
+        machine.shuffle(*settings.shuffle);
     if (settings.trace)
         machine.trace_to(*settings.trace);
     Interruption never;

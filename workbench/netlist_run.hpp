@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 namespace placedpar {
 
@@ -26,10 +27,11 @@ private:
 /// How a network is run.
 struct RunSettings {
     std::uint64_t seed = 1;
-    Time until = Time::max();             ///< the run ends there if it is not over before
-    TraceSink* trace = nullptr;           ///< none: no trace
-    SearchObserver* observer = nullptr;   ///< none: nobody observes the searches
-    Interruption* interruption = nullptr; ///< none: nothing ends the run early. Of one run at a time
+    Time until = Time::max();                  ///< the run ends there if it is not over before
+    std::optional<std::uint64_t> shuffle = {}; ///< runs what is ready in an order drawn from it, another course
+    TraceSink* trace = nullptr;                ///< none: no trace
+    SearchObserver* observer = nullptr;        ///< none: nobody observes the searches
+    Interruption* interruption = nullptr;      ///< none: nothing ends the run early. Of one run at a time
 };
 
 /// Throws what the processes throw.

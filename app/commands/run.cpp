@@ -39,13 +39,14 @@ struct RunOptions {
     TraceWindow traced;
     Time until = Time::max();
     std::uint64_t seed = 1;
+    std::optional<std::uint64_t> shuffle = {};
     std::size_t seeds = 1; ///< from that one on
     bool watch = false;
 
     std::array<std::filesystem::path, 4> outputs() const { return {json, trace, log, convergence}; }
     bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
     Manifest manifest(const std::string& typed) const {
-        return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until};
+        return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until, shuffle};
     }
 };
 
@@ -79,9 +80,13 @@ void require_fit(const Network& network, const RunOptions& options) {
 
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
-    return run_netlist(
-        network, known_problems(seed),
-        {.seed = seed, .until = options.until, .trace = trace, .observer = observer, .interruption = &interruption});
+    return run_netlist(network, known_problems(seed),
+                       {.seed = seed,
+                        .until = options.until,
+                        .shuffle = options.shuffle,
+                        .trace = trace,
+                        .observer = observer,
+                        .interruption = &interruption});
 }
 
 FinishedRun run_seed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
@@ -214,6 +219,11 @@ Action declare_run(CLI::App& command, const std::string& typed) {
     auto options = std::make_shared<RunOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
+    command
+        .add_option("--shuffle", options->shuffle,
+                    "runs what is ready in an order drawn from this seed: another course")
+        ->type_name("SEED")
+        ->check(not_a_whole_number);
     add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the report for machines");
     add_searches(command, *options);

@@ -1,12 +1,17 @@
-// Every network of three processes and a few actions: the runtime does what CSP allows, and nothing else.
+// Every network of three processes and a few actions: the runtime does what CSP allows, and nothing else, wherever the
+// processes are placed.
 
 #include "small_world.hpp"
 
 #include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <functional>
 #include <list>
 #include <memory>
@@ -22,19 +27,33 @@ struct Course {
     bool completed;
 };
 
+enum class Placed {
+    nowhere,
+    together, ///< on one processor
+    apart     ///< each on one of its own, each channel on a link
+};
+
 /// Runs the world, its ready queue in order or, with a seed, shuffled.
 class WorldRun {
 public:
-    explicit WorldRun(const SmallWorld& world) : world_(world), passed_(world.channels.size()) {
-        for (std::size_t i = 0; i < world.channels.size(); ++i)
+    explicit WorldRun(const SmallWorld& world, Placed placed = Placed::nowhere)
+        : world_(world), passed_(world.channels.size()) {
+        for (std::size_t i = 0; i < world.channels.size(); ++i) {
             channels_.push_back(std::make_unique<Channel<int>>(std::string(1, static_cast<char>('0' + i))));
+            if (placed == Placed::apart)
+                channels_.back()->put_on(links_.emplace_back(kernel_).from_a_to_b());
+        }
+        if (placed != Placed::nowhere)
+            for (hardware::Processor*& each : executives_)
+                each = placed == Placed::together && !processors_.empty() ? &processors_.front()
+                                                                          : &processors_.emplace_back(kernel_, "t");
     }
     Course run(std::optional<std::uint64_t> seed) {
         if (seed)
             kernel_.shuffle(*seed);
         for (std::size_t p = 0; p < 3; ++p) {
             processes_.emplace_back(
-                kernel_, "p", [this, p] { act(p); }, nullptr, Priority::low);
+                kernel_, "p", [this, p] { act(p); }, executives_[p], Priority::low);
             kernel_.make_ready(processes_.back());
         }
         Ending ending = kernel_.run(Time::max(), {});
@@ -80,6 +99,9 @@ private:
     };
     const SmallWorld& world_;
     Kernel kernel_;
+    std::list<hardware::Processor> processors_;
+    std::list<hardware::Link> links_;
+    std::array<hardware::Processor*, 3> executives_{};
     std::vector<std::unique_ptr<Channel<int>>> channels_;
     std::list<Process> processes_;
     std::vector<Passed> passed_;
@@ -140,25 +162,40 @@ void for_every_network(std::size_t channels, const std::function<void(SmallWorld
     }
 }
 
-void check_course(const SmallWorld& world, std::optional<std::uint64_t> seed) {
-    Course course = WorldRun(world).run(seed);
+void check_course(const SmallWorld& world, Placed placed, std::optional<std::uint64_t> seed) {
+    Course course = WorldRun(world, placed).run(seed);
     Interpreter interpreter(world);
     auto states = interpreter.start();
     for (char channel : course.trace)
         states = interpreter.after(states, static_cast<std::size_t>(channel - '0'));
     if (states.empty() || !interpreter.can_end(states, course.completed))
-        FAIL("world ", world.text(), " did ", course.trace, course.completed ? " and completed" : " and got stuck");
+        FAIL("world ", world.text(), ", placed ", static_cast<int>(placed), ", did ", course.trace,
+             course.completed ? " and completed" : " and got stuck");
 }
 
-int check_all(std::size_t channels, std::size_t longest, bool polls) {
+int check_all(std::size_t channels, std::size_t longest, bool polls, Placed placed = Placed::nowhere) {
     int worlds = 0;
     for_every_network(channels, [&](SmallWorld& world) {
         for_every_program(world, 0, longest, polls, [&] {
-            check_course(world, std::nullopt);
-            check_course(world, ++worlds);
+            check_course(world, placed, std::nullopt);
+            check_course(world, placed, ++worlds);
         });
     });
     return worlds;
+}
+
+/// One of those that are too many to try all: three channels anywhere, four actions each.
+SmallWorld larger_world(RandomStream& random) {
+    SmallWorld world;
+    for (int i = 0; i < 3; ++i) {
+        std::size_t from = random.below(3);
+        world.channels.push_back({from, (from + 1 + random.below(2)) % 3});
+    }
+    for (std::size_t process = 0; process < 3; ++process)
+        if (auto actions = alphabet(world, process, false); !actions.empty())
+            for (int i = 0; i < 4; ++i)
+                world.processes[process].push_back(actions[random.below(static_cast<std::uint32_t>(actions.size()))]);
+    return world;
 }
 
 } // namespace
@@ -167,7 +204,21 @@ TEST_CASE("three processes, two channels, up to four actions each: the course is
     CHECK(check_all(2, 4, false) == 10062);
 }
 
-TEST_CASE("the same with polls, up to two actions") { CHECK(check_all(2, 2, true) == 1394); }
+TEST_CASE("the same on one processor, and on three with a link for each channel") {
+    CHECK(check_all(2, 4, false, Placed::together) == 10062);
+    CHECK(check_all(2, 4, false, Placed::apart) == 10062);
+}
+
+TEST_CASE("three processes, three channels, four actions each: some of the worlds, wherever they are placed") {
+    RandomStream random(1, "larger worlds");
+    for (int i = 0; i < 6000; ++i) {
+        SmallWorld world = larger_world(random);
+        for (Placed placed : {Placed::nowhere, Placed::together, Placed::apart})
+            check_course(world, placed, i);
+    }
+}
+
+TEST_CASE("two channels with polls, up to two actions") { CHECK(check_all(2, 2, true) == 1394); }
 
 TEST_CASE("three processes, three channels, up to two actions each") { CHECK(check_all(3, 2, false) == 9007); }
 

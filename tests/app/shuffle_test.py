@@ -1,0 +1,55 @@
+"""placedpar run --shuffle: another course of the same network, which the same number gives again."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from program import CLUSTER, FIGURE_E2, fingerprint, placedpar
+
+# On a workstation nothing takes time: which of two pairs communicates first is a matter of order alone.
+PAIRS = """workstation w; process p; process q; process c; process d;
+use "csp.producer" for p; use "csp.producer" for q; use "csp.consumer" for c; use "csp.consumer" for d;
+p (count = 5); q (count = 5); c (count = 5); d (count = 5);
+connect p.out to c.in; connect q.out to d.in;
+place p on w; place q on w; place c on w; place d on w;
+"""
+
+
+class Shuffled(unittest.TestCase):
+    def test_the_same_number_gives_the_same_course_and_others_give_others(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "pairs.cfs"
+            netlist.write_text(PAIRS, encoding="utf-8")
+            plain = fingerprint(placedpar("run", netlist).stdout)
+            courses = [fingerprint(placedpar("run", netlist, "--shuffle", seed).stdout) for seed in (1, 1, 2, 3)]
+        self.assertEqual(courses[0], courses[1])
+        self.assertEqual(len({plain, *courses}), 4)
+
+    def test_processors_share_themselves_out_as_before(self):
+        self.assertEqual(fingerprint(placedpar("run", FIGURE_E2, "--shuffle", 1).stdout),
+                         fingerprint(placedpar("run", FIGURE_E2).stdout))
+
+    def test_what_is_computed_is_the_same_in_every_course(self):
+        populations = set()
+        for options in ((), ("--shuffle", "1"), ("--shuffle", "2")):
+            report = placedpar("run", CLUSTER, "--set", "slaves=3", *options).stdout
+            populations.add(next(line for line in report.splitlines() if " populations " in line))
+        self.assertEqual(len(populations), 1)
+
+    def test_the_manifest_says_how_to_run_it_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "report.json"
+            placedpar("run", CLUSTER, "--shuffle", 7, "--json", report)
+            self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["manifest"]["shuffle"], 7)
+            placedpar("run", CLUSTER, "--json", report)
+            self.assertNotIn("shuffle", json.loads(report.read_text(encoding="utf-8"))["manifest"])
+
+    def test_a_seed_is_a_number(self):
+        run = placedpar("run", CLUSTER, "--shuffle", "some")
+        self.assertEqual((run.returncode, run.stdout), (1, ""))
+        self.assertIn("--shuffle", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
