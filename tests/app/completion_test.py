@@ -66,9 +66,9 @@ class Completion(unittest.TestCase):
                     self.assertEqual(set(bash(command, "--")), options_in_help(command))
 
     def test_words_that_an_option_takes(self):
-        self.assertEqual(bash("show", "x.cfs", "--format", ""), ["cfs", "svg", "dot", "json"])
+        self.assertEqual(bash("show", "x.cfs", "--format", ""), ["cfs", "svg", "dot", "json", "promela"])
         self.assertEqual(bash("show", "x.cfs", "--format", "=", "s"), ["svg"]) # as bash splits --format=s
-        self.assertEqual(bash("show", "x.cfs", "--format", "="), ["cfs", "svg", "dot", "json"])
+        self.assertEqual(bash("show", "x.cfs", "--format", "="), ["cfs", "svg", "dot", "json", "promela"])
         self.assertEqual(bash("identify", "--way", "s"), ["service"])
 
     def test_an_option_and_its_value_in_one_word(self):
