@@ -73,7 +73,7 @@ class Completion(unittest.TestCase):
 
     def test_an_option_and_its_value_in_one_word(self):
         for words, found in ((["show", "x.cfs", "--format=s"], ["--format=svg"]),
-                             (["show", "x.cfs", "--format="], [f"--format={f}" for f in ("cfs", "svg", "dot", "json")]),
+                             (["show", "x.cfs", "--format="], [f"--format={f}" for f in ("cfs", "svg", "dot", "json", "promela")]),
                              (["run", "x.cfs", "--json=x"], []), (["run", "x.cfs", "--nothing=x"], [])):
             done = placedpar("completion", "words", "--", *words) # as zsh asks
             self.assertEqual((done.returncode, done.stdout.split()), (0, found), words)
