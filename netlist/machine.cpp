@@ -95,6 +95,7 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     require_runnable(network, catalogue);
     make_executives();
     make_links();
+    make_buses();
     make_routers();
     make_channels(catalogue);
     make_processes(catalogue);
@@ -102,15 +103,23 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
 }
 
 void Machine::make_executives() {
-    for (const Node& node : network_.nodes) {
-        const auto& make = node.kind->make_executive;
-        executives_.push_back(make ? make(simulation_, node) : NodeExecutive{});
+    for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
+        const DeviceKind& kind = *network_.nodes[i].kind;
+        bool differs = kind.make_executive_on_bus && is_on_bus(network_, i);
+        const auto& make = differs ? kind.make_executive_on_bus : kind.make_executive;
+        executives_.push_back(make ? make(simulation_, network_.nodes[i]) : NodeExecutive{});
     }
 }
 
 void Machine::make_links() {
+    carriers_.resize(network_.connections.size());
     for (const LinkConnection& connection : network_.connections) {
+        if (connection.over_bus) {
+            links_.push_back(nullptr);
+            continue;
+        }
         links_.push_back(&add_link(simulation_, connection, network_.nodes));
+        carriers_[links_.size() - 1] = {&links_.back()->from_a_to_b(), &links_.back()->from_b_to_a()};
         for (const LinkEnd& end : {connection.a, connection.b})
             if (const auto& has_link = executives_[end.node].has_link)
                 has_link(*links_.back());
@@ -130,8 +139,16 @@ void Machine::make_routers() {
 
 hardware::RouterLink& Machine::make_router_link(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
-    return simulation_.add<hardware::RouterLink>(*links_[index], *routers_[connection.a.node],
+    return simulation_.add<hardware::RouterLink>(lane(index, true), lane(index, false), *routers_[connection.a.node],
                                                  *routers_[connection.b.node]);
+}
+
+hardware::Lane Machine::lane(std::size_t index, bool from_a_to_b) const {
+    const LinkConnection& connection = network_.connections[index];
+    std::string a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
+    const Carriers& both = carriers_[index];
+    return from_a_to_b ? hardware::Lane{*both.from_a_to_b, a + " -> " + b}
+                       : hardware::Lane{*both.from_b_to_a, b + " -> " + a};
 }
 
 void Machine::make_channels(const Catalogue& catalogue) {
@@ -147,7 +164,7 @@ void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
     std::vector<hardware::Hop> hops;
     for (auto [connection, forth] : description.placement.route) {
         if (!router_links_[connection]) // then there is no other hop
-            return channel.put_on(forth ? links_[connection]->from_a_to_b() : links_[connection]->from_b_to_a());
+            return channel.put_on(forth ? *carriers_[connection].from_a_to_b : *carriers_[connection].from_b_to_a);
         hops.push_back({*router_links_[connection], forth});
     }
     channel.put_on(simulation_.add<hardware::Route>(hops));

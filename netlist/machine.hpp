@@ -4,8 +4,10 @@
 #include "netlist/kinds/environment.hpp"
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
+#include "runtime/hardware/bus_memory.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/router.hpp"
+#include "runtime/hardware/vme_bus.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
@@ -33,8 +35,17 @@ public:
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 
 private:
+    /// Both directions of a connection.
+    struct Carriers {
+        Carrier *from_a_to_b = nullptr, *from_b_to_a = nullptr;
+    };
     void make_executives();
     void make_links();
+    void make_buses();
+    void make_way(std::size_t connection);
+    Carriers make_memory_lanes(const BusWay&);
+    Carriers make_adapter(const BusWay&);
+    hardware::Lane lane(std::size_t connection, bool from_a_to_b) const;
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
     void make_channels(const Catalogue&);
@@ -46,15 +57,20 @@ private:
     std::vector<ProcessorUse> processor_uses() const;
     Time time_passing_on(std::size_t node) const;
     std::vector<LinkUse> link_uses() const;
+    std::vector<BusUse> bus_uses() const;
     std::vector<ProcessUse> process_uses() const;
 
     Network network_;
     std::uint64_t seed_;
     Simulation simulation_;
-    std::vector<NodeExecutive> executives_;           ///< by node
-    std::vector<hardware::Link*> links_;              ///< by connection
-    std::vector<hardware::Router*> routers_;          ///< by node
-    std::vector<hardware::RouterLink*> router_links_; ///< by connection; null where no channel travels in packets
+    std::vector<NodeExecutive> executives_;             ///< by node
+    std::vector<hardware::Link*> links_;                ///< by connection; null for ways over a bus
+    std::vector<hardware::VmeBus*> buses_;              ///< by node; null where it is none
+    std::vector<hardware::VmeMaster*> masters_;         ///< by attachment; null where it is none
+    std::vector<hardware::DualPortedMemory*> memories_; ///< by attachment; null where it has none
+    std::vector<Carriers> carriers_;                    ///< by connection
+    std::vector<hardware::Router*> routers_;            ///< by node
+    std::vector<hardware::RouterLink*> router_links_;   ///< by connection; null where no channel travels in packets
     std::vector<std::unique_ptr<AnyChannel>> channels_;
     std::list<ProcessEnvironment> environments_;
     std::vector<Process*> processes_;

@@ -30,6 +30,7 @@ RunReport Machine::run(Time limit) {
     auto count_work = [&] {
         report.processors = processor_uses();
         report.links = link_uses();
+        report.buses = bus_uses();
         report.processes = process_uses();
     };
     try {
@@ -60,7 +61,7 @@ Time Machine::time_passing_on(std::size_t node) const {
 
 std::vector<LinkUse> Machine::link_uses() const {
     std::vector<LinkUse> uses;
-    for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (std::size_t i = 0, wires = network_.count_wires(); i < wires; ++i) {
         const LinkConnection& connection = network_.connections[i];
         auto a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
         auto add = [&](const std::string& from, const std::string& to, const hardware::LinkDirection& direction) {
@@ -69,6 +70,19 @@ std::vector<LinkUse> Machine::link_uses() const {
         add(a, b, links_[i]->from_a_to_b());
         add(b, a, links_[i]->from_b_to_a());
     }
+    return uses;
+}
+
+std::vector<BusUse> Machine::bus_uses() const {
+    std::vector<BusUse> uses;
+    for (const hardware::VmeBus* bus : buses_)
+        if (bus) {
+            uses.push_back({bus->name(), bus->time_busy(), {}});
+            for (const hardware::VmeMaster* each : bus->masters())
+                uses.back().masters.push_back({each->name(), each->place().level, each->words_moved(),
+                                               each->bytes_accessed(), each->grants(), each->bus_errors(),
+                                               each->time_waited(), each->longest_wait()});
+        }
     return uses;
 }
 

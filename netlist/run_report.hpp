@@ -26,6 +26,21 @@ struct LinkUse {
     Time occupied; ///< how long its wire carried their bits
 };
 
+/// A master's use of its bus.
+struct BusMasterUse {
+    std::string name;
+    int level;
+    std::uint64_t words, bytes; ///< words moved, registers accessed
+    std::uint64_t grants, bus_errors;
+    Time waited, longest_wait; ///< for the bus
+};
+
+struct BusUse {
+    std::string name;
+    Time busy; ///< how long it moved words or bytes
+    std::vector<BusMasterUse> masters;
+};
+
 struct ProcessUse {
     std::string name;
     std::string processor;
@@ -39,6 +54,7 @@ struct RunReport {
     std::vector<Measurement> measurements;
     std::vector<ProcessorUse> processors;
     std::vector<LinkUse> links;
+    std::vector<BusUse> buses;
     std::vector<ProcessUse> processes;
 
     /// The part of the run that took so long. None in a deadlock, which lasts for ever.

@@ -106,6 +106,22 @@ std::string print_links(const RunReport& report) {
     return out;
 }
 
+std::string print_buses(const RunReport& report) {
+    std::string out;
+    for (const BusUse& bus : report.buses) {
+        std::size_t name = width_of(bus.masters, &BusMasterUse::name, 6);
+        out += painted(Paint::heading, fmt::format("\nbus {}, busy {}\n", bus.name, print_part(report, bus.busy)));
+        out += painted(Paint::heading,
+                       fmt::format("{:<{}}  {:>5}  {:>9}  {:>9}  {:>9}  {:>7}  {:>12}  {:>6}\n", "master", name,
+                                   "level", "words", "bytes", "grants", "waiting", "longest wait", "errors"));
+        for (const BusMasterUse& m : bus.masters)
+            out += fmt::format("{:<{}}  {:>5}  {:>9}  {:>9}  {:>9}  {:>7}  {:>12}  {:>6}\n", m.name, name, m.level,
+                               m.words, m.bytes, m.grants, print_part(report, m.waited), print_time(m.longest_wait),
+                               m.bus_errors);
+    }
+    return out;
+}
+
 /// In a deadlock a process that waits does so for ever; where a run was stopped, it waited when it was.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
@@ -158,6 +174,27 @@ boost::json::object json_of(const RunReport& report, const LinkUse& l) {
             {"bytes", l.bytes},
             {"occupied", part_json(report, l.occupied)},
             {"occupied_ps", l.occupied.count()}};
+}
+
+boost::json::object json_of(const RunReport&, const BusMasterUse& m) {
+    return {{"name", m.name},
+            {"level", m.level},
+            {"words", m.words},
+            {"bytes", m.bytes},
+            {"grants", m.grants},
+            {"bus_errors", m.bus_errors},
+            {"waited_ps", m.waited.count()},
+            {"longest_wait_ps", m.longest_wait.count()}};
+}
+
+template <class Rows>
+boost::json::array array_of(const RunReport& report, const Rows& rows);
+
+boost::json::object json_of(const RunReport& report, const BusUse& b) {
+    return {{"name", b.name},
+            {"busy", part_json(report, b.busy)},
+            {"busy_ps", b.busy.count()},
+            {"masters", array_of(report, b.masters)}};
 }
 
 boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
@@ -214,7 +251,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
     out += print_searches(searches);
     if (!report.processors.empty())
         out += print_processors(report);
-    return out + print_links(report) + print_processes(report);
+    return out + print_links(report) + print_buses(report) + print_processes(report);
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest,
@@ -227,6 +264,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
                              {"processors", array_of(report, report.processors)},
                              {"links", array_of(report, report.links)},
                              {"processes", array_of(report, report.processes)}};
+    if (!report.buses.empty())
+        json["buses"] = array_of(report, report.buses);
     if (!searches.searches().empty())
         json["searches"] = searches_json(searches);
     if (report.result.deadlock)

@@ -15,10 +15,10 @@ namespace {
 
 ExitCode check(const NetlistOptions& options) {
     Network network = load_network(options);
-    print_out(fmt::format(
-        "{}: {}, {}, {}, {}; hash {:016x}\n", network.source_path, counted(count_processors(network), "processor"),
-        counted(network.connections.size(), "connection"), counted(network.processes.size(), "process", "processes"),
-        counted(network.channels.size(), "channel"), network.hash));
+    print_out(fmt::format("{}: {}, {}, {}, {}; hash {:016x}\n", network.source_path,
+                          counted(count_processors(network), "processor"), counted(network.count_wires(), "connection"),
+                          counted(network.processes.size(), "process", "processes"),
+                          counted(network.channels.size(), "channel"), network.hash));
     return ExitCode::success;
 }
 

@@ -22,6 +22,8 @@ public:
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
             between_[{connection.b.node, connection.a.node}].push_back(i);
+            if (connection.over_bus)
+                ways_.emplace(connection.over_bus->wire, i);
             for (auto [inner, outer] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (outer.at_edge())
                     edges_of_[inner.node].push_back(i);
@@ -168,7 +170,13 @@ private:
         if (found == c_.connection_at.end())
             refuse(placement.at, fmt::format("the channel \"{}\" is placed on \"{}\", which is connected to nothing",
                                              channel, link_name(c_.draft.nodes, placement.where)));
-        return found->second;
+        return way_over_bus(found->second);
+    }
+
+    /// Where the wire leads to a link adapter, the way of which it is a part; else the wire.
+    std::size_t way_over_bus(std::size_t wire) const {
+        auto way = ways_.find(wire);
+        return way == ways_.end() ? wire : way->second;
     }
 
     /// Lets a connection carry the channel, if it leads from its process to the edge.
@@ -377,6 +385,7 @@ private:
     RouteSearch search_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
     std::map<std::size_t, std::vector<std::size_t>> edges_of_;
+    std::map<std::size_t, std::size_t> ways_; ///< over buses, by the wire behind an adapter
 };
 
 } // namespace

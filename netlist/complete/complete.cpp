@@ -24,6 +24,7 @@ Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& pr
     if (reporter.failed())
         return {};
     complete_wires(completion);
+    complete_buses(completion);
     complete_processes(completion);
     complete_channels(completion);
     complete_carriers(completion);

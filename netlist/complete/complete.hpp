@@ -40,6 +40,8 @@ struct Completion {
 void complete_hosts(Completion& completion);
 /// wires.cpp: from pieces of wire and crosspoints to connections between processors.
 void complete_wires(Completion& completion);
+/// buses.cpp: from what is attached to buses to ways over them.
+void complete_buses(Completion& completion);
 /// programs.cpp: the kinds that take the place of programs.
 void complete_programs(Completion& completion);
 /// overrides.cpp: what options set of nodes, connections and processes.

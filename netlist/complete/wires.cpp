@@ -127,6 +127,15 @@ private:
     /// Of one piece of the wire. False where its speed is another than of the pieces before it.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
+        if (attributes.level || attributes.release) {
+            c_.reporter.error(connection.connected,
+                              fmt::format("the attribute \"{}\" belongs to a connection to a bus",
+                                          attributes.level ? "level" : "release"),
+                              "such as connect sun.bus[0] to vme.slot[1] by ...;",
+                              {{"declared here", attributes.declared}});
+            c_.wire_refused[connection.a.node] = c_.wire_refused[connection.b.node] = true;
+            return false;
+        }
         c_.connection_named.emplace(named, c_.network.connections.size());
         if (connection.name.empty())
             connection.name = attributes.name;
@@ -170,6 +179,8 @@ void check_isolated(Completion& c) {
     std::vector<bool> wired(c.draft.nodes.size(), false);
     for (const auto& connection : c.network.connections)
         wired[connection.a.node] = wired[connection.b.node] = true;
+    for (const auto& attachment : c.draft.attachments)
+        wired[attachment.node] = true;
     if (std::count_if(c.draft.nodes.begin(), c.draft.nodes.end(), is_computer) < 2)
         return;
     for (std::size_t i = 0; i < wired.size(); ++i)

@@ -4,6 +4,7 @@
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace placedpar {
 
 Value AttributeValue::as(const AttributeDescription& attribute) const {
     if (attribute.value.type == ParameterType::text)
-        return text();
+        return word(attribute.value);
     if (attribute.value.type == ParameterType::real)
         return real(attribute.value);
     auto number = attribute.decimal_suffixes ? integer().decimal : integer().value;
@@ -31,6 +32,14 @@ std::string AttributeValue::text() const {
     if (setting_.value.text() == nullptr)
         wrong_type("a string");
     return *setting_.value.text();
+}
+
+std::string AttributeValue::word(const ParameterDescription& description) const {
+    std::string word = text();
+    const auto& choices = description.choices;
+    if (!choices.empty() && std::ranges::find(choices, word) == choices.end())
+        illegal(shown(setting_.value), fmt::format("it is one of {}", fmt::join(choices, ", ")));
+    return word;
 }
 
 const Integer& AttributeValue::integer() const {

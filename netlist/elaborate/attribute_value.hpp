@@ -27,6 +27,7 @@ public:
     [[noreturn]] void refuse(std::string message, std::string hint) const;
 
 private:
+    std::string word(const ParameterDescription& description) const;
     const Integer& integer() const;
     double real(const ParameterDescription& description) const;
     void check_range(const ParameterDescription& description, double number, const std::string& shown_number) const;

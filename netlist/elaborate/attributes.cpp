@@ -40,6 +40,14 @@ AttributeDescription connection_length() {
     return {.value = description::real("length", {.unit = "metres", .least = 0, .most = 1000}, "of the wire")};
 }
 
+AttributeDescription bus_level() {
+    return {.value = description::integer("level", {.least = 0, .most = 3}, "of a master's requests")};
+}
+
+AttributeDescription bus_release() {
+    return {.value = description::text("release", {.choices = {"RWD", "ROR"}}, "when a master gives up the bus")};
+}
+
 AttributeDescription process_memory(const std::string& name) {
     return {.value = description::integer(name, {.unit = "bytes", .least = 0, .most = 4294967296.0}, "kept")};
 }
@@ -51,9 +59,11 @@ void apply_connection_attribute(DraftConnection& connection, const Setting& sett
     } else if (setting.name == "length") {
         connection.metres = std::get<double>(value.as(connection_length()));
     } else if (setting.name == "level") {
-        value.refuse("the attribute \"level\" belongs to a connection to a bus", "the bus is not there yet");
+        connection.level = static_cast<int>(std::get<std::int64_t>(value.as(bus_level())));
+    } else if (setting.name == "release") {
+        connection.release = std::get<std::string>(value.as(bus_release()));
     } else {
-        value.refuse_name("a connection", {"linkspeed", "length", "level"});
+        value.refuse_name("a connection", {"linkspeed", "length", "level", "release"});
     }
 }
 

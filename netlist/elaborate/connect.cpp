@@ -22,7 +22,9 @@ void Elaborator::perform(const ConnectStatement& form, const Location& at) {
             refuse(reference->at,
                    fmt::format("\"{}\" is a connection: links and channels can be connected", reference->name),
                    "connect ... to ... by connection;");
-    if (is_link(a) && is_link(b))
+    if (leads_to_bus(form.a, a) || leads_to_bus(form.b, b))
+        connect_to_bus(form, a, b, at);
+    else if (is_link(a) && is_link(b))
         connect_links(link_end(form.a, a), link_end(form.b, b), form, at);
     else if (is_channel(a) && is_channel(b))
         connect_channels(port_end(form.a, a), port_end(form.b, b), form, at);

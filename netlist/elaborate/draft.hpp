@@ -28,6 +28,8 @@ struct DraftConnection {
     std::optional<double> metres;
     std::optional<Location> used;             ///< by this connect
     std::map<std::string, Location> settings; ///< by statements of their own, `c (length = 0.3);`
+    std::optional<int> level = {};            ///< of a master on a bus
+    std::optional<std::string> release = {};  ///< "RWD", "ROR"
 };
 
 struct DraftEdgeChannel {
@@ -91,6 +93,14 @@ struct DraftWire {
     Location at;
 };
 
+/// `connect sun.bus[0] to vme.slot[1];`
+struct DraftAttachment {
+    std::size_t node = nowhere, bus = nowhere;
+    int slot = 1;
+    std::size_t connection = nowhere;
+    Location at;
+};
+
 struct DraftChannelEnd {
     std::size_t process = nowhere;
     std::size_t edge_channel = nowhere; ///< one of the two is nowhere
@@ -131,6 +141,7 @@ struct Draft {
     std::vector<DraftEdgeChannel> edge_channels;
     std::vector<DraftProcess> processes;
     std::vector<DraftWire> wires, crosspoints;
+    std::vector<DraftAttachment> attachments;
     std::vector<DraftChannel> channels;
     std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
         placements; ///< by process and port; several, on links of several nodes, tell a route

@@ -122,6 +122,13 @@ private:
                           const std::vector<std::int64_t>& given);
     std::vector<std::int64_t> subscripts(const std::vector<ExpressionPointer>& expressions);
 
+    // attach.cpp
+    bool leads_to_bus(const Reference& reference, const Found& found) const;
+    void connect_to_bus(const ConnectStatement& form, const Found& a, const Found& b, const Location& at);
+    std::size_t bus_end(const Reference& reference, const Found& found);
+    std::size_t device_end(const Reference& reference, const Found& found);
+    int bus_subscript(const Reference& reference, int least, int most);
+
     [[noreturn]] void refuse_placed_twice(const PlaceStatement& form, const char* what, const std::string& name,
                                           const Location& first);
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",

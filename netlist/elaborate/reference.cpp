@@ -1,6 +1,7 @@
 #include "netlist/elaborate/elaborator.hpp"
 
 #include "text/counted.hpp"
+#include "text/nearest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -100,6 +101,9 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
 }
 
 int Elaborator::link_number(const Reference& reference, const Node& node, int links) {
+    if (links == 0)
+        refuse(reference.at, fmt::format("\"{}\" has no links: it is {}", node.name, with_article(node.type)),
+               fmt::format("devices are in its slots: connect sun.bus[0] to {}.slot[1];", node.name));
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
                fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));

@@ -18,7 +18,7 @@ namespace {
 } // namespace
 
 Catalogue::Catalogue() {
-    for (const auto& kind : {transputer(), workstation(), crossbar(), edge(), bus_devices()})
+    for (const auto& kind : {transputer(), workstation(), crossbar(), edge(), vme(), link_adapter(), bus_master()})
         add_device(kind);
 }
 

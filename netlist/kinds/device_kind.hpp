@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/parameter.hpp"
 #include "netlist/network/network.hpp"
+#include "runtime/hardware/vme_bus.hpp"
 #include "runtime/time.hpp"
 
 #include <cstdint>
@@ -25,6 +26,15 @@ enum class LinkRole {
     ends,    ///< numbered links: a wire to one of them ends there
     crosses, ///< numbered links: crosspoints lead a wire from one of them on to another, and out again
     edge     ///< no links: the node itself is where the network ends
+};
+
+/// What a bus finds at a device.
+enum class BusRole {
+    none,        ///< it has no place on one
+    is_bus,      ///< slots
+    workstation, ///< a master whose bytes are in another order than a transputer's
+    bus_master,  ///< a transputer that is a master and shares its memory with the bus
+    adapter      ///< registers, which lead to what its link is connected to
 };
 
 /// One attribute in the parentheses of a declaration.
@@ -78,14 +88,24 @@ struct DeviceKind {
     bool passes_channels_on = false;    ///< between other nodes; it then has the attribute "routecost"
     /// Adds to the simulation what executes the processes placed on the node. Empty: they take no time.
     std::function<NodeExecutive(Simulation&, const Node&)> make_executive = {};
+    BusRole bus = BusRole::none;
+    std::function<hardware::VmeBus&(Simulation&, const Node&)> make_bus = {}; ///< where it is one
+    hardware::BusProgram bus_program = {};                                    ///< of a master
+    /// The same as make_executive, for nodes on a bus, where it differs.
+    std::function<NodeExecutive(Simulation&, const Node&)> make_executive_on_bus = {};
     std::int64_t crossing_delay = 0; ///< of a bit that crosses it, in hundredths of a bit time
     Drawing drawing = {};
 
     /// Null where there is none.
     const AttributeDescription* attribute(std::string_view name) const;
+    /// Whether it asks for a bus.
+    bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
     /// Whether attributes in parentheses may follow its name in a declaration.
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
 };
+
+/// Whether processes on the node take time.
+bool executes_in_time(const Network& network, std::size_t node);
 
 /// How many nodes of the network execute processes in virtual time; those of a workstation take none.
 std::size_t count_processors(const Network& network);

@@ -8,13 +8,17 @@ namespace placedpar {
 
 /// Transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs a type.
 DeviceKind transputer();
-/// A host computer: any number of links; processes on it run in no time.
+/// A host computer: any number of links; processes on it run in no time unless it is on a bus.
 DeviceKind workstation();
 /// The C004: connections through it are resolved to the processors at their ends.
 DeviceKind crossbar();
 /// Where the network ends.
 DeviceKind edge();
-/// Link adapters, the VMEbus and bus masters: known by name, refused.
-DeviceKind bus_devices();
+/// A VMEbus.
+DeviceKind vme();
+/// C011 and C012.
+DeviceKind link_adapter();
+/// A transputer on a bus, such as the BBK-V2.
+DeviceKind bus_master();
 
 } // namespace placedpar

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace placedpar {
@@ -13,8 +14,19 @@ std::int64_t Node::integer(std::string_view attribute) const {
     return std::get<std::int64_t>(found->second);
 }
 
+std::size_t Network::count_wires() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(connections, [](const LinkConnection& each) { return !each.over_bus; }));
+}
+
+bool is_on_bus(const Network& network, std::size_t node) {
+    return std::ranges::find(network.attachments, node, &BusAttachment::node) != network.attachments.end();
+}
+
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end) {
     const std::string& node = nodes[end.node].name;
+    if (end.link == bus_port)
+        return node + ".bus[0]";
     return end.at_edge() ? node : fmt::format("{}.link[{}]", node, end.link);
 }
 

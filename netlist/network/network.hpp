@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,25 @@ struct SwitchCrossing {
     int from_link = 0, to_link = 0;
 };
 
+/// Stands for a link where the end of a way over a bus is a device's place on the bus.
+inline constexpr int bus_port = std::numeric_limits<int>::max();
+
+/// A device in a slot of a bus.
+struct BusAttachment {
+    std::size_t node = nowhere, bus = nowhere;
+    int slot = 1;
+    int level = 3;           ///< of a master's requests, BR0 to BR3
+    bool on_request = false; ///< a master gives up the bus when another asks; else when it is done
+    std::string name;        ///< of the `connection` it was attached by; "" if none
+    Location connected;
+};
+
+/// How a way over a bus leads: from a master to what answers it, and on over a wire where that is a link adapter.
+struct BusWay {
+    std::size_t master = nowhere, slave = nowhere; ///< attachments
+    std::size_t wire = nowhere;                    ///< connection; nowhere: it ends in a bus master's memory
+};
+
 /// A wire from link to link, with the switches on its way. Never from edge to edge.
 struct LinkConnection {
     LinkEnd a, b;
@@ -56,6 +77,7 @@ struct LinkConnection {
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
     std::string name;                      ///< of the `connection` it was wired by; "" if none
     Location connected;
+    std::optional<BusWay> over_bus = {}; ///< then it is no wire: a is a master, b what it reaches over the bus
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };
@@ -136,7 +158,8 @@ struct SetByOption {
 
 struct Network {
     std::vector<Node> nodes;
-    std::vector<LinkConnection> connections;
+    std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
+    std::vector<BusAttachment> attachments;
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
     std::string source_path;
@@ -144,9 +167,14 @@ struct Network {
     bool includes_toolset = false;           ///< or what an include of the toolset's own predefines
     std::vector<SetByOption> set;
     std::uint64_t hash = 0; ///< FNV-1a of its canonical form (netlist/print/print.hpp)
+
+    /// Those of its connections that are wires.
+    std::size_t count_wires() const;
 };
 
-/// "t[0].link[2]", or the name of an edge.
+bool is_on_bus(const Network& network, std::size_t node);
+
+/// "t[0].link[2]", "sun.bus[0]", or the name of an edge.
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
 
 /// Where a hop begins and ends.

@@ -63,6 +63,7 @@ public:
         print_nodes();
         print_connections();
         print_wires();
+        print_attachments();
         text_ += "\n/* software */\n";
         print_processes();
         print_edge_channels();
@@ -105,6 +106,9 @@ private:
         for (const auto& connection : n_.connections)
             if (!connection.name.empty())
                 names.push_back(connection.name);
+        for (const auto& attachment : n_.attachments)
+            if (!attachment.name.empty())
+                names.push_back(attachment.name);
         for (const auto& channel : n_.channels)
             if (is_named(channel))
                 names.push_back(channel.name);
@@ -125,6 +129,8 @@ private:
 
     void print_wires() {
         for (const auto& connection : n_.connections) {
+            if (connection.over_bus)
+                continue; // follows from what is attached
             std::vector<std::string> attributes;
             if (says_speed(connection))
                 attributes.push_back(fmt::format("linkspeed = {}", connection.bits_per_second));
@@ -142,6 +148,20 @@ private:
                 by.clear();
             }
             line("connect {} to {}{};", end(from), end(connection.b), by);
+        }
+    }
+
+    void print_attachments() {
+        for (const auto& attachment : n_.attachments) {
+            std::vector<std::string> attributes;
+            if (attachment.level != BusAttachment{}.level)
+                attributes.push_back(fmt::format("level = {}", attachment.level));
+            if (attachment.on_request)
+                attributes.push_back("release = \"ROR\"");
+            if (!attributes.empty())
+                line("{} {};", attachment.name, print_list(attributes));
+            line("connect {} to {}.slot[{}]{};", end({attachment.node, bus_port}), n_.nodes[attachment.bus].name,
+                 attachment.slot, attachment.name.empty() ? "" : " by " + attachment.name);
         }
     }
 
@@ -307,6 +327,8 @@ private:
         for (const auto* at : {&channel.from, &channel.to})
             if (at->at_edge() && !at->port.empty())
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
+        if (leads_over_bus(channel))
+            return print_way(channel);
         if (channel.placement.route.size() > 1) {
             for (const auto& hop : channel.placement.route)
                 line("place {} on {};", end(channel.from), end(begin_of(hop, n_.connections)));
@@ -315,6 +337,19 @@ private:
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& connection = n_.connections[channel.placement.route.front().connection];
         line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
+    }
+
+    bool leads_over_bus(const NetworkChannel& channel) const {
+        return std::ranges::any_of(channel.placement.route, [&](const RouteHop& hop) {
+            return n_.connections[hop.connection].over_bus.has_value();
+        });
+    }
+
+    /// The link behind the adapter says which way it is; to the other ways over a bus there is no choice.
+    void print_way(const NetworkChannel& channel) {
+        const auto& way = n_.connections[channel.placement.route.front().connection];
+        if (channel.placement.route.size() == 1 && way.b.link != bus_port)
+            line("place {} on {};", end(channel.from.node == way.b.node ? channel.from : channel.to), end(way.b));
     }
 
     const Network& n_;

@@ -1,4 +1,5 @@
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/print/buses_as_wires.hpp"
 #include "netlist/print/print.hpp"
 #include "text/utf8.hpp"
 
@@ -22,7 +23,7 @@ std::string facts(const Node& node) {
 
 class DotPrinter {
 public:
-    explicit DotPrinter(const Network& network) : n_(network), processes_of_(network.nodes.size()) {
+    explicit DotPrinter(Network network) : n_(std::move(network)), processes_of_(n_.nodes.size()) {
         for (std::size_t i = 0; i < n_.processes.size(); ++i)
             processes_of_[n_.processes[i].node].push_back(i);
         find_levels();
@@ -118,7 +119,7 @@ private:
     void print_connection(std::size_t index, const std::vector<std::size_t>& channels) {
         const auto& connection = n_.connections[index];
         std::string label;
-        if (connection.bits_per_second != 20'000'000)
+        if (connection.bits_per_second != 20'000'000 && connection.bits_per_second != 0)
             label += fmt::format("{:g} Mbit/s", static_cast<double>(connection.bits_per_second) / 1e6);
         if (connection.switches() > 0)
             label += fmt::format("{}{} {}", label.empty() ? "" : ", ", connection.switches(),
@@ -133,7 +134,7 @@ private:
                         level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
     }
 
-    const Network& n_;
+    Network n_;
     std::vector<std::vector<std::size_t>> processes_of_;
     std::vector<std::size_t> level_;
     std::string text_;
@@ -141,6 +142,6 @@ private:
 
 } // namespace
 
-std::string print_dot(const Network& network) { return DotPrinter(network).print(); }
+std::string print_dot(const Network& network) { return DotPrinter(with_buses_as_wires(network)).print(); }
 
 } // namespace placedpar

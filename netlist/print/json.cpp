@@ -53,6 +53,9 @@ public:
         document["nodes"] = list(n_.nodes, [](const Node& node) { return to_json(node); });
         document["connections"] =
             list(n_.connections, [&](const auto& connection) { return connection_object(connection); });
+        if (!n_.attachments.empty())
+            document["attachments"] =
+                list(n_.attachments, [&](const auto& attachment) { return attachment_object(attachment); });
         document["processes"] = list(n_.processes, [&](const auto& process) { return process_object(process); });
         document["channels"] = list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
         return document;
@@ -69,7 +72,9 @@ private:
 
     json::object link_object(const LinkEnd& end) const {
         json::object object{{"node", n_.nodes[end.node].name}};
-        if (!end.at_edge())
+        if (end.link == bus_port)
+            object["bus"] = 0;
+        else if (!end.at_edge())
             object["link"] = end.link;
         return object;
     }
@@ -80,12 +85,32 @@ private:
     }
 
     json::object connection_object(const LinkConnection& connection) const {
-        return {{"name", connection.name},
-                {"a", link_object(connection.a)},
-                {"b", link_object(connection.b)},
-                {"bits_per_second", connection.bits_per_second},
-                {"metres", connection.metres},
-                {"crossings", list(connection.crossings, [&](const auto& each) { return crossing_object(each); })}};
+        json::object object{
+            {"name", connection.name},
+            {"a", link_object(connection.a)},
+            {"b", link_object(connection.b)},
+            {"bits_per_second", connection.bits_per_second},
+            {"metres", connection.metres},
+            {"crossings", list(connection.crossings, [&](const auto& each) { return crossing_object(each); })}};
+        if (connection.over_bus)
+            object["over_bus"] = way_object(*connection.over_bus);
+        return object;
+    }
+
+    json::object way_object(const BusWay& way) const {
+        const BusAttachment& slave = n_.attachments[way.slave];
+        return {{"bus", n_.nodes[slave.bus].name},
+                {"master", n_.nodes[n_.attachments[way.master].node].name},
+                {"to", n_.nodes[slave.node].name}};
+    }
+
+    json::object attachment_object(const BusAttachment& attachment) const {
+        return {{"name", attachment.name},
+                {"node", n_.nodes[attachment.node].name},
+                {"bus", n_.nodes[attachment.bus].name},
+                {"slot", attachment.slot},
+                {"level", attachment.level},
+                {"release", attachment.on_request ? "ROR" : "RWD"}};
     }
 
     json::object port_object(const PortBinding& binding) const {

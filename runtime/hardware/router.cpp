@@ -15,11 +15,12 @@ Cycles Router::cycles_of_passing_on() const {
     return static_cast<std::int64_t>(packets_passed_on_) * 2 * (handling + communication);
 }
 
-Router::Port::Port(Router& router, LinkDirection& to, LinkDirection& from, Channel<Packet>& out, Channel<Packet>& in)
+Router::Port::Port(Router& router, const std::string& to, const std::string& from, Channel<Packet>& out,
+                   Channel<Packet>& in)
     : router_(router), out_(out), in_(in),
-      sender_(router.kernel_, "router sender " + to.name(), std::bind_front(&Port::send_packets, this),
-              router.executive_, Priority::high),
-      receiver_(router.kernel_, "router receiver " + from.name(), std::bind_front(&Port::receive_packets, this),
+      sender_(router.kernel_, "router sender " + to, std::bind_front(&Port::send_packets, this), router.executive_,
+              Priority::high),
+      receiver_(router.kernel_, "router receiver " + from, std::bind_front(&Port::receive_packets, this),
                 router.executive_, Priority::high) {
     for (Process* process : {&sender_, &receiver_}) {
         process->serve_machine();
@@ -74,12 +75,16 @@ void Router::Port::receive_packets() {
     }
 }
 
-RouterLink::RouterLink(Kernel&, Link& link, Router& a, Router& b)
-    : a_to_b_("packets " + link.from_a_to_b().name()), b_to_a_("packets " + link.from_b_to_a().name()),
-      a_(a.ports_.emplace_back(a, link.from_a_to_b(), link.from_b_to_a(), a_to_b_, b_to_a_)),
-      b_(b.ports_.emplace_back(b, link.from_b_to_a(), link.from_a_to_b(), b_to_a_, a_to_b_)) {
-    a_to_b_.put_on(link.from_a_to_b());
-    b_to_a_.put_on(link.from_b_to_a());
+RouterLink::RouterLink(Kernel& kernel, Link& link, Router& a, Router& b)
+    : RouterLink(kernel, {link.from_a_to_b(), link.from_a_to_b().name()},
+                 {link.from_b_to_a(), link.from_b_to_a().name()}, a, b) {}
+
+RouterLink::RouterLink(Kernel&, const Lane& a_to_b, const Lane& b_to_a, Router& a, Router& b)
+    : a_to_b_("packets " + a_to_b.name), b_to_a_("packets " + b_to_a.name),
+      a_(a.ports_.emplace_back(a, a_to_b.name, b_to_a.name, a_to_b_, b_to_a_)),
+      b_(b.ports_.emplace_back(b, b_to_a.name, a_to_b.name, b_to_a_, a_to_b_)) {
+    a_to_b_.put_on(a_to_b.carrier);
+    b_to_a_.put_on(b_to_a.carrier);
 }
 
 Route::Route(Kernel&, const std::vector<Hop>& hops) {

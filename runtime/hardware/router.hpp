@@ -70,7 +70,7 @@ private:
     class Port {
     public:
         /// The packets of the other end come by `in`.
-        Port(Router&, LinkDirection& to, LinkDirection& from, Channel<Packet>& out, Channel<Packet>& in);
+        Port(Router&, const std::string& to, const std::string& from, Channel<Packet>& out, Channel<Packet>& in);
         void post(const Packet&);
 
     private:
@@ -92,10 +92,17 @@ private:
     std::uint64_t packets_passed_on_ = 0;
 };
 
-/// A link whose channels travel in packets, between two routers. REQUIRES: nothing else uses the link.
+/// One direction of what routers send their packets over: of a link, or of a way over a bus.
+struct Lane {
+    Carrier& carrier;
+    std::string name;
+};
+
+/// A link, or a way over a bus, whose channels travel in packets, between two routers. REQUIRES: nothing else uses it.
 class RouterLink {
 public:
     RouterLink(Kernel&, Link&, Router& a, Router& b);
+    RouterLink(Kernel&, const Lane& a_to_b, const Lane& b_to_a, Router& a, Router& b);
 
 private:
     friend class Route;

@@ -1,6 +1,7 @@
 #include "workbench/picture/svg.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/print/buses_as_wires.hpp"
 #include "text/counted.hpp"
 #include "text/utf8.hpp"
 #include "workbench/picture/picture.hpp"
@@ -158,8 +159,21 @@ private:
                                counted(n_.channels.size(), "channel", "channels"));
         return fmt::format(
             "{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
-            counted(count_processors(n_), "processor", "processors"), counted(n_.connections.size(), "wire", "wires"),
+            counted(count_processors(n_), "processor", "processors"), counted(count_links(), "wire", "wires"),
             counted(n_.processes.size(), "process", "processes"), counted(n_.channels.size(), "channel", "channels"));
+    }
+
+    /// Of the lines between boxes; the others lead to buses.
+    std::size_t count_links() const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(n_.connections, [](const LinkConnection& wire) { return wire.bits_per_second > 0; }));
+    }
+
+    /// "sun - vme.slot[1]"
+    std::string ends_of(const LinkConnection& wire) const {
+        if (wire.bits_per_second == 0)
+            return fmt::format("{} - {}.slot[{}]", n_.nodes[wire.a.node].name, n_.nodes[wire.b.node].name, wire.b.link);
+        return link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
     }
 
     /// Of the software's nodes; the others are edges.
@@ -188,8 +202,8 @@ private:
 
     void print_wire(std::size_t index) {
         const LinkConnection& wire = n_.connections[index];
-        std::string ends = link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
-        std::string about = view_ == View::software
+        std::string ends = ends_of(wire);
+        std::string about = view_ == View::software || wire.bits_per_second == 0
                                 ? ends
                                 : fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
         text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">",
@@ -351,7 +365,8 @@ private:
 
 namespace placedpar {
 
-std::string print_svg(const Network& network) {
+std::string print_svg(const Network& with_buses) {
+    Network network = with_buses_as_wires(with_buses);
     return picture::SvgPrinter(network, picture::draw(network, picture::spans_of(network)), picture::View::hardware)
         .print();
 }

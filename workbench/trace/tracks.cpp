@@ -21,13 +21,14 @@ std::size_t found_in(const std::unordered_map<std::string, std::size_t>& tracks,
 Tracks::Tracks(const Network& network) {
     for (std::size_t i = 0; i < network.nodes.size(); ++i) {
         nodes_.push_back(network.nodes[i].name + " " + network.nodes[i].type);
-        if (network.nodes[i].kind->make_executive)
+        if (executes_in_time(network, i))
             add(network.nodes[i].name, {i, Track::Kind::processor, 0, {}});
     }
     for (std::size_t i = 0; i < network.processes.size(); ++i)
         add(network.processes[i].name, {network.processes[i].node, Track::Kind::process, i, {}});
-    for (std::size_t i = 0; i < network.connections.size(); ++i)
+    for (std::size_t i = 0, wires = network.count_wires(); i < wires; ++i)
         add_links(network, i);
+    add_buses(network);
     number_as_drawn();
 }
 
@@ -36,6 +37,16 @@ void Tracks::add_links(const Network& network, std::size_t index) {
     std::string a = link_name(network.nodes, connection.a), b = link_name(network.nodes, connection.b);
     add(a + " -> " + b, {connection.a.node, Track::Kind::link, index, {}});
     add(b + " -> " + a, {connection.b.node, Track::Kind::link, index, {1}});
+}
+
+void Tracks::add_buses(const Network& network) {
+    for (std::size_t i = 0; i < network.nodes.size(); ++i)
+        if (network.nodes[i].kind->bus == BusRole::is_bus)
+            add(network.nodes[i].name, {i, Track::Kind::bus, 0, {}});
+    for (std::size_t i = 0; i < network.attachments.size(); ++i)
+        if (const BusAttachment& each = network.attachments[i]; network.nodes[each.node].kind->is_master())
+            add(network.nodes[each.bus].name + " <- " + network.nodes[each.node].name,
+                {each.bus, Track::Kind::bus, i + 1, {}});
 }
 
 void Tracks::number_as_drawn() {

@@ -114,7 +114,7 @@ void VcdTrace::declare() {
 }
 
 void VcdTrace::declare(std::size_t track, Track::Kind kind, const std::string& name) {
-    if (kind == Track::Kind::processor)
+    if (kind == Track::Kind::processor || kind == Track::Kind::bus)
         return declare_wire(wire_of(track, Doing::executes), name);
     if (kind == Track::Kind::link)
         return declare_wire(wire_of(track, Doing::carries), name);

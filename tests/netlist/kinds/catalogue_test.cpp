@@ -36,7 +36,8 @@ TEST_CASE("the catalogue lists device kinds, and each says all that the stages a
             CHECK_FALSE(attribute.value.about.empty());
         }
     }
-    CHECK(names == std::vector<std::string>{"bus device", "c004", "edge", "processor", "workstation"});
+    CHECK(names ==
+          std::vector<std::string>{"bus master", "c004", "edge", "link adapter", "processor", "vme", "workstation"});
 }
 
 TEST_CASE("models preset the attributes of their kind") {

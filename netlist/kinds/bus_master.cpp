@@ -1,0 +1,32 @@
+#include "netlist/kinds/computer.hpp"
+#include "netlist/kinds/description.hpp"
+#include "netlist/kinds/devices.hpp"
+#include "runtime/hardware/bus_programs.hpp"
+
+namespace placedpar {
+
+/// A transputer and all that is said of one, with its place on a bus.
+DeviceKind bus_master() {
+    DeviceKind kind = transputer();
+    kind.name = "bus master";
+    kind.noun = "a bus master";
+    kind.about = "A T800 with 2 Mbyte of dual-ported memory, which it shares with a bus: the BBK-V2.";
+    kind.models.clear();
+    for (const char* name : {"busmaster", "BBKV2"})
+        kind.models.push_back({.name = name, .links = 4, .attributes = {{"memory", 2 * megabyte}}});
+    kind.attributes.push_back(
+        {.value = description::integer(
+             "conversion",
+             {.unit = "cycles",
+              .by_default = static_cast<std::int64_t>(hardware::bus_programs::conversion),
+              .least = 0,
+              .most = 1000},
+             "of a word that comes from a workstation or goes there, whose bytes are in the other order"),
+         .json_name = "conversion_cycles"});
+    kind.bus = BusRole::bus_master;
+    kind.bus_program = hardware::bus_programs::bbk_v2;
+    kind.drawing = {.frame = "#6b3b6b", .heading = "#ecd5ec", .legend = "bus master"};
+    return kind;
+}
+
+} // namespace placedpar

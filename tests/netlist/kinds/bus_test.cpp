@@ -1,0 +1,135 @@
+// What stands on a bus, in the netlist and in a run of it.
+
+#include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/print/print.hpp"
+#include "netlist/read.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+constexpr const char* machine_on_bus =
+    R"(/* A workstation, two bus masters and a module with two adapters on a VMEbus, in every way that the language has. */
+VME (arbiter = "RRS", cycle = 250, timeout = 50000) vme;
+workstation (clock = 25M) sun;
+busmaster a;
+BBKV2 (conversion = 8) b;
+C012 adapter[2];
+C011 (master = "a") own;
+C004 sw;
+T800 (memory = 1M) t[3];
+connection to_a;
+to_a (level = 1, release = "ROR");
+
+connect sun.bus[0] to vme.slot[1];
+connect a.bus[0] to vme.slot[2] by to_a;
+connect vme.slot[3] to b.bus[0];
+rep i = 0 for 2
+    connect adapter[i].bus[0] to vme.slot[4];
+connect own.bus[0] to vme.slot[5];
+connect adapter[0].link[0] to sw.link[0];
+connect sw.link[0] to sw.link[9];
+connect sw.link[9] to t[0].link[3];
+connect t[1].link[0] to adapter[1].link[0];
+connect own.link[0] to t[2].link[0];
+connect t[0].link[0] to t[1].link[1];
+
+process (interface (output out)) source[5];
+process (interface (input in)) sink[5];
+use "csp.producer" for source;
+use "csp.consumer" for sink;
+rep i = 0 for 5 {
+    source[i] (count = 5, bytes = 300);
+    sink[i] (count = 5);
+    connect source[i].out to sink[i].in;
+}
+place source[0] on sun;   /* by an adapter and a switch */
+place sink[0] on t[0];
+place source[1] on t[1];  /* back by the other */
+place sink[1] on sun;
+place source[2] on sun;   /* into dual-ported memory */
+place sink[2] on a;
+place source[3] on a;     /* from one bus master to the other */
+place sink[3] on b;
+place source[4] on t[2];  /* to the bus master that uses the adapter, and over the bus to the workstation */
+place sink[4] on sun;
+)";
+
+const Catalogue& csp_catalogue() {
+    static const Catalogue known = [] {
+        Catalogue all;
+        add_csp_kinds(all);
+        return all;
+    }();
+    return known;
+}
+
+Network network_with_bus(const std::string& text) {
+    ReadResult result = read_netlist_text(text, csp_catalogue(), {});
+    INFO(render(result));
+    REQUIRE(result.network);
+    return *result.network;
+}
+
+const BusMasterUse& use_by(const RunReport& report, const std::string& name) {
+    const auto& masters = report.buses.at(0).masters;
+    auto found = std::ranges::find(masters, name, &BusMasterUse::name);
+    REQUIRE(found != masters.end());
+    return *found;
+}
+
+} // namespace
+
+TEST_CASE("channels lead over buses, adapters and bus masters, from nothing but where processes are placed") {
+    Network network = network_with_bus(machine_on_bus);
+    auto hops = [&](std::size_t channel) { return network.channels[channel].placement.route.size(); };
+    CHECK(hops(0) == 1);
+    CHECK(hops(1) == 1);
+    CHECK(hops(2) == 1);
+    CHECK(hops(3) == 1);
+    CHECK(hops(4) == 2);
+    RunReport report = Machine(network, csp_catalogue(), 1).run();
+    CHECK(report.result.ending == Ending::completed);
+    for (int i = 0; i < 5; ++i)
+        CHECK(report.measured("sink[" + std::to_string(i) + "]", "last_number") == 4);
+    CHECK(use_by(report, "sun").bytes >= 2 * 2 * 5 * 300); // status and data of two channels' bytes
+    CHECK(use_by(report, "a").bytes >= 2 * 5 * 300);
+    CHECK(use_by(report, "a").words >= 5 * 75);
+    CHECK(use_by(report, "a").level == 1);
+    CHECK(use_by(report, "b").words == 0); // it only receives
+    CHECK(report.buses.at(0).busy > Time{0});
+}
+
+TEST_CASE("what is printed of a bus is the same network again") {
+    Network network = network_with_bus(machine_on_bus);
+    std::string printed = print_cfs(network);
+    Network again = network_with_bus(printed);
+    CHECK(canonical_form(again) == canonical_form(network));
+    CHECK(print_cfs(again) == printed);
+    CHECK(printed.find("connect a.bus[0] to vme.slot[2] by to_a;") != std::string::npos);
+    CHECK(print_json(network).find("\"over_bus\"") != std::string::npos);
+    CHECK(print_dot(network).find("taillabel=\"4\", headlabel=\"\"") != std::string::npos);
+}
+
+TEST_CASE("a host's rate through an adapter is that of polling, among those of real machines") {
+    auto rate = [](const char* from, const char* to) {
+        std::string text = R"(workstation (clock = 25M) sun; VME vme; C012 adapter; T800 t;
+            connect sun.bus[0] to vme.slot[1]; connect adapter.bus[0] to vme.slot[2];
+            connect adapter.link[0] to t.link[0];
+            process (interface (output out)) p; process (interface (input in)) c;
+            use "csp.producer" for p; use "csp.consumer" for c; p (count = 3, bytes = 10000); c (count = 3);
+            connect p.out to c.in; place p on )" +
+                           std::string(from) + "; place c on " + to + ";";
+        return Machine(network_with_bus(text), csp_catalogue(), 1).run().measured("c", "rate");
+    };
+    for (double each : {rate("sun", "t"), rate("t", "sun")}) {
+        CHECK(each > 43);
+        CHECK(each < 400);
+    }
+}
