@@ -96,6 +96,7 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     make_executives();
     make_links();
     make_buses();
+    make_faults();
     make_routers();
     make_channels(catalogue);
     make_processes(catalogue);

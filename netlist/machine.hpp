@@ -46,6 +46,8 @@ private:
     Carriers make_memory_lanes(const BusWay&);
     Carriers make_adapter(const BusWay&);
     hardware::Lane lane(std::size_t connection, bool from_a_to_b) const;
+    void make_faults();
+    void strike_link(std::size_t connection, const hardware::LinkFault&);
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
     void make_channels(const Catalogue&);
@@ -59,18 +61,21 @@ private:
     std::vector<LinkUse> link_uses() const;
     std::vector<BusUse> bus_uses() const;
     std::vector<ProcessUse> process_uses() const;
+    std::vector<FaultUse> fault_uses() const;
+    std::vector<std::string> stopped_on(std::size_t node) const;
 
     Network network_;
     std::uint64_t seed_;
     Simulation simulation_;
-    std::vector<NodeExecutive> executives_;             ///< by node
-    std::vector<hardware::Link*> links_;                ///< by connection; null for ways over a bus
-    std::vector<hardware::VmeBus*> buses_;              ///< by node; null where it is none
-    std::vector<hardware::VmeMaster*> masters_;         ///< by attachment; null where it is none
-    std::vector<hardware::DualPortedMemory*> memories_; ///< by attachment; null where it has none
-    std::vector<Carriers> carriers_;                    ///< by connection
-    std::vector<hardware::Router*> routers_;            ///< by node
-    std::vector<hardware::RouterLink*> router_links_;   ///< by connection; null where no channel travels in packets
+    std::vector<NodeExecutive> executives_;                                ///< by node
+    std::vector<hardware::Link*> links_;                                   ///< by connection; null for ways over a bus
+    std::vector<std::vector<const hardware::FaultEffect*>> fault_effects_; ///< by fault, of each link it strikes
+    std::vector<hardware::VmeBus*> buses_;                                 ///< by node; null where it is none
+    std::vector<hardware::VmeMaster*> masters_;                            ///< by attachment; null where it is none
+    std::vector<hardware::DualPortedMemory*> memories_;                    ///< by attachment; null where it has none
+    std::vector<Carriers> carriers_;                                       ///< by connection
+    std::vector<hardware::Router*> routers_;                               ///< by node
+    std::vector<hardware::RouterLink*> router_links_; ///< by connection; null where no channel travels in packets
     std::vector<std::unique_ptr<AnyChannel>> channels_;
     std::list<ProcessEnvironment> environments_;
     std::vector<Process*> processes_;

@@ -32,6 +32,7 @@ RunReport Machine::run(Time limit) {
         report.links = link_uses();
         report.buses = bus_uses();
         report.processes = process_uses();
+        report.faults = fault_uses();
     };
     try {
         report.result = simulation_.run(limit, count_work);

@@ -55,6 +55,19 @@ Statements parse(TokenStream& tokens, const LoadedSource& source, Reporter& repo
     throw;
 }
 
+/// As statements behind those of the netlist.
+Statements read_faults(const std::vector<std::string>& texts, Reporter& reporter) {
+    Statements statements;
+    for (const std::string& text : texts) {
+        LoadedSource source = check_source("--fault", text);
+        for (const auto& problem : source.problems)
+            reporter.error({source.file, 1, 1}, problem.message);
+        TokenStream tokens(source.file, "--fault", reporter);
+        attempt([&] { statements.push_back(Parser(tokens, reporter).parse_fault_option()); });
+    }
+    return statements;
+}
+
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
                                    const Catalogue& catalogue, const Overrides& overrides, const ReadOptions& options,
                                    Reporter& reporter) {
@@ -68,6 +81,8 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
         return std::nullopt;
     Elaborator elaborator(catalogue, overrides, reporter);
     elaborator.run(statements);
+    auto faults = read_faults(options.faults, reporter);
+    elaborator.run(faults);
     if (reporter.failed())
         return std::nullopt;
     elaborator.settle_overrides();

@@ -24,6 +24,7 @@ std::string render(const ReadResult& result);
 /// What a netlist finds around it.
 struct ReadOptions {
     std::vector<std::filesystem::path> include_folders = {}; ///< where included files are, if not beside the including
+    std::vector<std::string> faults = {};                    ///< stated by options: `t[0].link[1] silent (from = 20ms)`
     ProgramKinds programs = {};                              ///< a program that the netlist does not use is an error
 };
 

@@ -48,6 +48,22 @@ struct ProcessUse {
     std::optional<Time> waits_since; ///< if it waits at the end, for what does not come: since when
 };
 
+/// What a fault of the machine did in the run.
+struct FaultUse {
+    std::string fault; ///< as a statement has it: "t[0].link[1] silent (from = 20ms)"
+    std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
+    struct Hit {
+        Time at;
+        std::string channel;
+        bool acknowledge;   ///< of the byte; else the byte itself
+        std::uint64_t byte; ///< of the message, from 1
+    };
+    std::optional<Hit> first, last;   ///< that it struck, and that it lost
+    std::vector<std::string> stopped; ///< processes that were not at their end when their processor halted
+
+    bool had_effect() const { return first || !stopped.empty(); }
+};
+
 /// What a run reports: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport {
     RunResult result; ///< its fingerprint covers the measurements too
@@ -56,6 +72,7 @@ struct RunReport {
     std::vector<LinkUse> links;
     std::vector<BusUse> buses;
     std::vector<ProcessUse> processes;
+    std::vector<FaultUse> faults;
 
     /// The part of the run that took so long. None in a deadlock, which lasts for ever.
     std::optional<double> share(Time) const;

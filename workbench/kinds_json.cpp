@@ -1,3 +1,4 @@
+#include "netlist/kinds/fault_kinds.hpp"
 #include "workbench/kinds_choice.hpp"
 #include "workbench/kinds_report.hpp"
 
@@ -69,20 +70,29 @@ const char* word(LinkRole links) {
     return links == LinkRole::ends ? "end wires" : links == LinkRole::crosses ? "cross wires" : "end the network";
 }
 
+json::object fault_json(const FaultKind& kind) {
+    return {{"name", kind.name},
+            {"about", kind.about},
+            {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })}};
+}
+
 /// With the models of that name only; with all where it is "".
 json::object device_json(const DeviceKind& kind, const std::string& name) {
     json::array models;
     for (const DeviceModel& model : kind.models)
         if (name.empty() || model.name == name)
             models.push_back(model_json(model));
-    return {{"name", kind.name},
-            {"about", kind.about},
-            {"refusal", kind.refusal},
-            {"links", word(kind.links)},
-            {"runs_processes", kind.runs_processes},
-            {"models", std::move(models)},
-            {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })},
-            {"without_effect", names_json(kind.kept)}};
+    return {
+        {"name", kind.name},
+        {"about", kind.about},
+        {"refusal", kind.refusal},
+        {"links", word(kind.links)},
+        {"runs_processes", kind.runs_processes},
+        {"models", std::move(models)},
+        {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })},
+        {"without_effect", names_json(kind.kept)},
+        {"faults", list(kind.faults, fault_json)},
+        {"faults_of_links", list(kind.links == LinkRole::ends ? link_faults() : std::vector<FaultKind>{}, fault_json)}};
 }
 
 json::array devices_json(const Catalogue& catalogue, const std::string& name) {

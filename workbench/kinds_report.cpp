@@ -1,6 +1,7 @@
 #include "workbench/kinds_report.hpp"
 
 #include "netlist/kinds/catalogue.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "text/paint.hpp"
 #include "workbench/kinds_choice.hpp"
 
@@ -138,6 +139,22 @@ std::string print_attributes(const NodeType& type) {
     return kind.kept.empty() ? out : out + print_kept(kind);
 }
 
+std::string print_fault_kinds(const char* heading, const std::vector<FaultKind>& kinds) {
+    std::string out = kinds.empty() ? "" : painted(Paint::heading, fmt::format("\n{}\n", heading));
+    for (const FaultKind& kind : kinds) {
+        out += fmt::format("  {}: {}\n", kind.name, kind.about);
+        for (const AttributeDescription& attribute : kind.attributes)
+            out += print_parameter(attribute.value, attribute.value.default_value);
+    }
+    return out;
+}
+
+/// What a `fault` statement can say of a node, and of a link at it.
+std::string print_fault_kinds(const DeviceKind& kind) {
+    return print_fault_kinds("faults", kind.faults) +
+           (kind.links == LinkRole::ends ? print_fault_kinds("faults of its links", link_faults()) : "");
+}
+
 /// "B404 (T800)" for a module, which carries one.
 std::string print_name(const std::string& name, const NodeType& type) {
     bool carries = !type.needs_type && type.preset.type != name;
@@ -152,7 +169,7 @@ std::string print_device(const std::string& name, const NodeType& type) {
         return head + fmt::format("cannot be declared: {}\n", kind.refusal);
     return head + print_link_count(type) +
            fmt::format("processes: {}\n", kind.runs_processes ? "can be placed on it" : "none can be placed on it") +
-           (kind.has_attributes() ? print_attributes(type) : "");
+           (kind.has_attributes() ? print_attributes(type) : "") + print_fault_kinds(kind);
 }
 
 } // namespace

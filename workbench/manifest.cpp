@@ -51,6 +51,8 @@ boost::json::object manifest_json(const Manifest& manifest, const Network& netwo
                              {"programs", object_of(manifest.read.programs)},
                              {"include_folders", std::move(folders)},
                              {"seed", manifest.seed}};
+    if (!manifest.read.faults.empty())
+        json["faults"] = boost::json::array(manifest.read.faults.begin(), manifest.read.faults.end());
     if (manifest.until != Time::max())
         json["until_ps"] = manifest.until.count();
     if (manifest.shuffle)

@@ -1,5 +1,6 @@
 #include "workbench/run_report.hpp"
 
+#include "text/counted.hpp"
 #include "text/paint.hpp"
 #include "workbench/search_report.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace placedpar {
@@ -142,6 +144,39 @@ std::string print_processes(const RunReport& report) {
     return out;
 }
 
+std::string print_hit(const FaultUse::Hit& hit) {
+    return fmt::format("at {}: {}byte {} of a message on channel {}", to_string(hit.at),
+                       hit.acknowledge ? "the acknowledge of " : "", hit.byte, hit.channel);
+}
+
+/// What of it was lost; the last loss is the one that nobody has recovered from, if there is such a one.
+std::string print_effect(const FaultUse& fault) {
+    std::vector<std::string> said;
+    if (fault.last)
+        said.push_back(fmt::format("lost {} and {}", counted(fault.bytes_lost, "byte"),
+                                   counted(fault.acknowledges_lost, "acknowledge")));
+    if (!fault.stopped.empty())
+        said.push_back(fmt::format("stopped {}", fmt::join(fault.stopped, ", ")));
+    std::string out = said.empty() ? fault.had_effect() ? "slowed messages down" : "had no effect"
+                                   : fmt::format("{}", fmt::join(said, "; "));
+    if (fault.first)
+        out += fmt::format("\n    first {}", print_hit(*fault.first));
+    if (fault.last && fault.first && fault.last->at != fault.first->at)
+        out += fmt::format("\n    last {}", print_hit(*fault.last));
+    return out;
+}
+
+std::string print_faults(const std::vector<FaultUse>& faults) {
+    std::string out = faults.empty() ? "" : painted(Paint::heading, "\nfaults\n");
+    for (const FaultUse& fault : faults)
+        out += fmt::format("  {}: {}\n", fault.fault, print_effect(fault));
+    return out;
+}
+
+boost::json::array texts_of(const std::vector<std::string>& texts) {
+    return boost::json::array(texts.begin(), texts.end());
+}
+
 boost::json::value value_json(const Measurement& m) {
     if (const auto* text = std::get_if<std::string>(&m.value))
         return boost::json::string(*text);
@@ -207,16 +242,31 @@ boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
     return json;
 }
 
+boost::json::value hit_json(const std::optional<FaultUse::Hit>& hit) {
+    if (!hit)
+        return nullptr;
+    return {{"time_ps", hit->at.count()},
+            {"channel", hit->channel},
+            {"what", hit->acknowledge ? "acknowledge" : "byte"},
+            {"byte", hit->byte}};
+}
+
+boost::json::object json_of(const RunReport&, const FaultUse& fault) {
+    return {{"fault", fault.fault},
+            {"had_effect", fault.had_effect()},
+            {"bytes_lost", fault.bytes_lost},
+            {"acknowledges_lost", fault.acknowledges_lost},
+            {"first", hit_json(fault.first)},
+            {"last_lost", hit_json(fault.last)},
+            {"stopped", texts_of(fault.stopped)}};
+}
+
 template <class Rows>
 boost::json::array array_of(const RunReport& report, const Rows& rows) {
     boost::json::array array;
     for (const auto& row : rows)
         array.push_back(json_of(report, row));
     return array;
-}
-
-boost::json::array texts_of(const std::vector<std::string>& texts) {
-    return boost::json::array(texts.begin(), texts.end());
 }
 
 boost::json::object deadlock_json(const Deadlock& deadlock) {
@@ -242,7 +292,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
         fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
                     to_string(report.result.time), stopped ? "; what follows is of the time until then" : "",
                     report.result.fingerprint) +
-        print_set(network);
+        print_set(network) + print_faults(report.faults);
     if (report.result.deadlock)
         out += (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock, while others could go on:\n") +
                report.result.deadlock->text();
@@ -268,6 +318,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["buses"] = array_of(report, report.buses);
     if (!searches.searches().empty())
         json["searches"] = searches_json(searches);
+    if (!report.faults.empty())
+        json["faults"] = array_of(report, report.faults);
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     return json;

@@ -53,13 +53,19 @@ std::vector<CLI::Option*> add_read_options(CLI::App& command, ReadOptionsTyped& 
                                 "puts a process kind in the place of a program that the netlist uses, such as --use "
                                 "sim.lku=ga.master")
                     ->type_name("PROGRAM=KIND");
-    for (auto* option : {include, use})
+    auto* fault = command
+                      .add_option("--fault", options.fault,
+                                  "something that fails, in the words of the netlist's statement, such as --fault "
+                                  "'t[0].link[1] silent (from = 20ms)'; as often as wanted")
+                      ->type_name("FAULT");
+    for (auto* option : {include, use, fault})
         option->allow_extra_args(false);
-    return {include, use};
+    return {include, use, fault};
 }
 
 ReadOptions read_options_of(const ReadOptionsTyped& typed) {
     ReadOptions options;
+    options.faults = typed.fault;
     for (const std::string& folder : typed.include) {
         if (std::error_code error; !std::filesystem::is_directory(folder, error))
             throw UserError(fmt::format("-I {}: there is no such folder", folder));

@@ -21,9 +21,9 @@ Overrides overrides_of(std::span<const std::string> settings);
 
 /// What a netlist finds around it, as it is typed.
 struct ReadOptionsTyped {
-    std::vector<std::string> include, use;
+    std::vector<std::string> include, use, fault;
 };
-/// -I FOLDER and --use PROGRAM=KIND, as often as wanted.
+/// -I FOLDER, --use PROGRAM=KIND and --fault FAULT, as often as wanted.
 std::vector<CLI::Option*> add_read_options(CLI::App&, ReadOptionsTyped&);
 /// Throws UserError when a folder is none, a --use is not of its form or a program is given two kinds.
 ReadOptions read_options_of(const ReadOptionsTyped&);

@@ -26,7 +26,7 @@ const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"e
 
 /// A fault, and what the compliance found should be, of the sound machine's.
 struct Case {
-    Fault fault;
+    PlantFault fault;
     double known_ratio, tolerance;
     bool in_servo; ///< so that only a machine with a servo-valve can have it
 };
@@ -43,7 +43,7 @@ std::vector<Case> cases() {
 }
 
 /// The compliances of all records, by the spool or by the voltage.
-std::vector<double> found_in(const Fault& fault, const RecordSource& source, AreasFrom from, const Seeds& seeds) {
+std::vector<double> found_in(const PlantFault& fault, const RecordSource& source, AreasFrom from, const Seeds& seeds) {
     std::vector<double> found;
     for (std::uint64_t seed : seeds)
         found.push_back(identified(record_of(fault, source, seed), from, seed));
@@ -92,7 +92,9 @@ Comparison leak_comparison() {
                 "of C by least squares",
         .against = "known",
         .judged = true};
-    auto fit = [](const Fault& fault) { return least_squares(record_of(fault, {"scenario-a", "none", false}, 1)); };
+    auto fit = [](const PlantFault& fault) {
+        return least_squares(record_of(fault, {"scenario-a", "none", false}, 1));
+    };
     double before = fit(no_fault());
     auto add = [&](const char* name, double leak_in3_per_s_psi, double known) {
         double growth = 100 * (fit(leak_of(name, leak_in3_per_s_psi)) / before - 1);
@@ -106,8 +108,8 @@ Comparison leak_comparison() {
     return comparison;
 }
 
-std::vector<Fault> drawn_faults() {
-    std::vector<Fault> drawn;
+std::vector<PlantFault> drawn_faults() {
+    std::vector<PlantFault> drawn;
     for (const Case& each : cases())
         if (!each.in_servo)
             drawn.push_back(each.fault);

@@ -28,6 +28,7 @@ Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& pr
     complete_processes(completion);
     complete_channels(completion);
     complete_carriers(completion);
+    complete_faults(completion);
     completion.network.nodes = std::move(completion.draft.nodes);
     if (!reporter.failed())
         complete_checks(completion);

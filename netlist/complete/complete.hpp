@@ -54,6 +54,8 @@ void complete_parameters(Completion& completion, std::size_t process);
 void complete_channels(Completion& completion);
 /// carriers.cpp: what carries each channel.
 void complete_carriers(Completion& completion);
+/// faults.cpp: the wires of links that fail.
+void complete_faults(Completion& completion);
 /// checks.cpp: the checks of the kinds themselves. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
 

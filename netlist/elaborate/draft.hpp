@@ -120,6 +120,13 @@ struct DraftPlacement {
     Location at;
 };
 
+/// Of a device, of the wire at a link, or of the wire of a connection; completed when all wires are known.
+struct DraftFault {
+    Fault fault;
+    std::size_t connection = nowhere; ///< in the draft
+    Location at;                      ///< of what fails
+};
+
 /// `place c1 on c2;`
 struct DraftConnectionPlacement {
     std::size_t wire = nowhere; ///< the connection that wires the links
@@ -146,7 +153,8 @@ struct Draft {
     std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
         placements; ///< by process and port; several, on links of several nodes, tell a route
     std::map<std::size_t, DraftConnectionPlacement> connection_placements; ///< by the channel's connection
-    std::string default_kind;                                              ///< `use ... for process;`
+    std::vector<DraftFault> faults;
+    std::string default_kind; ///< `use ... for process;`
     Location default_used;
     std::size_t things = 0;
     std::vector<DraftOverride> overrides;

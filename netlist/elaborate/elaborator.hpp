@@ -102,6 +102,10 @@ private:
     void place_edge_channel(const PlaceStatement& form);
     void place_connection(const PlaceStatement& form);
 
+    // fault.cpp
+    void perform(const FaultStatement& form, const Location& at);
+    DraftFault failing(const FaultStatement& form);
+
     // reference.cpp: what a reference names
     struct Found {
         Category category;

@@ -30,4 +30,10 @@ NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceMo
     return type;
 }
 
+const AttributeDescription* FaultKind::attribute(std::string_view name) const {
+    auto found =
+        std::ranges::find(attributes, name, [](const auto& each) { return std::string_view(each.value.name); });
+    return found == attributes.end() ? nullptr : &*found;
+}
+
 } // namespace placedpar

@@ -45,6 +45,17 @@ struct AttributeDescription {
     std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
 };
 
+/// A way in which a device or a link can fail: the word behind its name in a `fault` statement.
+struct FaultKind {
+    std::string name;                                  ///< "halts"
+    std::string about;                                 ///< one line
+    std::vector<AttributeDescription> attributes = {}; ///< times in ns
+    bool silences_links = false;                       ///< of a device: from then on nothing leaves it by its links
+
+    /// Null where there is none.
+    const AttributeDescription* attribute(std::string_view name) const;
+};
+
 /// A name that nodes are declared by, and what it says about them.
 struct DeviceModel {
     std::string name;      ///< in the netlist: "B404"
@@ -62,6 +73,8 @@ struct NodeExecutive {
     /// Called with each link that ends at it, whose engines use its memory; empty where the executive is null.
     std::function<void(hardware::Link&)> has_link = {};
     std::function<Time()> memory_taken_by_links = {}; ///< so far; empty where the executive is null
+    /// Called before the run with each fault of the device, of which its kind has any.
+    std::function<void(const Fault&)> suffer = {};
 };
 
 /// How a device looks in the drawing of a network.
@@ -93,7 +106,8 @@ struct DeviceKind {
     hardware::BusProgram bus_program = {};                                    ///< of a master
     /// The same as make_executive, for nodes on a bus, where it differs.
     std::function<NodeExecutive(Simulation&, const Node&)> make_executive_on_bus = {};
-    std::int64_t crossing_delay = 0; ///< of a bit that crosses it, in hundredths of a bit time
+    std::vector<FaultKind> faults = {}; ///< that nodes of the kind can have, besides those of their links
+    std::int64_t crossing_delay = 0;    ///< of a bit that crosses it, in hundredths of a bit time
     Drawing drawing = {};
 
     /// Null where there is none.

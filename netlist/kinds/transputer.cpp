@@ -1,6 +1,7 @@
 #include "netlist/kinds/computer.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
 
@@ -129,7 +130,8 @@ NodeExecutive make_transputer(Simulation& simulation, const Node& node) {
     return {.executive = &processor,
             .time_busy = [&processor] { return processor.time_busy(); },
             .has_link = [&processor](hardware::Link& link) { processor.has_link(link); },
-            .memory_taken_by_links = [&processor] { return processor.memory_taken_by_links(); }};
+            .memory_taken_by_links = [&processor] { return processor.memory_taken_by_links(); },
+            .suffer = [&processor](const Fault& halts) { processor.halt_at(begin_of(halts)); }};
 }
 
 } // namespace
@@ -144,6 +146,10 @@ DeviceKind transputer() {
             .runs_processes = true,
             .passes_channels_on = true,
             .make_executive = make_transputer,
+            .faults = {{.name = "halts",
+                        .about = "from then on it executes nothing, and its links send nothing",
+                        .attributes = {fault_begins()},
+                        .silences_links = true}},
             .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "transputer with its processes"}};
 }
 

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace placedpar {
 
@@ -80,7 +83,7 @@ void Lexer::refuse_letters_behind(const Token& token, std::size_t start) {
     reporter_.error(
         token.at,
         fmt::format("\"{}\" is no number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
-        "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l");
+        "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l, of a time ns, us, ms and s");
 }
 
 Token Lexer::read_real(std::string_view digits, Token token) {
@@ -90,6 +93,34 @@ Token Lexer::read_real(std::string_view digits, Token token) {
         reporter_.error(token.at, "the number is beyond the range of a double");
     if (at_float_suffix())
         advance();
+    std::int64_t unit = take_unit_of_time();
+    return unit == 0 ? token : as_time(token, unit);
+}
+
+/// In nanoseconds; 0 where none stands here, and nothing is taken.
+std::int64_t Lexer::take_unit_of_time() {
+    static constexpr std::pair<std::string_view, std::int64_t> units[] = {
+        {"ns", 1}, {"us", 1000}, {"ms", 1'000'000}, {"s", 1'000'000'000}};
+    for (const auto& [name, nanoseconds] : units)
+        if (text().compare(position_, name.size(), name) == 0 && !in_name(peek(name.size()))) {
+            for (std::size_t i = 0; i < name.size(); ++i)
+                advance();
+            return nanoseconds;
+        }
+    return 0;
+}
+
+/// `1.5ms` is 1500000, the number of its nanoseconds.
+Token Lexer::as_time(Token token, std::int64_t nanoseconds) {
+    double exact = token.real * static_cast<double>(nanoseconds);
+    token.kind = TokenKind::integer;
+    if (constexpr double most = 9e15; exact > most) {
+        reporter_.error(token.at, "the time is beyond 104 days");
+        return token;
+    }
+    token.integer.value = token.integer.decimal = std::llround(exact);
+    if (std::abs(exact - static_cast<double>(token.integer.value)) > 1e-6)
+        reporter_.error(token.at, "a time is a whole number of nanoseconds");
     return token;
 }
 
@@ -106,6 +137,14 @@ Token Lexer::read_integer(std::string_view digits, int base, Token token) {
 
 void Lexer::apply_suffix(Token& token) {
     std::int64_t binary = 1, decimal = 1;
+    if (std::int64_t nanoseconds = take_unit_of_time()) {
+        if (__builtin_mul_overflow(token.integer.value, nanoseconds, &token.integer.value)) {
+            reporter_.error(token.at, "the number is beyond 64 bits");
+            token.integer = {};
+        }
+        token.integer.decimal = token.integer.value;
+        return;
+    }
     if (peek() == 'k' || peek() == 'K') {
         binary = 1024;
         decimal = 1000;

@@ -66,6 +66,8 @@ private:
     bool at_end() const { return position_ >= text().size(); }
     char peek(std::size_t ahead = 0) const;
     void advance();
+    std::int64_t take_unit_of_time();
+    Token as_time(Token, std::int64_t nanoseconds);
     const std::string& text() const { return file_->text(); }
 
     std::shared_ptr<const SourceFile> file_;

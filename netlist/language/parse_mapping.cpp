@@ -81,6 +81,31 @@ Statement Parser::parse_place() {
     return {at, std::move(statement)};
 }
 
+FaultStatement Parser::parse_fault_itself() {
+    FaultStatement statement{parse_reference("a link, a connection or a device", "a link"), "", {}, {}};
+    auto fault = expect_name("a fault");
+    statement.fault = fault.text;
+    statement.fault_at = fault.at;
+    statement.attributes = parse_attributes();
+    return statement;
+}
+
+Statement Parser::parse_fault() {
+    auto at = tokens_.take().at;
+    auto statement = parse_fault_itself();
+    expect_semicolon("fault");
+    return {at, std::move(statement)};
+}
+
+Statement Parser::parse_fault_option() {
+    auto at = tokens_.peek().at;
+    auto statement = parse_fault_itself();
+    if (tokens_.peek().kind != TokenKind::end)
+        refuse(tokens_.peek().at, fmt::format("illegal token behind a fault: {}", describe(tokens_.peek())),
+               "--fault 't[0].link[1] silent (from = 20ms)'");
+    return {at, std::move(statement)};
+}
+
 Statement Parser::parse_rep() {
     auto at = tokens_.take().at;
     auto parenthesis = accept("(");

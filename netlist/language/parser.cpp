@@ -188,6 +188,9 @@ Statement Parser::parse_statement() {
 }
 
 Statement Parser::parse_declaration_or_setting(const Token& first) {
+    // no word of the language, since old netlists may use it as a name
+    if (first.is_word("fault") && tokens_.peek(1).kind == TokenKind::name && !types_.contains("fault"))
+        return parse_fault();
     if (!types_.contains(first.text))
         misspelt_ = first;
     bool declares = first.text == "PROCESS" || behind_attributes_comes_name();

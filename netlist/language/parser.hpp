@@ -24,6 +24,9 @@ public:
     ExpressionPointer parse_whole_expression();
     /// `reference =`: what an option gives a value. Throws StatementRefused after having reported.
     Reference parse_target();
+    /// A fault as an option states it, without the first word and the `;`. Throws StatementRefused after having
+    /// reported.
+    Statement parse_fault_option();
 
 private:
     // parser.cpp: statements
@@ -65,6 +68,8 @@ private:
     Statement parse_connect();
     Statement parse_use();
     Statement parse_place();
+    Statement parse_fault();
+    FaultStatement parse_fault_itself();
     Statement parse_rep();
     Statement parse_if();
     Reference parse_reference(std::string_view what, std::string_view part = "a link or channel");

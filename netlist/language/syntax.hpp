@@ -150,6 +150,13 @@ struct UseStatement {
 struct PlaceStatement {
     Reference what, where;
 };
+/// `fault t[0].link[1] silent (from = 20ms);`: something that fails in a run.
+struct FaultStatement {
+    Reference what;
+    std::string fault;
+    Location fault_at;
+    std::vector<Attribute> attributes;
+};
 struct RepStatement {
     std::string name;
     Location name_at;
@@ -167,8 +174,8 @@ struct BlockStatement {
 struct Statement {
     Location at; ///< of the name declared by a `val`, else of the first word
     std::variant<ValStatement, DefineStatement, Declaration, ConnectionDeclaration, EdgeChannelDeclaration,
-                 ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, RepStatement, IfStatement,
-                 BlockStatement>
+                 ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, FaultStatement, RepStatement,
+                 IfStatement, BlockStatement>
         form;
 };
 

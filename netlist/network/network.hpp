@@ -150,6 +150,24 @@ struct NetworkChannel {
     Location connected;
 };
 
+/// Something that fails in a run: a link, a device.
+struct Fault {
+    std::string kind;                 ///< "silent", "halts"
+    std::size_t node = nowhere;       ///< the device that fails, or the one at whose link the netlist names the link
+    int link = -1;                    ///< of that node; -1: the device itself fails
+    std::size_t connection = nowhere; ///< the wire at that link
+    std::map<std::string, Value, std::less<>> attributes; ///< every one of the kind
+    Location stated;
+
+    /// REQUIRES: the kind has an integer (text) attribute of this name.
+    std::int64_t integer(std::string_view attribute) const {
+        return std::get<std::int64_t>(attributes.find(attribute)->second);
+    }
+    const std::string& text(std::string_view attribute) const {
+        return std::get<std::string>(attributes.find(attribute)->second);
+    }
+};
+
 /// What an option set in place of what the netlist says.
 struct SetByOption {
     std::string name, value;           ///< as they were typed
@@ -162,6 +180,7 @@ struct Network {
     std::vector<BusAttachment> attachments;
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
+    std::vector<Fault> faults;
     std::string source_path;
     std::vector<std::string> included_paths; ///< of the files that it includes
     bool includes_toolset = false;           ///< or what an include of the toolset's own predefines

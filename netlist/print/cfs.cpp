@@ -1,4 +1,5 @@
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/network/names.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/print/text.hpp"
@@ -74,6 +75,10 @@ public:
             line("place {} on {};", process.name, n_.nodes[process.node].name);
         for (const auto& channel : n_.channels)
             print_carrier(channel);
+        if (!n_.faults.empty())
+            text_ += "\n/* faults */\n";
+        for (const Fault& fault : n_.faults)
+            line("fault {};", print_fault(fault, n_.nodes));
         return std::move(text_);
     }
 

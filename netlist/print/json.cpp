@@ -58,6 +58,8 @@ public:
                 list(n_.attachments, [&](const auto& attachment) { return attachment_object(attachment); });
         document["processes"] = list(n_.processes, [&](const auto& process) { return process_object(process); });
         document["channels"] = list(n_.channels, [&](const auto& channel) { return channel_object(channel); });
+        if (!n_.faults.empty())
+            document["faults"] = list(n_.faults, [&](const auto& fault) { return fault_object(fault); });
         return document;
     }
 
@@ -76,6 +78,17 @@ private:
             object["bus"] = 0;
         else if (!end.at_edge())
             object["link"] = end.link;
+        return object;
+    }
+
+    json::object fault_object(const Fault& fault) const {
+        json::object object{{"kind", fault.kind}, {"node", n_.nodes[fault.node].name}};
+        if (fault.link >= 0) {
+            object["link"] = fault.link;
+            object["connection"] = fault.connection;
+        }
+        for (const auto& [name, value] : fault.attributes)
+            object[name] = to_json(value);
         return object;
     }
 

@@ -239,7 +239,7 @@ inline std::uint32_t LinkDirection::bytes_started_before(Time now) const {
 }
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
-class Link : private WireWatch {
+class Link final : private WireWatch {
 public:
     /// The names are those of its ends, for reports. Throws std::logic_error unless bits_per_second > 0 and the wire's
     /// delay is not negative.

@@ -32,7 +32,7 @@ struct FaultEffect {
         Time at;
         std::string channel; ///< whose message it was
         bool acknowledge;
-        std::uint64_t byte; ///< of the part of the message that was under way, from 1
+        std::uint64_t byte; ///< of the message, from 1
     };
     std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
     std::optional<Hit> first, last;

@@ -11,8 +11,9 @@ namespace placedpar::hardware {
 
 /// REQUIRES: the link has faults, and the packet begins now.
 bool LinkDirection::is_lost(bool acknowledge) {
-    return faults_->take({kernel_.now(), channel_->name(), acknowledge, bytes_in_part_ - bytes_left_},
-                         acknowledge != leaves_a_);
+    return faults_->take(
+        {kernel_.now(), channel_->name(), acknowledge, bytes_before_part_ + bytes_in_part_ - bytes_left_},
+        acknowledge != leaves_a_);
 }
 
 bool LinkDirection::no_fault_until_the_last_byte() const {

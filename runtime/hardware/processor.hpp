@@ -6,6 +6,7 @@
 #include "runtime/process.hpp"
 #include "runtime/time.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -54,7 +55,7 @@ public:
     void has_link(Link&);
     /// From this moment on it executes nothing; what waits for it waits for ever. That its links fall silent, too, is
     /// their fault to state (LinkFault). REQUIRES: before the run.
-    void halt_at(Time moment) { halts_at_ = moment; }
+    void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     bool halted() const override;
 
     std::int64_t clock_hz() const { return clock_hz_; }

@@ -16,13 +16,13 @@ const Axis compliance_axis{"compliance [0.001 in³/psi]", 0, 20};
 
 Mark true_mark() { return {"true, sound", 1000 * Parameters::excavator()["boom.inlet_compliance"]}; }
 
-Panel panel_over_samples(std::span<const Fault> faults, const RecordSource& source, std::uint64_t seed) {
+Panel panel_over_samples(std::span<const PlantFault> faults, const RecordSource& source, std::uint64_t seed) {
     Panel panel{"a: C_BOi estimated by the spool, after each sample of one record",
                 {"time [s]", 0.3, 0.6}, // the first answer, and the end of the slowest rise
                 compliance_axis,
                 {},
                 {true_mark()}};
-    for (const Fault& fault : faults) {
+    for (const PlantFault& fault : faults) {
         Series series{fault.name, {}};
         for (const TransientEstimate& estimate :
              search_faulty(record_of(fault, source, seed), AreasFrom::spool, seed).estimates)
@@ -53,7 +53,8 @@ Panel panel_over_drift(const RecordSource& source, std::span<const std::uint64_t
 
 } // namespace
 
-Plot plot_of_faults(std::span<const Fault> faults, const RecordSource& source, std::span<const std::uint64_t> seeds) {
+Plot plot_of_faults(std::span<const PlantFault> faults, const RecordSource& source,
+                    std::span<const std::uint64_t> seeds) {
     return {"What faults of the machine do to the compliance found",
             {panel_over_samples(faults, source, seeds.front()), panel_over_drift(source, seeds)}};
 }

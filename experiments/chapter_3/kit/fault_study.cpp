@@ -23,17 +23,17 @@ ComplianceSearch rising(const Record& record, const Question& question, Identifi
 
 } // namespace
 
-Fault no_fault() { return {"sound", {}}; }
+PlantFault no_fault() { return {"sound", {}}; }
 
-Fault doubled_compliance() { return {"compliance doubled", {{"boom.inlet_compliance", 0.0172}}}; }
+PlantFault doubled_compliance() { return {"compliance doubled", {{"boom.inlet_compliance", 0.0172}}}; }
 
-Fault leak_of(const char* name, double leak_in3_per_s_psi) {
+PlantFault leak_of(const char* name, double leak_in3_per_s_psi) {
     return {name, {{"fault.leak", leak_in3_per_s_psi}, {"fault.leak_start", valve_opens_s}}};
 }
 
-Fault drift_of(double bias_v) { return {"servo-valve's drift", {{"fault.servo_bias", bias_v}}}; }
+PlantFault drift_of(double bias_v) { return {"servo-valve's drift", {{"fault.servo_bias", bias_v}}}; }
 
-Record record_of(const Fault& fault, const RecordSource& source, std::uint64_t seed) {
+Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed) {
     const RecordScenario& scenario = *record_scenario_named(source.scenario);
     Parameters parameters = scenario.parameters(Parameters::excavator());
     for (const auto& [name, value] : fault.parameters)

@@ -13,17 +13,17 @@
 namespace placedpar {
 
 /// What is wrong with the machine: parameters that differ from those of excavator.csv.
-struct Fault {
+struct PlantFault {
     const char* name;
     std::vector<std::pair<const char*, double>> parameters;
 };
 
-Fault no_fault();
-Fault doubled_compliance();
+PlantFault no_fault();
+PlantFault doubled_compliance();
 /// A leak k_l across the boom's piston from valve opening; its name gives its share of the steady 50 in^3/s.
-Fault leak_of(const char* name, double leak_in3_per_s_psi);
+PlantFault leak_of(const char* name, double leak_in3_per_s_psi);
 /// The servo-valve's spool goes where another voltage would send it.
-Fault drift_of(double bias_v);
+PlantFault drift_of(double bias_v);
 
 /// Where the records come from, and what they hold.
 struct RecordSource {
@@ -31,7 +31,7 @@ struct RecordSource {
     bool has_servo;
 };
 
-hydraulics::Record record_of(const Fault& fault, const RecordSource& source, std::uint64_t seed);
+hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);
 
 /// One search, the engineer's way, while the pressure rises. The identifier knows nothing of the fault: it takes the
 /// machine to be that of excavator.csv.
@@ -46,6 +46,7 @@ double least_squares(const hydraulics::Record& record);
 /// The compliance estimated from one record of each machine by the spool, sample by sample; and what a drift of the
 /// servo-valve makes of the compliance by the spool and by the voltage, of the first 5 records. REQUIRES: so many
 /// seeds.
-Plot plot_of_faults(std::span<const Fault> faults, const RecordSource& source, std::span<const std::uint64_t> seeds);
+Plot plot_of_faults(std::span<const PlantFault> faults, const RecordSource& source,
+                    std::span<const std::uint64_t> seeds);
 
 } // namespace placedpar

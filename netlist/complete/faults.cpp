@@ -1,0 +1,52 @@
+#include "netlist/complete/complete.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+namespace {
+
+/// The end of the wire that `connect` names first; the other where the first is an edge.
+bool find_named_wire(Completion& c, const DraftFault& draft, Fault& fault) {
+    auto named = c.connection_named.find(draft.connection);
+    if (named == c.connection_named.end()) {
+        c.reporter.error(
+            draft.at, fmt::format("the connection \"{}\" wires no links", c.draft.connections[draft.connection].name),
+            "connect ... to ... by connection;");
+        return false;
+    }
+    const LinkConnection& wire = c.network.connections[named->second];
+    const LinkEnd& end = wire.a.at_edge() ? wire.b : wire.a;
+    fault.connection = named->second;
+    fault.node = end.node;
+    fault.link = end.link;
+    return true;
+}
+
+bool find_wire(Completion& c, const DraftFault& draft, Fault& fault) {
+    auto wire = c.connection_at.find({fault.node, fault.link});
+    if (wire == c.connection_at.end()) {
+        bool crosses = c.draft.nodes[fault.node].kind->links == LinkRole::crosses;
+        c.reporter.error(draft.at, fmt::format("{} \"{}\"",
+                                               crosses ? "a fault is stated at an end of the wire, not at its switch"
+                                                       : "no wire leads to the link",
+                                               link_name(c.draft.nodes, {fault.node, fault.link})));
+        return false;
+    }
+    fault.connection = wire->second;
+    return true;
+}
+
+} // namespace
+
+void complete_faults(Completion& completion) {
+    for (const DraftFault& draft : completion.draft.faults) {
+        Fault fault = draft.fault;
+        bool known = fault.link < 0 || (draft.connection != nowhere ? find_named_wire(completion, draft, fault)
+                                                                    : find_wire(completion, draft, fault));
+        if (known)
+            completion.network.faults.push_back(std::move(fault));
+    }
+}
+
+} // namespace placedpar

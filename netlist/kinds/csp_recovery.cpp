@@ -1,0 +1,105 @@
+// A stream that survives a link that fails.
+
+#include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/kinds/description.hpp"
+#include "netlist/kinds/environment.hpp"
+#include "netlist/kinds/packet.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/recovery.hpp"
+#include "runtime/timer.hpp"
+
+#include <chrono>
+#include <cstdint>
+
+namespace placedpar {
+
+namespace {
+
+using description::packet_count;
+using description::packet_cycles;
+using description::packets_in;
+using description::packets_out;
+
+Time timeout_of(const ProcessEnvironment& environment) {
+    return std::chrono::microseconds{environment.integer("timeout")};
+}
+
+/// A packet that has not gone in time is lost; the next one is tried, on the same channel, once it has been reset.
+void produce_or_fail(ProcessEnvironment& environment) {
+    auto to = environment.output<Packet>("out");
+    Packet packet{0, static_cast<std::uint32_t>(environment.integer("bytes"))};
+    Cycles work{environment.integer("cycles")};
+    std::int64_t given_up = 0;
+    for (std::int64_t i = 0; i < environment.integer("count"); ++i) {
+        compute(work);
+        packet.number = i;
+        if (output_or_fail(to, packet, later(now(), timeout_of(environment))))
+            continue;
+        ++given_up;
+        reset(to);
+    }
+    environment.measure("given_up", static_cast<double>(given_up), "packets");
+}
+
+/// It ends with the last packet, or when so many time-outs have passed one after the other.
+void consume_or_fail(ProcessEnvironment& environment) {
+    auto from = environment.input<Packet>("in");
+    Cycles work{environment.integer("cycles")};
+    std::int64_t last = environment.integer("count") - 1, received = 0, resets = 0, in_vain = 0;
+    std::uint64_t bytes_of_pieces = 0;
+    Packet packet;
+    while (packet.number < last || received == 0) {
+        if (input_or_fail(from, packet, later(now(), timeout_of(environment)))) {
+            ++received;
+            in_vain = 0;
+            compute(work);
+            continue;
+        }
+        ++resets;
+        bytes_of_pieces += reset(from);
+        if (++in_vain == environment.integer("patience"))
+            break;
+    }
+    environment.measure("received", static_cast<double>(received), "packets");
+    environment.measure("lost", static_cast<double>(last + 1 - received), "packets");
+    environment.measure("resets", static_cast<double>(resets));
+    environment.measure("bytes_of_pieces", static_cast<double>(bytes_of_pieces), "bytes");
+}
+
+ParameterDescription packet_bytes() {
+    return description::integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
+                                "length of a packet on the wire");
+}
+
+ParameterDescription packet_timeout(const char* about) {
+    return description::integer("timeout", {.unit = "us", .by_default = 1000, .least = 1, .most = 1e9}, about);
+}
+
+} // namespace
+
+ProcessKind producer_or_fail_kind() {
+    return {.name = "csp.producer_or_fail",
+            .about = "Outputs numbered packets, each with a time-out; what has not gone by then it gives up.",
+            .ports = {packets_out()},
+            .parameters = {packet_count(), packet_bytes(), packet_cycles(),
+                           packet_timeout("after which it gives a packet up")},
+            .measurements = {{"given_up", "packets", "of which it does not know that they have gone"}},
+            .body = produce_or_fail};
+}
+
+ProcessKind consumer_or_fail_kind() {
+    return {.name = "csp.consumer_or_fail",
+            .about = "Takes packets in, each with a time-out; when none has come by then it resets its channel.",
+            .ports = {packets_in()},
+            .parameters = {packet_count("the last of which ends it"), packet_cycles(),
+                           packet_timeout("after which it resets its channel"),
+                           description::integer("patience", {.by_default = 10, .least = 1, .most = 1e9},
+                                                "time-outs, one after the other, after which it ends")},
+            .measurements = {{"received", "packets", ""},
+                             {"lost", "packets", "that did not come"},
+                             {"resets", "", "of its channel"},
+                             {"bytes_of_pieces", "bytes", "of packets that did not come as a whole"}},
+            .body = consume_or_fail};
+}
+
+} // namespace placedpar

@@ -1,0 +1,96 @@
+#include "netlist/kinds/fault_kinds.hpp"
+
+#include "netlist/kinds/description.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+using description::integer;
+
+constexpr double longest = 9e15; ///< ns: a little less than virtual time lasts
+
+AttributeDescription direction() {
+    return {.value = description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},
+                                       "out: what leaves the end that is named, or that connect names first")};
+}
+
+AttributeDescription factor() {
+    return {.value = integer("factor", {.least = 1, .most = 1e6}, "by which the bit rate is divided"),
+            .decimal_suffixes = true};
+}
+
+AttributeDescription moment(const char* name, const char* about) {
+    return {.value = integer(name, {.unit = "ns", .by_default = 0, .least = 0, .most = longest}, about),
+            .decimal_suffixes = true};
+}
+
+} // namespace
+
+AttributeDescription fault_begins() { return moment("from", "when it begins; a time is written 20ms"); }
+AttributeDescription fault_ends() { return moment("until", "when it is over; 0: never"); }
+
+const std::vector<FaultKind>& link_faults() {
+    static const std::vector<FaultKind> kinds{
+        {.name = "silent",
+         .about = "bytes and acknowledges that begin on it vanish",
+         .attributes = {fault_begins(), fault_ends(), direction()}},
+        {.name = "loses_acknowledge",
+         .about = "the first acknowledge that begins on it then, or later, vanishes",
+         .attributes = {fault_begins(), direction()}},
+        {.name = "slow",
+         .about = "its bits last longer, on both wires",
+         .attributes = {fault_begins(), fault_ends(), factor()}}};
+    return kinds;
+}
+
+Time begin_of(const Fault& fault) { return std::chrono::nanoseconds{fault.integer("from")}; }
+
+Time end_of(const Fault& fault) {
+    bool passes = fault.attributes.contains("until") && fault.integer("until") > 0;
+    return passes ? Time{std::chrono::nanoseconds{fault.integer("until")}} : Time::max();
+}
+
+std::string print_nanoseconds(std::int64_t time) {
+    constexpr std::pair<std::int64_t, const char*> units[] = {{1'000'000'000, "s"}, {1'000'000, "ms"}, {1000, "us"}};
+    for (const auto& [unit, name] : units)
+        if (time > 0 && time % unit == 0)
+            return fmt::format("{}{}", time / unit, name);
+    return fmt::format("{}ns", time);
+}
+
+namespace {
+
+const FaultKind& kind_of(const Fault& fault, const std::vector<Node>& nodes) {
+    const auto& kinds = fault.link < 0 ? nodes[fault.node].kind->faults : link_faults();
+    return *std::ranges::find(kinds, fault.kind, &FaultKind::name);
+}
+
+std::string print_attribute(const AttributeDescription& attribute, const Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value))
+        return fmt::format("{} = \"{}\"", attribute.value.name, *text);
+    auto number = std::get<std::int64_t>(value);
+    return fmt::format("{} = {}", attribute.value.name,
+                       attribute.value.unit == "ns" ? print_nanoseconds(number) : fmt::format("{}", number));
+}
+
+} // namespace
+
+std::string print_fault(const Fault& fault, const std::vector<Node>& nodes) {
+    std::vector<std::string> said;
+    for (const auto& attribute : kind_of(fault, nodes).attributes)
+        if (const auto& value = fault.attributes.at(attribute.value.name); value != attribute.value.default_value)
+            said.push_back(print_attribute(attribute, value));
+    std::string what = fault.link < 0 ? nodes[fault.node].name : link_name(nodes, {fault.node, fault.link});
+    std::string attributes = said.empty() ? "" : fmt::format(" ({})", fmt::join(said, ", "));
+    return fmt::format("{} {}{}", what, fault.kind, attributes);
+}
+
+} // namespace placedpar

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "netlist/kinds/device_kind.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// The faults that every link can have.
+const std::vector<FaultKind>& link_faults();
+
+/// The attribute `from` of every fault, and `until` of one that passes; 0 stands for ever.
+AttributeDescription fault_begins();
+AttributeDescription fault_ends();
+
+/// The moments that those say.
+Time begin_of(const Fault&);
+Time end_of(const Fault&);
+
+/// "20ms": a number of nanoseconds as the language writes it.
+std::string print_nanoseconds(std::int64_t);
+
+/// As a statement has it, without its first word: "t[0].link[1] silent (from = 20ms)". Only what differs from the
+/// default.
+std::string print_fault(const Fault&, const std::vector<Node>&);
+
+} // namespace placedpar

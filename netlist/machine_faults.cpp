@@ -1,0 +1,88 @@
+#include "netlist/kinds/fault_kinds.hpp"
+#include "netlist/machine.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+const FaultKind& kind_of(const Fault& fault, const Network& network) {
+    return *std::ranges::find(network.nodes[fault.node].kind->faults, fault.kind, &FaultKind::name);
+}
+
+hardware::LinkFault of_link(const Fault& fault, const LinkConnection& wire) {
+    using Kind = hardware::LinkFault::Kind;
+    hardware::LinkFault result{.from = begin_of(fault), .until = end_of(fault)};
+    result.kind = fault.kind == "silent" ? Kind::silent : fault.kind == "slow" ? Kind::slow : Kind::loses_acknowledge;
+    if (result.kind == Kind::slow) {
+        result.factor = fault.integer("factor");
+        return result;
+    }
+    bool at_a = wire.a.node == fault.node && wire.a.link == fault.link;
+    bool out = fault.text("direction") != "in", in = fault.text("direction") != "out";
+    result.wire_from_a = at_a ? out : in;
+    result.wire_from_b = at_a ? in : out;
+    return result;
+}
+
+FaultUse::Hit hit_of(const hardware::FaultEffect::Hit& hit) { return {hit.at, hit.channel, hit.acknowledge, hit.byte}; }
+
+void add_effect(FaultUse& use, const hardware::FaultEffect& effect) {
+    use.bytes_lost += effect.bytes_lost;
+    use.acknowledges_lost += effect.acknowledges_lost;
+    if (effect.first && (!use.first || effect.first->at < use.first->at))
+        use.first = hit_of(*effect.first);
+    if (effect.last && (!use.last || effect.last->at >= use.last->at))
+        use.last = hit_of(*effect.last);
+}
+
+} // namespace
+
+void Machine::strike_link(std::size_t connection, const hardware::LinkFault& fault) {
+    fault_effects_.back().push_back(&links_[connection]->suffer(fault));
+}
+
+/// A device that falls silent does so at its end of each of its links.
+void Machine::make_faults() {
+    for (const Fault& fault : network_.faults) {
+        fault_effects_.emplace_back();
+        if (fault.link >= 0) {
+            strike_link(fault.connection, of_link(fault, network_.connections[fault.connection]));
+            continue;
+        }
+        executives_[fault.node].suffer(fault);
+        if (!kind_of(fault, network_).silences_links)
+            continue;
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            bool at_a = network_.connections[i].a.node == fault.node;
+            if (at_a || network_.connections[i].b.node == fault.node)
+                strike_link(i, {.from = begin_of(fault), .wire_from_a = at_a, .wire_from_b = !at_a});
+        }
+    }
+}
+
+std::vector<std::string> Machine::stopped_on(std::size_t node) const {
+    std::vector<std::string> stopped;
+    for (std::size_t i = 0; i < processes_.size(); ++i)
+        if (network_.processes[i].node == node && !processes_[i]->ended() && processes_[i]->executive() &&
+            processes_[i]->executive()->halted())
+            stopped.push_back(network_.processes[i].name);
+    return stopped;
+}
+
+std::vector<FaultUse> Machine::fault_uses() const {
+    std::vector<FaultUse> uses;
+    for (std::size_t i = 0; i < network_.faults.size(); ++i) {
+        const Fault& fault = network_.faults[i];
+        FaultUse& use = uses.emplace_back();
+        use.fault = print_fault(fault, network_.nodes);
+        for (const hardware::FaultEffect* effect : fault_effects_[i])
+            add_effect(use, *effect);
+        if (fault.link < 0)
+            use.stopped = stopped_on(fault.node);
+    }
+    return uses;
+}
+
+} // namespace placedpar
