@@ -56,6 +56,8 @@ void Machine::make_faults() {
             continue;
         for (std::size_t i = 0; i < links_.size(); ++i) {
             bool at_a = network_.connections[i].a.node == fault.node;
+            if (!links_[i]) // a way over a bus, whose master has no engine that could fall silent
+                continue;
             if (at_a || network_.connections[i].b.node == fault.node)
                 strike_link(i, {.from = begin_of(fault), .wire_from_a = at_a, .wire_from_b = !at_a});
         }
