@@ -185,7 +185,7 @@ ProcessKind consumer_kind() {
 
 void add_csp_kinds(Catalogue& catalogue) {
     for (auto kind : {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), successor_kind(), consumer_kind(),
-                      producer_or_fail_kind(), consumer_or_fail_kind()})
+                      sender_or_fail_kind(), receiver_or_fail_kind()})
         catalogue.add(std::move(kind));
 }
 

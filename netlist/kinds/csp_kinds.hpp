@@ -11,7 +11,7 @@ struct ProcessKind;
 void add_csp_kinds(Catalogue&);
 
 /// csp_recovery.cpp: csp.producer and csp.consumer with time-outs, which survive a link that fails.
-ProcessKind producer_or_fail_kind();
-ProcessKind consumer_or_fail_kind();
+ProcessKind sender_or_fail_kind();
+ProcessKind receiver_or_fail_kind();
 
 } // namespace placedpar

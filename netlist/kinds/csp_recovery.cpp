@@ -77,8 +77,8 @@ ParameterDescription packet_timeout(const char* about) {
 
 } // namespace
 
-ProcessKind producer_or_fail_kind() {
-    return {.name = "csp.producer_or_fail",
+ProcessKind sender_or_fail_kind() {
+    return {.name = "csp.sender_or_fail",
             .about = "Outputs numbered packets, each with a time-out; what has not gone by then it gives up.",
             .ports = {packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(),
@@ -87,8 +87,8 @@ ProcessKind producer_or_fail_kind() {
             .body = produce_or_fail};
 }
 
-ProcessKind consumer_or_fail_kind() {
-    return {.name = "csp.consumer_or_fail",
+ProcessKind receiver_or_fail_kind() {
+    return {.name = "csp.receiver_or_fail",
             .about = "Takes packets in, each with a time-out; when none has come by then it resets its channel.",
             .ports = {packets_in()},
             .parameters = {packet_count("the last of which ends it"), packet_cycles(),

@@ -16,11 +16,12 @@ using namespace placedpar;
 namespace {
 
 /// A stream of 100 packets from a to b, and what else is said.
-std::string stream(const std::string& more, const std::string& ends = "") {
+std::string stream(const std::string& more, bool recovers = false) {
+    std::string from = recovers ? "sender_or_fail" : "producer", to = recovers ? "receiver_or_fail" : "consumer";
     return R"(val at 2ms; T800 a, b; connection wire; connect a.link[0] to b.link[0] by wire;
         process (interface (output out)) p; process (interface (input in)) c;
-        use "csp.producer)" +
-           ends + R"(" for p; use "csp.consumer)" + ends + R"(" for c;
+        use "csp.)" +
+           from + R"(" for p; use "csp.)" + to + R"(" for c;
         p (count = 100, bytes = 200); c (count = 100);
         connect p.out to c.in; place p on a; place c on b;)" +
            more;
@@ -45,8 +46,8 @@ std::string only_fault(const Network& network) {
     return print_fault(network.faults[0], network.nodes);
 }
 
-RunReport run_stream(const std::string& more, const std::string& ends = "") {
-    return Machine(network_of_stream(stream(more, ends)), csp(), 1).run();
+RunReport run_stream(const std::string& more, bool recovers = false) {
+    return Machine(network_of_stream(stream(more, recovers)), csp(), 1).run();
 }
 
 } // namespace
@@ -147,13 +148,13 @@ TEST_CASE("a stream with time-outs survives what a stream without does not, and 
           "fault wire silent (from = at, until = 5ms, direction = \"out\");"}) {
         CAPTURE(fault);
         CHECK(run_stream(fault).result.ending == Ending::stuck);
-        RunReport report = run_stream(fault, "_or_fail");
+        RunReport report = run_stream(fault, true);
         CHECK(report.result.ending == Ending::completed);
         CHECK(report.measured("p", "given_up") >= 1);
         CHECK(report.measured("c", "received") + report.measured("c", "lost") == 100);
         CHECK(report.measured("c", "lost") <= report.measured("p", "given_up"));
     }
-    RunReport sound = run_stream("", "_or_fail");
+    RunReport sound = run_stream("", true);
     CHECK(sound.measured("c", "received") == 100);
     CHECK(sound.measured("p", "given_up") == 0);
 }
