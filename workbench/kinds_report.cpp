@@ -151,8 +151,9 @@ std::string print_fault_kinds(const char* heading, const std::vector<FaultKind>&
 
 /// What a `fault` statement can say of a node, and of a link at it.
 std::string print_fault_kinds(const DeviceKind& kind) {
+    bool has_links = kind.links == LinkRole::ends && !kind.make_bus;
     return print_fault_kinds("faults", kind.faults) +
-           (kind.links == LinkRole::ends ? print_fault_kinds("faults of its links", link_faults()) : "");
+           (has_links ? print_fault_kinds("faults of its links", link_faults()) : "");
 }
 
 /// "B404 (T800)" for a module, which carries one.

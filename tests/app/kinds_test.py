@@ -105,6 +105,10 @@ class Kinds(unittest.TestCase):
                 for kept in device["without_effect"]:
                     self.assertIn(kept, text)
 
+    def test_what_has_links_has_their_faults(self):
+        for name, has_links in (("T800", True), ("C012", True), ("workstation", True), ("C004", False), ("VME", False)):
+            self.assertEqual("faults of its links" in said(name), has_links, name)
+
     def test_one_kind_or_a_group_for_machines(self):
         by_name = {kind["name"]: kind for kind in self.all["processes"]}
         self.assertEqual(json.loads(said("ga.master", "--json")), {"processes": [by_name["ga.master"]], "devices": []})
