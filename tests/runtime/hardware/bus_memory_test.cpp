@@ -32,7 +32,7 @@ struct Machine {
     DualPortedMemory& memory = simulation.add<DualPortedMemory>("bbk.memory");
 };
 
-constexpr Time cycle = nanoseconds{200} + nanoseconds{310};
+constexpr Time bus_cycle = nanoseconds{200} + nanoseconds{310};
 
 } // namespace
 
@@ -62,7 +62,7 @@ TEST_CASE("a host writes a message into a bus master's memory word by word") {
         &machine.bbk);
     CHECK(machine.simulation.run().ending == Ending::completed);
     CHECK(last == 42);
-    Time written = 100 * (duration_of(26, 25'000'000) + cycle);
+    Time written = 100 * (duration_of(26, 25'000'000) + bus_cycle);
     Time copied = duration_of(100 * (2 * 3 + 4), 20'000'000);
     CHECK(received == written + copied);
     CHECK(sent == received + duration_of(2500, 25'000'000)); // its interrupt
@@ -82,7 +82,7 @@ TEST_CASE("a host reads a message from a bus master's memory") {
         "node", [&] { c.out().output({}); }, &machine.bbk);
     CHECK(machine.simulation.run().ending == Ending::completed);
     Time copied = duration_of(19 + 100 * (2 * 3 + 4), 20'000'000), interrupt = duration_of(2500, 25'000'000);
-    Time read = 100 * (duration_of(92, 25'000'000) + cycle), told = duration_of(26, 25'000'000) + cycle;
+    Time read = 100 * (duration_of(92, 25'000'000) + bus_cycle), told = duration_of(26, 25'000'000) + bus_cycle;
     CHECK(received == copied + interrupt + read + told);
 }
 

@@ -25,7 +25,7 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Octets = std::vector<std::uint8_t>;
 constexpr LinkTiming adapter_timing{.overlapped_acknowledge = false};
 
 /// A Sun on a bus with an adapter, whose link leads to a transputer.
@@ -83,14 +83,14 @@ double kilobytes_per_second(int bytes, Time time) { return bytes / (static_cast<
 TEST_CASE("a host writes bytes to an adapter as fast as polling and the link let it") {
     for (int bytes : {1, 2, 7, 100}) {
         Host host(1'000'000);
-        Channel<Bytes> c("c");
+        Channel<Octets> c("c");
         c.put_on(host.driver.to_link());
         Time done{};
         std::size_t received = 0;
         host.simulation.process(
             "host",
             [&] {
-                c.out().output(Bytes(static_cast<std::size_t>(bytes), 1));
+                c.out().output(Octets(static_cast<std::size_t>(bytes), 1));
                 done = now();
             },
             &host.sun);
@@ -140,16 +140,16 @@ TEST_CASE("the times of a single part are those of the rules") {
 
 TEST_CASE("messages of every length come over whole and in order, both ways at once") {
     Host host;
-    Channel<Bytes> down("down"), up("up");
+    Channel<Octets> down("down"), up("up");
     down.put_on(host.driver.to_link());
     up.put_on(host.driver.from_link());
-    std::vector<Bytes> sent, back;
+    std::vector<Octets> sent, back;
     for (std::size_t n = 0; n < 20; ++n)
         sent.emplace_back(n, static_cast<std::uint8_t>(n));
     host.simulation.process(
         "sender",
         [&] {
-            for (const Bytes& each : sent)
+            for (const Octets& each : sent)
                 down.out().output(each);
         },
         &host.sun);
@@ -232,8 +232,8 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
             drivers.push_back(&host.simulation.add<AdapterProgram>(host.master, adapter));
         }
         auto& broadcast = host.simulation.add<AdapterBroadcast>(drivers);
-        std::list<Channel<Bytes>> channels;
-        std::vector<Bytes> received(nodes);
+        std::list<Channel<Octets>> channels;
+        std::vector<Octets> received(nodes);
         for (std::size_t i = 0; i < nodes; ++i) {
             channels.emplace_back("c" + std::to_string(i));
             channels.back().put_on(at_once ? broadcast.lane(i) : drivers[i]->to_link());
@@ -245,13 +245,13 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
             "host",
             [&] {
                 par_for(nodes, [&](std::size_t i) {
-                    std::next(channels.begin(), static_cast<std::ptrdiff_t>(i))->out().output(Bytes(148, 5));
+                    std::next(channels.begin(), static_cast<std::ptrdiff_t>(i))->out().output(Octets(148, 5));
                 });
                 done = now();
             },
             &host.sun);
         CHECK(host.simulation.run().ending == Ending::completed);
-        CHECK(received == std::vector<Bytes>(nodes, Bytes(148, 5)));
+        CHECK(received == std::vector<Octets>(nodes, Octets(148, 5)));
         CHECK(broadcast.messages() == (at_once ? 1u : 0u));
         return done;
     };
