@@ -177,8 +177,10 @@ int check_all(std::size_t channels, std::size_t longest, bool polls, Placed plac
     int worlds = 0;
     for_every_network(channels, [&](SmallWorld& world) {
         for_every_program(world, 0, longest, polls, [&] {
-            check_course(world, placed, std::nullopt);
-            check_course(world, placed, ++worlds);
+            ++worlds;
+            if (placed == Placed::nowhere) // executives share themselves out in their own order
+                check_course(world, placed, std::nullopt);
+            check_course(world, placed, worlds);
         });
     });
     return worlds;
@@ -211,7 +213,7 @@ TEST_CASE("the same on one processor, and on three with a link for each channel"
 
 TEST_CASE("three processes, three channels, four actions each: some of the worlds, wherever they are placed") {
     RandomStream random(1, "larger worlds");
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         SmallWorld world = larger_world(random);
         for (Placed placed : {Placed::nowhere, Placed::together, Placed::apart})
             check_course(world, placed, i);

@@ -31,7 +31,9 @@ TEST_CASE("a problem is described by what is searched for, and over what") {
           "trap(blocks = 4)\ndeceptive traps: blocks where each bit by itself leads away\n"
           "maximised; the optimum is 20\nstring: 20 bits\n\nnumbers\n"
           "  blocks           int     default 10             1 .. 100000\n"
-          "  size             int     default 5              2 .. 64\n");
+          "                               in a string\n"
+          "  size             int     default 5              2 .. 64\n"
+          "                               of a block, in bits\n");
     CHECK(lists(print_problem(all_problems(), "rastrigin"), "parameters: x_1, x_2, ..., x_20\n"));
     CHECK(lists(print_problem(all_problems(), "boom"), "parameters: C_BOi in^3/psi\n"));
     CHECK_THROWS_WITH_AS(print_problem(all_problems(), "nk(bits = 3, k = 5)"),
