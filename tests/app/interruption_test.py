@@ -30,7 +30,7 @@ def long_examples(folder):
     """The examples with so many generations that an experiment takes its time."""
     examples = pathlib.Path(folder) / "examples"
     shutil.copytree(EXAMPLES, examples)
-    for name in ("03-table-e1/cluster.cfs", "04-figure-e2/figure-e2.cfs"):
+    for name in ("03-table-e1/cluster.cfs", "04-figure-e2/software.inc"):
         text = (examples / name).read_text(encoding="utf-8")
         assert text.count("(population = population,") == 1
         (examples / name).write_text(text.replace("(population", "(trials = 20000, population"), encoding="utf-8")
