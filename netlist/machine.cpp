@@ -121,10 +121,31 @@ void Machine::make_links() {
         }
         links_.push_back(&add_link(simulation_, connection, network_.nodes));
         carriers_[links_.size() - 1] = {&links_.back()->from_a_to_b(), &links_.back()->from_b_to_a()};
+        if (connection.at_run_time)
+            make_switched(links_.size() - 1);
         for (const LinkEnd& end : {connection.a, connection.b})
             if (const auto& has_link = executives_[end.node].has_link)
                 has_link(*links_.back());
     }
+}
+
+/// The switches that a program sets decide what gets over; the engines at its ends may be those of other links, too.
+void Machine::make_switched(std::size_t index) {
+    const LinkConnection& connection = network_.connections[index];
+    hardware::Link& link = *links_[index];
+    for (const SwitchCrossing& crossing : connection.crossings)
+        if (is_set_at_run_time(network_, crossing.node))
+            executives_[crossing.node].crossbar->lead_on(link, crossing.from_link, crossing.to_link);
+    auto lane = [&](hardware::LinkDirection& direction, const LinkEnd& from, const LinkEnd& to) {
+        return &simulation_.add<hardware::SwitchedLane>(direction, engine_at(from, true), engine_at(to, false));
+    };
+    carriers_[index] = {lane(link.from_a_to_b(), connection.a, connection.b),
+                        lane(link.from_b_to_a(), connection.b, connection.a)};
+}
+
+hardware::SharedEngine& Machine::engine_at(const LinkEnd& end, bool outputs) {
+    return engines_.try_emplace({end.node, end.link, outputs}, hardware::SharedEngine{link_name(network_.nodes, end)})
+        .first->second;
 }
 
 void Machine::make_routers() {
@@ -190,9 +211,12 @@ Process& Machine::make_process(std::size_t index, const ProcessKind& kind) {
         ports.push_back({binding.port, channels_[binding.channel].get()});
     ProcessEnvironment& environment =
         environments_.emplace_back(network_, index, std::move(ports), seed_, measurements_);
-    return simulation_.process(
+    Process& made = simulation_.process(
         process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
         executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);
+    if (network_.nodes[process.node].kind->is_set_by_link())
+        made.serve_machine(); // it is a part of the switch, and never ends
+    return made;
 }
 
 } // namespace placedpar

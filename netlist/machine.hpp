@@ -5,14 +5,18 @@
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 #include "runtime/hardware/bus_memory.hpp"
+#include "runtime/hardware/crossbar.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/router.hpp"
+#include "runtime/hardware/switched_lane.hpp"
 #include "runtime/hardware/vme_bus.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
 #include <list>
+#include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace placedpar {
@@ -41,12 +45,15 @@ private:
     };
     void make_executives();
     void make_links();
+    void make_switched(std::size_t connection);
+    hardware::SharedEngine& engine_at(const LinkEnd&, bool outputs);
     void make_buses();
     void make_way(std::size_t connection);
     Carriers make_memory_lanes(const BusWay&);
     Carriers make_adapter(const BusWay&);
     hardware::Lane lane(std::size_t connection, bool from_a_to_b) const;
     void make_faults();
+    void strike_links_at(const Fault&);
     void strike_link(std::size_t connection, const hardware::LinkFault&);
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
@@ -62,6 +69,8 @@ private:
     std::vector<BusUse> bus_uses() const;
     std::vector<ProcessUse> process_uses() const;
     std::vector<FaultUse> fault_uses() const;
+    std::vector<SwitchUse> switch_uses() const;
+    SwitchUse use_of(std::size_t node, const hardware::Crossbar&) const;
     std::vector<std::string> stopped_on(std::size_t node) const;
 
     Network network_;
@@ -74,7 +83,9 @@ private:
     std::vector<hardware::VmeMaster*> masters_;                            ///< by attachment; null where it is none
     std::vector<hardware::DualPortedMemory*> memories_;                    ///< by attachment; null where it has none
     std::vector<Carriers> carriers_;                                       ///< by connection
-    std::vector<hardware::Router*> routers_;                               ///< by node
+    /// Of links that switches connect during the run, by node, link and whether it outputs.
+    std::map<std::tuple<std::size_t, int, bool>, hardware::SharedEngine> engines_;
+    std::vector<hardware::Router*> routers_;          ///< by node
     std::vector<hardware::RouterLink*> router_links_; ///< by connection; null where no channel travels in packets
     std::vector<std::unique_ptr<AnyChannel>> channels_;
     std::list<ProcessEnvironment> environments_;

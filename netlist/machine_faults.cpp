@@ -43,12 +43,22 @@ void Machine::strike_link(std::size_t connection, const hardware::LinkFault& fau
     fault_effects_.back().push_back(&links_[connection]->suffer(fault));
 }
 
+/// Of a link that a switch connects during the run, whatever it is connected to.
+void Machine::strike_links_at(const Fault& fault) {
+    LinkEnd end{fault.node, fault.link};
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+        const LinkConnection& wire = network_.connections[i];
+        if (i == fault.connection || (wire.at_run_time && (wire.a == end || wire.b == end)))
+            strike_link(i, of_link(fault, wire));
+    }
+}
+
 /// A device that falls silent does so at its end of each of its links.
 void Machine::make_faults() {
     for (const Fault& fault : network_.faults) {
         fault_effects_.emplace_back();
         if (fault.link >= 0) {
-            strike_link(fault.connection, of_link(fault, network_.connections[fault.connection]));
+            strike_links_at(fault);
             continue;
         }
         executives_[fault.node].suffer(fault);

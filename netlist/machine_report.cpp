@@ -33,6 +33,7 @@ RunReport Machine::run(Time limit) {
         report.buses = bus_uses();
         report.processes = process_uses();
         report.faults = fault_uses();
+        report.switches = switch_uses();
     };
     try {
         report.result = simulation_.run(limit, count_work);
@@ -85,6 +86,31 @@ std::vector<BusUse> Machine::bus_uses() const {
                                                each->time_waited(), each->longest_wait()});
         }
     return uses;
+}
+
+std::vector<SwitchUse> Machine::switch_uses() const {
+    std::vector<SwitchUse> uses;
+    for (std::size_t i = 0; i < executives_.size(); ++i)
+        if (const hardware::Crossbar* crossbar = executives_[i].crossbar; crossbar && is_set_at_run_time(network_, i))
+            uses.push_back(use_of(i, *crossbar));
+    return uses;
+}
+
+SwitchUse Machine::use_of(std::size_t node, const hardware::Crossbar& crossbar) const {
+    SwitchUse use{network_.nodes[node].name, crossbar.commands(), crossbar.connections(), {}};
+    for (const hardware::Crossbar::Loss& loss : crossbar.losses()) {
+        const hardware::FaultEffect& effect = loss.effect;
+        auto link = static_cast<std::size_t>(std::ranges::find(links_, loss.link) - links_.begin());
+        const LinkConnection& connection = network_.connections[link];
+        use.losses.push_back({link_name(network_.nodes, connection.a),
+                              link_name(network_.nodes, connection.b),
+                              effect.bytes_lost,
+                              effect.acknowledges_lost,
+                              {effect.first->at, effect.first->channel, effect.first->acknowledge, effect.first->byte},
+                              loss.output,
+                              loss.state});
+    }
+    return use;
 }
 
 std::vector<ProcessUse> Machine::process_uses() const {

@@ -64,6 +64,21 @@ struct FaultUse {
     bool had_effect() const { return first || !stopped.empty(); }
 };
 
+/// What a switch that a program sets did in the run.
+struct SwitchUse {
+    std::string name;
+    std::uint64_t commands = 0, connections = 0; ///< obeyed; made, one for each output
+    /// Of messages that it did not lead on.
+    struct Loss {
+        std::string from, to; ///< the links
+        std::uint64_t bytes = 0, acknowledges = 0;
+        FaultUse::Hit first;
+        int output;        ///< that should have led the first of them on
+        std::string state; ///< what it did then: "was connected to no input"
+    };
+    std::vector<Loss> losses;
+};
+
 /// What a run reports: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport {
     RunResult result; ///< its fingerprint covers the measurements too
@@ -73,6 +88,7 @@ struct RunReport {
     std::vector<BusUse> buses;
     std::vector<ProcessUse> processes;
     std::vector<FaultUse> faults;
+    std::vector<SwitchUse> switches; ///< that programs set
 
     /// The part of the run that took so long. None in a deadlock, which lasts for ever.
     std::optional<double> share(Time) const;

@@ -88,6 +88,7 @@ json::object device_json(const DeviceKind& kind, const std::string& name) {
         {"refusal", kind.refusal},
         {"links", word(kind.links)},
         {"runs_processes", kind.runs_processes},
+        {"logic", kind.logic},
         {"models", std::move(models)},
         {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })},
         {"without_effect", names_json(kind.kept)},

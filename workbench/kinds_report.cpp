@@ -162,14 +162,19 @@ std::string print_name(const std::string& name, const NodeType& type) {
     return carries ? fmt::format("{} ({})", name, type.preset.type) : name;
 }
 
+std::string print_what_is_placed(const DeviceKind& kind) {
+    if (kind.is_set_by_link())
+        return fmt::format("a {}, to be set during the run by the link config", kind.logic);
+    return kind.runs_processes ? "can be placed on it" : "none can be placed on it";
+}
+
 /// What nodes can be declared with by this name.
 std::string print_device(const std::string& name, const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
     std::string head = fmt::format("{}\n{}\n", painted(Paint::heading, print_name(name, type)), kind.about);
     if (!kind.refusal.empty())
         return head + fmt::format("cannot be declared: {}\n", kind.refusal);
-    return head + print_link_count(type) +
-           fmt::format("processes: {}\n", kind.runs_processes ? "can be placed on it" : "none can be placed on it") +
+    return head + print_link_count(type) + fmt::format("processes: {}\n", print_what_is_placed(kind)) +
            (kind.has_attributes() ? print_attributes(type) : "") + print_fault_kinds(kind);
 }
 

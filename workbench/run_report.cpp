@@ -173,6 +173,24 @@ std::string print_faults(const std::vector<FaultUse>& faults) {
     return out;
 }
 
+std::string print_loss(const SwitchUse::Loss& loss, const std::string& name) {
+    return fmt::format("  {} -> {}: lost {} and {}\n    first {}\n    output {} of {} {}\n", loss.from, loss.to,
+                       counted(loss.bytes, "byte"), counted(loss.acknowledges, "acknowledge"), print_hit(loss.first),
+                       loss.output, name, loss.state);
+}
+
+std::string print_switches(const std::vector<SwitchUse>& switches) {
+    std::string out;
+    for (const SwitchUse& each : switches) {
+        out +=
+            painted(Paint::heading, fmt::format("\nswitch {}", each.name)) +
+            fmt::format(": {}, {} made\n", counted(each.commands, "command"), counted(each.connections, "connection"));
+        for (const SwitchUse::Loss& loss : each.losses)
+            out += print_loss(loss, each.name);
+    }
+    return out;
+}
+
 boost::json::array texts_of(const std::vector<std::string>& texts) {
     return boost::json::array(texts.begin(), texts.end());
 }
@@ -261,6 +279,23 @@ boost::json::object json_of(const RunReport&, const FaultUse& fault) {
             {"stopped", texts_of(fault.stopped)}};
 }
 
+boost::json::object json_of(const RunReport&, const SwitchUse::Loss& loss) {
+    return {{"from", loss.from},
+            {"to", loss.to},
+            {"bytes_lost", loss.bytes},
+            {"acknowledges_lost", loss.acknowledges},
+            {"first", hit_json(loss.first)},
+            {"output", loss.output},
+            {"state", loss.state}};
+}
+
+boost::json::object json_of(const RunReport& report, const SwitchUse& use) {
+    return {{"name", use.name},
+            {"commands", use.commands},
+            {"connections", use.connections},
+            {"losses", array_of(report, use.losses)}};
+}
+
 template <class Rows>
 boost::json::array array_of(const RunReport& report, const Rows& rows) {
     boost::json::array array;
@@ -292,7 +327,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
         fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
                     to_string(report.result.time), stopped ? "; what follows is of the time until then" : "",
                     report.result.fingerprint) +
-        print_set(network) + print_faults(report.faults);
+        print_set(network) + print_faults(report.faults) + print_switches(report.switches);
     if (report.result.deadlock)
         out += (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock, while others could go on:\n") +
                report.result.deadlock->text();
@@ -320,6 +355,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["searches"] = searches_json(searches);
     if (!report.faults.empty())
         json["faults"] = array_of(report, report.faults);
+    if (!report.switches.empty())
+        json["switches"] = array_of(report, report.switches);
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     return json;

@@ -111,6 +111,11 @@ private:
         auto wire = c_.connection_at.find({attachments()[slave].node, 0});
         if (wire == c_.connection_at.end())
             return; // its link leads nowhere, as that of one which is not used
+        if (const LinkConnection& led = c_.network.connections[wire->second]; led.at_run_time)
+            return c_.reporter.error(
+                led.connected,
+                fmt::format("a program would connect the link of the adapter \"{}\" during the run", node(slave).name),
+                "an adapter leads to one processor for the whole run");
         if (std::size_t master = master_of(slave); master != nowhere)
             add_way(master, slave, wire->second);
     }

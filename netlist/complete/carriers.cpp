@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace placedpar {
 
@@ -39,6 +40,7 @@ public:
             });
         for (auto i : left)
             attempt([&] { choose(i); });
+        check_switched();
         for (auto& channel : c_.network.channels)
             channel.placement.in_packets = travels_in_packets(channel.placement.route);
     }
@@ -102,7 +104,7 @@ private:
                        "place the output on the link by which the channel leaves each processor on its way");
             for (const auto& placement : placed->second) {
                 bool first = &placement == &placed->second.front();
-                Told here{connection_placed(*end, placement, first), nowhere, placement.at};
+                Told here{connection_placed(channel, *end, placement, first), nowhere, placement.at};
                 if (!placement.where.at_edge())
                     here.begin = inputs ? other_end(here.connection, placement.where) : placement.where.node;
                 if (!inputs || told.empty() || told.back().connection != here.connection) // both ends may say the same
@@ -138,7 +140,8 @@ private:
     }
 
     /// `at_process`: the link must be one of the processor that holds the process.
-    std::size_t connection_placed(const ChannelEnd& end, const DraftPlacement& placement, bool at_process) {
+    std::size_t connection_placed(const NetworkChannel& whole, const ChannelEnd& end, const DraftPlacement& placement,
+                                  bool at_process) {
         const auto& process = c_.draft.processes[end.process];
         if (process.node == nowhere)
             throw StatementRefused{}; // reported
@@ -150,7 +153,30 @@ private:
                    fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
                                channel, node_name(placement.where.node), node_name(process.node)),
                    "", {{"the process is placed here", process.placed}});
-        return connection_at_link(channel, placement);
+        auto found = connection_at_link(channel, placement);
+        return wires_[found].at_run_time ? connection_to_partner(whole, end, placement) : found;
+    }
+
+    /// Of those that switches may make at the link, the one that leads to the channel's other process.
+    std::size_t connection_to_partner(const NetworkChannel& channel, const ChannelEnd& end,
+                                      const DraftPlacement& placement) {
+        const ChannelEnd& partner = &end == &channel.from ? channel.to : channel.from;
+        auto told = c_.draft.placements.find({partner.process, partner.port});
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < wires_.size(); ++i)
+            for (auto [here, there] : {std::pair(wires_[i].a, wires_[i].b), std::pair(wires_[i].b, wires_[i].a)})
+                if (here == placement.where && there.node == partner.node && !partner.at_edge()) {
+                    bool meant = told != c_.draft.placements.end() && told->second.front().where == there;
+                    found = found && !meant ? found : i;
+                }
+        if (!found && partner.node == nowhere)
+            throw StatementRefused{}; // reported
+        if (!found)
+            refuse(placement.at,
+                   fmt::format("the channel \"{}\" is placed on \"{}\", which no switch connects to a link of \"{}\"",
+                               channel.name, link_name(c_.draft.nodes, placement.where), node_name(partner.node)),
+                   "state the crosspoint that a program will set: connect sw.link[0] to sw.link[1];");
+        return *found;
     }
 
     std::size_t connection_to_edge(const std::string& channel, const DraftProcess& process,
@@ -214,6 +240,8 @@ private:
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<Told>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // reported
+        if (std::ranges::any_of(wires, [&](const Told& wire) { return wires_[wire.connection].at_run_time; }))
+            return route_over_switch(channel, wires);
         std::vector<RouteHop> route;
         std::set<std::size_t> passed{channel.from.node};
         for (const auto& wire : wires) {
@@ -235,6 +263,71 @@ private:
             refuse_route(channel, wires, wires.back());
         route.insert(route.end(), rest->begin(), rest->end());
         return route;
+    }
+
+    /// Such a channel leads from its sender's processor to its receiver's at once.
+    std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<Told>& wires) {
+        const auto& connection = wires_[wires.front().connection];
+        bool forwards = connection.a.node == channel.from.node && connection.b.node == channel.to.node;
+        bool backwards = connection.b.node == channel.from.node && connection.a.node == channel.to.node;
+        for (const auto& wire : wires)
+            if (wire.connection != wires.front().connection || (!forwards && !backwards))
+                refuse(wire.at,
+                       fmt::format("the channel \"{}\" is told a way by what a switch connects during the run and by "
+                                   "other wires",
+                                   channel.name),
+                       "a channel over such a switch leads from its sender's processor to its receiver's at once");
+        return {{wires.front().connection, forwards}};
+    }
+
+    /// What switches connect during the run, where no wires lead there.
+    std::optional<std::vector<RouteHop>> way_over_switch(const NetworkChannel& channel) {
+        std::optional<RouteHop> best;
+        auto between = between_.find({channel.from.node, channel.to.node});
+        if (between == between_.end())
+            return std::nullopt;
+        for (auto i : between->second)
+            if (RouteHop hop{i, wires_[i].a.node == channel.from.node};
+                wires_[i].at_run_time && (!best || load(hop) < load(*best)))
+                best = hop;
+        return best ? std::optional(std::vector{*best}) : std::nullopt;
+    }
+
+    /// A link that is connected to one partner after the other is used by one process each way, and each connection by
+    /// one channel each way.
+    void check_switched() {
+        std::map<std::tuple<std::size_t, int, bool>, const NetworkChannel*> users; // of link and direction
+        std::map<std::pair<std::size_t, bool>, const NetworkChannel*> channels;
+        for (const auto& channel : c_.network.channels) {
+            const auto& route = channel.placement.route;
+            if (route.empty() || !wires_[route.front().connection].at_run_time)
+                continue;
+            const RouteHop& hop = route.front();
+            if (auto [first, alone] = channels.try_emplace({hop.connection, hop.from_a_to_b}, &channel); !alone)
+                refuse_sharing(*first->second, channel, begin_of(hop, wires_), "two channels lead");
+            else if (const auto* other = other_user(users, begin_of(hop, wires_), true, channel))
+                refuse_sharing(*other, channel, begin_of(hop, wires_), "two processes output");
+            else if (const auto* another = other_user(users, end_of(hop, wires_), false, channel))
+                refuse_sharing(*another, channel, end_of(hop, wires_), "two processes input");
+        }
+    }
+
+    /// A channel of another process, which has the link already; null if there is none.
+    template <class Users>
+    static const NetworkChannel* other_user(Users& users, const LinkEnd& link, bool outputs,
+                                            const NetworkChannel& channel) {
+        const auto* first = users.try_emplace({link.node, link.link, outputs}, &channel).first->second;
+        bool same = outputs ? first->from.process == channel.from.process : first->to.process == channel.to.process;
+        return same ? nullptr : first;
+    }
+
+    void refuse_sharing(const NetworkChannel& first, const NetworkChannel& second, const LinkEnd& link,
+                        const char* what) {
+        c_.reporter.error(second.connected,
+                          fmt::format("{} by \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
+                                      link_name(c_.draft.nodes, link), first.name, second.name),
+                          "such a link is one process's each way, and a channel each way leads to each of its partners",
+                          {{"the other is connected here", first.connected}});
     }
 
     /// From the end of the route so far up to the wire's other end.
@@ -291,6 +384,8 @@ private:
         if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
             return; // reported, or soft
         auto route = search_.best(channel.from.node, channel.to.node);
+        if (!route)
+            route = way_over_switch(channel);
         if (!route)
             return refuse_no_route(channel);
         carry(channel, *route);

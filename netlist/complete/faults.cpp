@@ -2,9 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar {
 
 namespace {
+
+/// A piece of wire at a processor: what fails is the processor's link, whatever a switch connects it to.
+bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connection, Fault& fault) {
+    auto piece = std::ranges::find(c.draft.wires, draft.connection, &DraftWire::connection);
+    for (const LinkEnd& end : {piece->a, piece->b})
+        if (c.connection_at.contains({end.node, end.link})) {
+            fault.connection = connection;
+            fault.node = end.node;
+            fault.link = end.link;
+            return true;
+        }
+    c.reporter.error(draft.at,
+                     fmt::format("the connection \"{}\" lies between switches that a program sets",
+                                 c.draft.connections[draft.connection].name),
+                     "state the fault at a link of a processor: fault root.link[0] silent;");
+    return false;
+}
 
 /// The end of the wire that `connect` names first; the other where the first is an edge.
 bool find_named_wire(Completion& c, const DraftFault& draft, Fault& fault) {
@@ -16,6 +35,8 @@ bool find_named_wire(Completion& c, const DraftFault& draft, Fault& fault) {
         return false;
     }
     const LinkConnection& wire = c.network.connections[named->second];
+    if (wire.at_run_time)
+        return find_named_piece(c, draft, named->second, fault);
     const LinkEnd& end = wire.a.at_edge() ? wire.b : wire.a;
     fault.connection = named->second;
     fault.node = end.node;

@@ -103,6 +103,16 @@ void check_interface(Completion& c, const DraftProcess& process, const ProcessKi
             refuse_left_out(c, process, needed, kind);
 }
 
+/// On a switch nothing can be placed but the kind that is its logic.
+void check_logic(Completion& c, const DraftProcess& process) {
+    const Node& node = c.draft.nodes[process.node];
+    if (node.kind->is_set_by_link() && process.kind != node.kind->logic)
+        c.reporter.error(
+            process.placed,
+            fmt::format("\"{}\" is {}: no process can be placed on it but its own logic", node.name, node.kind->noun),
+            fmt::format("use \"{}\" for {};", node.kind->logic, process.name));
+}
+
 void take_over(ProcessInstance& process, const DraftProcess& draft) {
     process.name = draft.name;
     process.kind = draft.kind;
@@ -120,6 +130,8 @@ void complete_process(Completion& c, std::size_t index) {
     if (draft.node == nowhere)
         c.reporter.error(draft.declared, fmt::format("the process \"{}\" is placed on no processor", draft.name),
                          fmt::format("place {} on ...;", draft.name));
+    else
+        check_logic(c, draft);
     if (kind != nullptr && draft.interface)
         check_interface(c, draft, *kind);
     if (!c.kind_refused[index])

@@ -16,7 +16,8 @@ RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkC
     : nodes_(nodes), connections_(connections), load_(load), leaving_(nodes.size()) {
     for (std::size_t i = 0; i < connections.size(); ++i)
         for (RouteHop hop : {RouteHop{i, true}, RouteHop{i, false}})
-            leaving_[begin_of(hop, connections).node].push_back(hop);
+            if (!connections[i].at_run_time)
+                leaving_[begin_of(hop, connections).node].push_back(hop);
     for (auto& hops : leaving_)
         std::stable_sort(hops.begin(), hops.end(), [&](const RouteHop& x, const RouteHop& y) {
             return begin_of(x, connections).link < begin_of(y, connections).link;

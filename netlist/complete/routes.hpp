@@ -24,7 +24,8 @@ struct RouteCost {
     auto operator<=>(const RouteCost&) const = default;
 };
 
-/// The best route over wires from node to node through processors that pass channels on. The load of connection i is
+/// The best route over wires from node to node through processors that pass channels on. What switches connect during
+/// the run is none of them: a processor between could not know when it is connected. The load of connection i is
 /// load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all outlive it.
 class RouteSearch {
 public:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace placedpar {
 
@@ -11,6 +12,15 @@ namespace {
 using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
+
+/// Of each end the crosspoints, in the order of the netlist: several where a program sets the switch.
+std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWire>& crosspoints) {
+    std::map<Socket, std::vector<std::size_t>> places;
+    for (std::size_t i = 0; i < crosspoints.size(); ++i)
+        for (const auto& end : {crosspoints[i].a, crosspoints[i].b})
+            places[socket(end)].push_back(i);
+    return places;
+}
 
 /// The wires by each of their ends.
 std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
@@ -21,21 +31,26 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
-/// Follows wires through switches.
+/// Follows wires through switches. Of a switch that a program sets, every crosspoint leads on: the program decides
+/// during the run which are set.
 class Wiring {
 public:
     explicit Wiring(Completion& completion)
-        : c_(completion), done_(c_.draft.wires.size(), false), wire_at_(by_end(c_.draft.wires)),
-          crosspoint_at_(by_end(c_.draft.crosspoints)) {}
+        : c_(completion), wire_at_(by_end(c_.draft.wires)), crosspoints_at_(all_by_end(c_.draft.crosspoints)) {}
 
     void run() {
         for (std::size_t i = 0; i < c_.draft.wires.size(); ++i)
-            if (!done_[i])
-                follow(i);
+            follow(i);
     }
 
 private:
-    bool at_switch(const LinkEnd& end) const { return c_.draft.nodes[end.node].kind->links == LinkRole::crosses; }
+    static constexpr std::size_t most_ways = 100'000;
+
+    bool at_switch(const LinkEnd& end) const {
+        return c_.draft.nodes[end.node].kind->links == LinkRole::crosses && end.link != configuration_link;
+    }
+
+    bool set_at_run_time(std::size_t node) const { return wire_at_.contains({node, configuration_link}); }
 
     static LinkEnd other_end(const DraftWire& wire, const LinkEnd& end) {
         return socket(wire.a) == socket(end) ? wire.b : wire.a;
@@ -49,27 +64,56 @@ private:
         connection.a = at_switch(wire.a) ? wire.b : wire.a;
         connection.b = other_end(wire, connection.a);
         connection.connected = wire.at;
-        std::vector<std::size_t> pieces{first};
-        while (at_switch(connection.b))
-            if (!cross(connection, pieces))
-                return;
-        for (auto piece : pieces)
-            done_[piece] = true;
-        add(std::move(connection), pieces);
+        extend(std::move(connection), {first});
     }
 
-    /// Through the switch at the far end and along the wire beyond it. False where the way ends there.
-    bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces) {
+    /// Through switches up to a processor.
+    void extend(LinkConnection connection, std::vector<std::size_t> pieces) {
+        while (at_switch(connection.b)) {
+            auto crosspoints = crosspoints_at_.find(socket(connection.b));
+            if (crosspoints == crosspoints_at_.end())
+                return refuse_crosspoint(connection, connection.b);
+            if (set_at_run_time(connection.b.node))
+                return extend_by_each(connection, pieces, crosspoints->second);
+            if (!cross(connection, pieces, crosspoints->second.front()))
+                return;
+        }
+        if (pieces.front() <= pieces.back()) // else it was found from its other end
+            add(std::move(connection), pieces);
+    }
+
+    void extend_by_each(const LinkConnection& connection, const std::vector<std::size_t>& pieces,
+                        const std::vector<std::size_t>& crosspoints) {
+        for (auto crosspoint : crosspoints) {
+            auto on = connection;
+            auto pieces_on = pieces;
+            on.at_run_time = true;
+            if (ways_ == most_ways)
+                return refuse_ways(connection);
+            ++ways_;
+            if (cross(on, pieces_on, crosspoint))
+                extend(std::move(on), std::move(pieces_on));
+        }
+    }
+
+    void refuse_ways(const LinkConnection& connection) {
+        c_.reporter.error(connection.connected,
+                          fmt::format("the switches can connect links in more than {} ways", most_ways),
+                          "state only the crosspoints that a program will set");
+    }
+
+    /// Through the switch at the far end and along the wire beyond it. False where the way ends there, or comes back to
+    /// itself.
+    bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces, std::size_t crosspoint) {
         auto reached = connection.b;
-        auto crosspoint = crosspoint_at_.find(socket(reached));
-        if (crosspoint == crosspoint_at_.end())
-            return refuse_crosspoint(connection, reached);
-        auto leaves = other_end(c_.draft.crosspoints[crosspoint->second], reached);
+        auto leaves = other_end(c_.draft.crosspoints[crosspoint], reached);
         connection.crossings.push_back({reached.node, reached.link, leaves.link});
         auto next = wire_at_.find(socket(leaves));
         if (next == wire_at_.end())
             return leads_nowhere(connection, leaves, "no wire leaves the switch there",
                                  fmt::format("connect {} to ...;", link_name(c_.draft.nodes, leaves)));
+        if (std::ranges::find(pieces, next->second) != pieces.end())
+            return false;
         pieces.push_back(next->second);
         connection.b = other_end(c_.draft.wires[next->second], leaves);
         return true;
@@ -89,19 +133,19 @@ private:
     std::vector<LinkEnd> open_links(std::size_t node) const {
         std::vector<LinkEnd> open;
         for (const auto& [end, wire] : wire_at_)
-            if (end.first == node && !crosspoint_at_.contains(end))
+            if (end.first == node && end.second != configuration_link && !crosspoints_at_.contains(end))
                 open.push_back({end.first, end.second});
         return open;
     }
 
     /// Of two wires that end at the switch it is clear which crosspoint is missing, and both errors name the same.
-    bool refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
+    void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
         auto name = [&](const LinkEnd& end) { return link_name(c_.draft.nodes, end); };
-        return leads_nowhere(connection, at, "the switch sets no crosspoint for it",
-                             open.size() == 2
-                                 ? fmt::format("connect {} to {};", name(open[0]), name(open[1]))
-                                 : fmt::format("connect {} to {}.link[...];", name(at), c_.draft.nodes[at.node].name));
+        leads_nowhere(connection, at, "the switch sets no crosspoint for it",
+                      open.size() == 2
+                          ? fmt::format("connect {} to {};", name(open[0]), name(open[1]))
+                          : fmt::format("connect {} to {}.link[...];", name(at), c_.draft.nodes[at.node].name));
     }
 
     void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {
@@ -118,10 +162,27 @@ private:
                 if (!add_attributes(connection, speed, named))
                     return;
         connection.bits_per_second = speed ? *speed : speed_of_ends(connection);
+        if (connection.at_run_time)
+            for (auto piece : pieces)
+                note_piece(piece);
         for (const auto& end : {connection.a, connection.b})
             if (!end.at_edge())
                 c_.connection_at.emplace(socket(end), c_.network.connections.size());
         c_.network.connections.push_back(std::move(connection));
+    }
+
+    void note_piece(std::size_t index) {
+        if (!noted_.insert(index).second)
+            return;
+        const auto& wire = c_.draft.wires[index];
+        WirePiece piece{wire.a, wire.b, "", {}, 0};
+        if (wire.connection != nowhere) {
+            const auto& attributes = c_.draft.connections[wire.connection];
+            piece.name = attributes.name;
+            piece.bits_per_second = attributes.bits_per_second;
+            piece.metres = attributes.metres.value_or(0);
+        }
+        c_.network.pieces.push_back(std::move(piece));
     }
 
     /// Of one piece of the wire. False where its speed is another than of the pieces before it.
@@ -137,7 +198,7 @@ private:
             return false;
         }
         c_.connection_named.emplace(named, c_.network.connections.size());
-        if (connection.name.empty())
+        if (connection.name.empty() && !connection.at_run_time)
             connection.name = attributes.name;
         connection.metres += attributes.metres.value_or(0);
         bool differs = speed && attributes.bits_per_second && *speed != *attributes.bits_per_second;
@@ -149,14 +210,19 @@ private:
     }
 
     std::int64_t speed_of_ends(const LinkConnection& connection) {
-        if (connection.a.at_edge())
+        bool a_has = has_speed(connection.a), b_has = has_speed(connection.b);
+        if (!a_has && !b_has)
+            return LinkConnection{}.bits_per_second;
+        if (!a_has)
             return link_speed(connection.b);
         auto speed = link_speed(connection.a);
-        if (!connection.b.at_edge() && link_speed(connection.b) != speed)
+        if (b_has && link_speed(connection.b) != speed)
             refuse_speeds(connection);
         return speed;
     }
 
+    /// An edge and a switch's configuration link run at the speed of what they are connected to.
+    static bool has_speed(const LinkEnd& end) { return !end.at_edge() && end.link != configuration_link; }
     std::int64_t link_speed(const LinkEnd& end) const { return c_.draft.nodes[end.node].integer("linkspeed"); }
 
     void refuse_speeds(const LinkConnection& connection) {
@@ -169,8 +235,10 @@ private:
     }
 
     Completion& c_;
-    std::vector<bool> done_;
-    std::map<Socket, std::size_t> wire_at_, crosspoint_at_;
+    std::map<Socket, std::size_t> wire_at_;
+    std::map<Socket, std::vector<std::size_t>> crosspoints_at_;
+    std::set<std::size_t> noted_; ///< pieces of the network
+    std::size_t ways_ = 0;        ///< tried by crosspoints that a program sets
 };
 
 bool is_computer(const Node& node) { return node.kind->runs_processes; }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar {
 
 void Elaborator::refuse_unknown_port(const DraftProcess& process, const Reference& reference) {
@@ -54,9 +56,15 @@ void Elaborator::use_link(const LinkEnd& end, const Reference& reference, bool c
     auto [known, is_new] = used.emplace(std::pair(end.node, end.link), reference.at);
     if (is_new)
         return;
+    if (crosspoint && draft_.nodes[end.node].kind->is_set_by_link())
+        return crosspoints_again_.push_back({end, reference.at, known->second});
+    refuse_link(end, reference.at, known->second, crosspoint);
+}
+
+void Elaborator::refuse_link(const LinkEnd& end, const Location& at, const Location& first, bool crosspoint) {
     auto what = end.at_edge() ? "edge" : crosspoint ? "crosspoint" : "link";
-    refuse(reference.at, fmt::format("the {} \"{}\" is connected twice", what, link_name(draft_.nodes, end)), "",
-           {{"first connected here", known->second}});
+    refuse(at, fmt::format("the {} \"{}\" is connected twice", what, link_name(draft_.nodes, end)), "",
+           {{"first connected here", first}});
 }
 
 void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at) {
@@ -64,17 +72,34 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
         refuse(form.b.at, "two edges cannot be connected", "an edge is connected to a link of a processor");
     if (a.node == b.node && a.link == b.link)
         refuse(form.b.at, fmt::format("the link \"{}\" is connected to itself", link_name(draft_.nodes, a)));
-    bool crosspoint = a.node == b.node && draft_.nodes[a.node].kind->links == LinkRole::crosses;
+    bool config = a.link == configuration_link || b.link == configuration_link;
+    bool crosspoint = a.node == b.node && draft_.nodes[a.node].kind->links == LinkRole::crosses && !config;
+    if (config && (a.node == b.node || a.link == b.link))
+        refuse(form.b.at, "a switch is set by a processor, not by a switch", "connect root.link[3] to sw.config;");
     if (a.node == b.node && !crosspoint)
         refuse(form.b.at,
                fmt::format("two links of the same processor \"{}\" are connected", draft_.nodes[a.node].name),
                "a wire leads from one processor to another");
+    auto pair = std::minmax(a.link, b.link);
+    if (crosspoint && !crosspoints_.insert({a.node, pair.first, pair.second}).second)
+        refuse_link(a, form.a.at, used_crosspoints_.at({a.node, a.link}), true);
     use_link(a, form.a, crosspoint);
     use_link(b, form.b, crosspoint);
     if (crosspoint && form.by)
         refuse(form.by->at, "a crosspoint of a switch is no wire: it takes no connection");
     count_things(1, at);
     (crosspoint ? draft_.crosspoints : draft_.wires).push_back({a, b, connection_for(form, at), at});
+}
+
+/// A link may have several crosspoints where a wire leads to the switch's configuration link: a program sets them.
+void Elaborator::check_crosspoints() {
+    for (const auto& [end, at, first] : crosspoints_again_)
+        try {
+            if (!used_links_.contains({end.node, configuration_link}))
+                refuse_link(end, at, first, true);
+        } catch (const StatementRefused&) {
+            continue; // reported
+        }
 }
 
 void Elaborator::connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form,

@@ -24,7 +24,10 @@ void Elaborator::refuse(const Location& at, std::string message, std::string hin
     throw StatementRefused{};
 }
 
-void Elaborator::run(const Statements& statements) { execute_all(statements); }
+void Elaborator::run(const Statements& statements) {
+    execute_all(statements);
+    check_crosspoints();
+}
 
 void Elaborator::execute_all(const Statements& statements) {
     for (std::size_t i = 0; i < statements.size(); ++i) {

@@ -93,6 +93,8 @@ private:
     void connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& form, const Location& at);
     void connect_channels(DraftChannelEnd a, DraftChannelEnd b, const ConnectStatement& form, const Location& at);
     void use_link(const LinkEnd& end, const Reference& reference, bool crosspoint);
+    [[noreturn]] void refuse_link(const LinkEnd& end, const Location& at, const Location& first, bool crosspoint);
+    void check_crosspoints();
     std::size_t connection_for(const ConnectStatement& form, const Location& at);
 
     // place.cpp
@@ -145,6 +147,13 @@ private:
     Draft draft_;
     ProcessType process_defaults_; ///< of all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
+    std::set<std::tuple<std::size_t, int, int>> crosspoints_; ///< of a switch, the lower link first
+    /// Another of a link that has one.
+    struct CrosspointAgain {
+        LinkEnd end;
+        Location at, first;
+    };
+    std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;     ///< names that the network has, without subscripts
     std::map<std::string, int> copies_; ///< how often a name was claimed again

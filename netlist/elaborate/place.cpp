@@ -27,7 +27,8 @@ void Elaborator::place_process(const PlaceStatement& form) {
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
         refuse(form.where.field_at, "a process is placed on a processor, not on a link");
-    if (!node.kind->runs_processes && node.kind->links != LinkRole::edge) // there it makes the edge a workstation
+    bool takes = node.kind->runs_processes || node.kind->is_set_by_link();
+    if (!takes && node.kind->links != LinkRole::edge) // there it makes the edge a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
     if (process.node != nowhere)
         refuse_placed_twice(form, "process", process.name, process.placed);

@@ -107,6 +107,11 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
                fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
+    if (reference.field == "config" && node.kind->is_set_by_link()) {
+        if (!reference.field_subscripts.empty())
+            refuse(reference.field_subscripts[0]->at, fmt::format("\"{}.config\" has no subscripts", node.name));
+        return configuration_link;
+    }
     if (reference.field != "link")
         refuse(reference.field_at, fmt::format("a node has no \"{}\"", reference.field),
                fmt::format("its links are {}.link[0] to {}.link[{}]", node.name, node.name, links - 1));

@@ -18,15 +18,11 @@ namespace placedpar {
 
 namespace {
 
+using description::packet_bytes;
 using description::packet_count;
 using description::packet_cycles;
 using description::packets_in;
 using description::packets_out;
-
-ParameterDescription bytes() {
-    return description::integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
-                                "length of a packet on the wire");
-}
 
 Packet first_packet(const ProcessEnvironment& environment) {
     return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
@@ -130,7 +126,7 @@ ProcessKind producer_kind() {
     return {.name = "csp.producer",
             .about = "Outputs numbered packets.",
             .ports = {packets_out()},
-            .parameters = {packet_count(), bytes(), packet_cycles()},
+            .parameters = {packet_count(), packet_bytes(), packet_cycles()},
             .body = produce,
             .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
@@ -153,7 +149,7 @@ ProcessKind prefix_kind() {
     return {.name = "csp.prefix",
             .about = "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
             .ports = {packets_in(), packets_out()},
-            .parameters = {packet_count(), bytes(), packet_cycles()},
+            .parameters = {packet_count(), packet_bytes(), packet_cycles()},
             .body = prefix,
             .promela = [](const PromelaProcess& self) {
                 return self.channel("out") + " ! m;\n" + relayed(handed_on_but_the_last)(self);
@@ -185,7 +181,7 @@ ProcessKind consumer_kind() {
 
 void add_csp_kinds(Catalogue& catalogue) {
     for (auto kind : {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), successor_kind(), consumer_kind(),
-                      sender_or_fail_kind(), receiver_or_fail_kind()})
+                      sender_or_fail_kind(), receiver_or_fail_kind(), switch_logic_kind(), switch_setter_kind()})
         catalogue.add(std::move(kind));
 }
 

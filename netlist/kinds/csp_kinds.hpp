@@ -13,5 +13,8 @@ void add_csp_kinds(Catalogue&);
 /// csp_recovery.cpp: csp.producer and csp.consumer with time-outs, which survive a link that fails.
 ProcessKind sender_or_fail_kind();
 ProcessKind receiver_or_fail_kind();
+/// switch_kinds.cpp: the logic of a C004, and a producer that sets it.
+ProcessKind switch_logic_kind();
+ProcessKind switch_setter_kind();
 
 } // namespace placedpar

@@ -15,6 +15,7 @@ namespace placedpar {
 
 namespace {
 
+using description::packet_bytes;
 using description::packet_count;
 using description::packet_cycles;
 using description::packets_in;
@@ -64,11 +65,6 @@ void consume_or_fail(ProcessEnvironment& environment) {
     environment.measure("lost", static_cast<double>(last + 1 - received), "packets");
     environment.measure("resets", static_cast<double>(resets));
     environment.measure("bytes_of_pieces", static_cast<double>(bytes_of_pieces), "bytes");
-}
-
-ParameterDescription packet_bytes() {
-    return description::integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
-                                "length of a packet on the wire");
 }
 
 ParameterDescription packet_timeout(const char* about) {

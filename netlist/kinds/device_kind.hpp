@@ -18,8 +18,9 @@ namespace placedpar {
 class Executive;  // runtime/executive.hpp: executes processes
 class Simulation; // runtime/simulation.hpp: owns the devices of a run
 namespace hardware {
+class Crossbar;
 class Link;
-}
+} // namespace hardware
 
 /// What a wire finds at a device.
 enum class LinkRole {
@@ -68,13 +69,14 @@ struct DeviceModel {
 
 /// What executes the processes placed on a node.
 struct NodeExecutive {
-    Executive* executive = nullptr;  ///< null: they take no time
-    std::function<Time()> time_busy; ///< so far; empty where the executive is null
+    Executive* executive = nullptr;       ///< null: they take no time
+    std::function<Time()> time_busy = {}; ///< so far; empty where the executive is null
     /// Called with each link that ends at it, whose engines use its memory; empty where the executive is null.
     std::function<void(hardware::Link&)> has_link = {};
     std::function<Time()> memory_taken_by_links = {}; ///< so far; empty where the executive is null
     /// Called before the run with each fault of the device, of which its kind has any.
     std::function<void(const Fault&)> suffer = {};
+    hardware::Crossbar* crossbar = nullptr; ///< of a switch that can be set during the run
 };
 
 /// How a device looks in the drawing of a network.
@@ -98,7 +100,10 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {}; ///< attributes of the real tool: read and printed, not used by a simulation
     bool runs_processes = false;        ///< processes can be placed on it; it must then be connected
-    bool passes_channels_on = false;    ///< between other nodes; it then has the attribute "routecost"
+    /// Of a switch that has a link `config` by which it is set during the run: the kind of process that obeys what
+    /// comes there. One can be placed on it, and no other process.
+    std::string logic = "";
+    bool passes_channels_on = false; ///< between other nodes; it then has the attribute "routecost"
     /// Adds to the simulation what executes the processes placed on the node. Empty: they take no time.
     std::function<NodeExecutive(Simulation&, const Node&)> make_executive = {};
     BusRole bus = BusRole::none;
@@ -114,6 +119,8 @@ struct DeviceKind {
     const AttributeDescription* attribute(std::string_view name) const;
     /// Whether it asks for a bus.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
+    /// Whether a wire to its link `config` makes a program the one that sets it.
+    bool is_set_by_link() const { return !logic.empty(); }
     /// Whether attributes in parentheses may follow its name in a declaration.
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
 };

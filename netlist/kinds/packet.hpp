@@ -27,6 +27,11 @@ inline PortDescription packets_out(std::string name = "out", std::string about =
 inline ParameterDescription packet_count(std::string about = "packets that pass before it ends") {
     return integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12}, std::move(about));
 }
+/// The parameter `bytes`.
+inline ParameterDescription packet_bytes() {
+    return integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
+                   "length of a packet on the wire");
+}
 /// The parameter `cycles`: workload.
 inline ParameterDescription packet_cycles(std::string about = "workload: computation for each packet") {
     return integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12}, std::move(about));

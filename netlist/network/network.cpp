@@ -23,10 +23,18 @@ bool is_on_bus(const Network& network, std::size_t node) {
     return std::ranges::find(network.attachments, node, &BusAttachment::node) != network.attachments.end();
 }
 
+bool is_set_at_run_time(const Network& network, std::size_t node) {
+    LinkEnd config{node, configuration_link};
+    return std::ranges::any_of(network.connections,
+                               [&](const LinkConnection& each) { return each.a == config || each.b == config; });
+}
+
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end) {
     const std::string& node = nodes[end.node].name;
     if (end.link == bus_port)
         return node + ".bus[0]";
+    if (end.link == configuration_link)
+        return node + ".config";
     return end.at_edge() ? node : fmt::format("{}.link[{}]", node, end.link);
 }
 

@@ -42,6 +42,7 @@ struct LinkEnd {
     int link = -1; ///< -1 at an edge
 
     bool at_edge() const { return link < 0; }
+    bool operator==(const LinkEnd&) const = default;
 };
 
 /// A way through a crossbar switch, from a's side to b's.
@@ -52,6 +53,8 @@ struct SwitchCrossing {
 
 /// Stands for a link where the end of a way over a bus is a device's place on the bus.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
+/// Stands for a link where a wire ends at the one by which a switch is set during the run.
+inline constexpr int configuration_link = bus_port - 1;
 
 /// A device in a slot of a bus.
 struct BusAttachment {
@@ -78,8 +81,19 @@ struct LinkConnection {
     std::string name;                      ///< of the `connection` it was wired by; "" if none
     Location connected;
     std::optional<BusWay> over_bus = {}; ///< then it is no wire: a is a master, b what it reaches over the bus
+    bool at_run_time = false; ///< a switch on its way connects it during the run; others may have the same links
 
     int switches() const { return static_cast<int>(crossings.size()); }
+};
+
+/// Of the wires that a switch connects during the run, one between two sockets; several connections may share it.
+struct WirePiece {
+    LinkEnd a, b;                                ///< at least one of them at a switch
+    std::string name;                            ///< of its `connection`; "" if none
+    std::optional<std::int64_t> bits_per_second; ///< where its `connection` says so
+    double metres = 0;
+
+    bool operator==(const WirePiece&) const = default;
 };
 
 /// One entry of `interface (...)`, as the netlist declares it.
@@ -177,6 +191,7 @@ struct SetByOption {
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
+    std::vector<WirePiece> pieces;           ///< of those wires that are connected during the run
     std::vector<BusAttachment> attachments;
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
@@ -190,6 +205,9 @@ struct Network {
     /// Those of its connections that are wires.
     std::size_t count_wires() const;
 };
+
+/// Whether a wire leads to the switch's configuration link.
+bool is_set_at_run_time(const Network& network, std::size_t node);
 
 bool is_on_bus(const Network& network, std::size_t node);
 

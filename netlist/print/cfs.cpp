@@ -111,6 +111,9 @@ private:
         for (const auto& connection : n_.connections)
             if (!connection.name.empty())
                 names.push_back(connection.name);
+        for (const auto& piece : n_.pieces)
+            if (!piece.name.empty())
+                names.push_back(piece.name);
         for (const auto& attachment : n_.attachments)
             if (!attachment.name.empty())
                 names.push_back(attachment.name);
@@ -127,15 +130,16 @@ private:
 
     bool says_speed(const LinkConnection& connection) const {
         for (const auto& at : {connection.a, connection.b})
-            if (!at.at_edge() && n_.nodes[at.node].integer("linkspeed") != connection.bits_per_second)
+            if (!at.at_edge() && at.link != configuration_link &&
+                n_.nodes[at.node].integer("linkspeed") != connection.bits_per_second)
                 return true;
         return false;
     }
 
     void print_wires() {
         for (const auto& connection : n_.connections) {
-            if (connection.over_bus)
-                continue; // follows from what is attached
+            if (connection.over_bus || connection.at_run_time)
+                continue; // follows from what is attached; from the pieces
             std::vector<std::string> attributes;
             if (says_speed(connection))
                 attributes.push_back(fmt::format("linkspeed = {}", connection.bits_per_second));
@@ -154,6 +158,31 @@ private:
             }
             line("connect {} to {}{};", end(from), end(connection.b), by);
         }
+        for (const auto& piece : n_.pieces)
+            print_piece(piece);
+        print_crosspoints_to_choose();
+    }
+
+    void print_piece(const WirePiece& piece) {
+        std::vector<std::string> attributes;
+        if (piece.bits_per_second)
+            attributes.push_back(fmt::format("linkspeed = {}", *piece.bits_per_second));
+        if (piece.metres != 0)
+            attributes.push_back(fmt::format("length = {}", print_constant(piece.metres)));
+        if (!attributes.empty())
+            line("{} {};", piece.name, print_list(attributes));
+        line("connect {} to {}{};", end(piece.a), end(piece.b), piece.name.empty() ? "" : " by " + piece.name);
+    }
+
+    /// Each once, though many connections may cross it.
+    void print_crosspoints_to_choose() {
+        std::set<std::pair<std::string, std::string>> known;
+        for (const auto& connection : n_.connections)
+            for (const auto& crossing : connection.crossings) {
+                std::string in = end({crossing.node, crossing.from_link}), out = end({crossing.node, crossing.to_link});
+                if (connection.at_run_time && known.emplace(std::minmax(in, out)).second)
+                    line("connect {} to {};", in, out);
+            }
     }
 
     void print_attachments() {
@@ -341,7 +370,10 @@ private:
         }
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& connection = n_.connections[channel.placement.route.front().connection];
-        line("place {} on {};", end(inner), end(connection.a.node == inner.node ? connection.a : connection.b));
+        bool at_a = connection.a.node == inner.node;
+        line("place {} on {};", end(inner), end(at_a ? connection.a : connection.b));
+        if (connection.at_run_time)
+            line("place {} on {};", end(channel.to), end(at_a ? connection.b : connection.a));
     }
 
     bool leads_over_bus(const NetworkChannel& channel) const {

@@ -1,5 +1,6 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/buses_as_wires.hpp"
+#include "netlist/print/pieces_as_wires.hpp"
 #include "netlist/print/print.hpp"
 #include "text/utf8.hpp"
 
@@ -84,7 +85,8 @@ private:
             text_ += fmt::format("  n{} [shape=ellipse, style=dashed, color=\"#777777\", fontcolor=\"#555555\", "
                                  "label=<{}>]\n",
                                  index, as_markup(node.name));
-        if (drawing.shape == Drawing::Shape::box)
+        bool is_set = drawing.shape == Drawing::Shape::crossed_box && is_set_at_run_time(n_, index);
+        if (drawing.shape == Drawing::Shape::box || is_set)
             print_box(index, node, drawing);
     }
 
@@ -106,7 +108,9 @@ private:
                         as_markup(process.name), process.high_priority ? " <b>!</b>" : "", kind);
     }
 
-    static std::string link_label(const LinkEnd& end) { return end.at_edge() ? "" : fmt::format("{}", end.link); }
+    static std::string link_label(const LinkEnd& end) {
+        return end.at_edge() ? "" : end.link == configuration_link ? "config" : fmt::format("{}", end.link);
+    }
 
     std::vector<std::size_t> channels_carried() const {
         std::vector<std::size_t> channels(n_.connections.size(), 0);
@@ -130,7 +134,9 @@ private:
         text_ +=
             fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node, lower.node,
                         link_label(upper), link_label(lower), label.empty() ? "" : fmt::format(", label=\"{}\"", label),
-                        channels[index] == 0 ? ", style=dotted" : "",
+                        channels[index] == 0     ? ", style=dotted"
+                        : connection.at_run_time ? ", style=dashed"
+                                                 : "",
                         level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
     }
 
@@ -142,6 +148,8 @@ private:
 
 } // namespace
 
-std::string print_dot(const Network& network) { return DotPrinter(with_buses_as_wires(network)).print(); }
+std::string print_dot(const Network& network) {
+    return DotPrinter(with_buses_as_wires(with_pieces_as_wires(network))).print();
+}
 
 } // namespace placedpar

@@ -76,6 +76,8 @@ private:
         json::object object{{"node", n_.nodes[end.node].name}};
         if (end.link == bus_port)
             object["bus"] = 0;
+        else if (end.link == configuration_link)
+            object["config"] = 0;
         else if (!end.at_edge())
             object["link"] = end.link;
         return object;
@@ -105,6 +107,8 @@ private:
             {"bits_per_second", connection.bits_per_second},
             {"metres", connection.metres},
             {"crossings", list(connection.crossings, [&](const auto& each) { return crossing_object(each); })}};
+        if (connection.at_run_time)
+            object["at_run_time"] = true;
         if (connection.over_bus)
             object["over_bus"] = way_object(*connection.over_bus);
         return object;

@@ -36,7 +36,11 @@ Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const
       a_to_b_(kernel, a + " -> " + b, timing_, wire_from_a_, wire_from_b_, b_to_a_),
       b_to_a_(kernel, b + " -> " + a, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
 
-const FaultEffect& Link::suffer(const LinkFault& fault) {
+const FaultEffect& Link::suffer(const LinkFault& fault) { return faults().add(fault); }
+
+void Link::lead_through(Passage& passage) { faults().lead_through(passage); }
+
+LinkFaults& Link::faults() {
     if (!faults_) {
         faults_.emplace(timing_.bits_per_second);
         a_to_b_.suffer(*faults_, true);
@@ -44,7 +48,7 @@ const FaultEffect& Link::suffer(const LinkFault& fault) {
         wire_from_a_.watch(*this);
         wire_from_b_.watch(*this);
     }
-    return faults_->add(fault);
+    return *faults_;
 }
 
 void Link::packet_begins() {

@@ -102,6 +102,8 @@ public:
     }
     /// The speed of the link is about to change.
     void note_speed();
+    /// What leads its packets on, or loses them, is about to change.
+    void way_changes() { simulate_bytes_again(); }
 
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
@@ -256,7 +258,16 @@ public:
     /// Throws as LinkFaults::add.
     const FaultEffect& suffer(const LinkFault&);
 
+    /// Its wires lead through something that may stop their packets. REQUIRES: before the run; it outlives the run.
+    void lead_through(Passage&);
+    /// A passage is about to change.
+    void way_changes() {
+        a_to_b_.way_changes();
+        b_to_a_.way_changes();
+    }
+
 private:
+    LinkFaults& faults();
     void packet_begins() override;
 
     Kernel& kernel_;

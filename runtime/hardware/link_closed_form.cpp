@@ -49,6 +49,7 @@ void LinkDirection::simulate_bytes_again() {
         out_.occupied_until(later(start, timing_.data()));
         Time noticed = later(start, timing_.wire_delay + timing_.acknowledge_latency());
         if (noticed > now) {
+            unacknowledged_ = byte_comes_over_ = true;
             byte_noticed_.schedule(noticed);
             return;
         }

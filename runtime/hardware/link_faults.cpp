@@ -37,7 +37,10 @@ bool LinkFaults::take(const FaultEffect::Hit& packet, bool leaves_a) {
             return true;
         }
     }
-    return false;
+    auto closed = std::ranges::find_if(passages_, [&](const Passage* each) { return !each->leads_on(leaves_a); });
+    if (closed != passages_.end())
+        (*closed)->lose(packet, leaves_a);
+    return closed != passages_.end();
 }
 
 bool LinkFaults::Each::is_steady(Time now, Time last) const {
@@ -48,7 +51,9 @@ bool LinkFaults::Each::is_steady(Time now, Time last) const {
 }
 
 bool LinkFaults::are_steady(Time now, Time last) const {
-    return std::ranges::all_of(faults_, [&](const Each& each) { return each.is_steady(now, last); });
+    return std::ranges::all_of(faults_, [&](const Each& each) { return each.is_steady(now, last); }) &&
+           std::ranges::all_of(passages_,
+                               [](const Passage* each) { return each->leads_on(true) && each->leads_on(false); });
 }
 
 } // namespace placedpar::hardware

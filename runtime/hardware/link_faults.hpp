@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace placedpar::hardware {
 
@@ -38,20 +39,36 @@ struct FaultEffect {
     std::optional<Hit> first, last;
 };
 
-/// The faults of one link. They are looked up when a packet begins and need no events, so that a link suffers nothing
-/// while nobody uses it.
+/// Something on the way of a link that does not always lead its packets on, such as a switch that is set during the
+/// run. It says by Link::way_changes() that it is about to lead on what it has not, or no more what it has.
+class Passage {
+public:
+    /// Whether it leads what leaves a, or what leaves b, to the other end now.
+    virtual bool leads_on(bool leaves_a) const = 0;
+    /// The packet, which begins now, gets no further.
+    virtual void lose(const FaultEffect::Hit& packet, bool leaves_a) = 0;
+
+protected:
+    ~Passage() = default;
+};
+
+/// The faults of one link, and what it leads through. They are looked up when a packet begins and need no events, so
+/// that a link suffers nothing while nobody uses it.
 class LinkFaults {
 public:
     explicit LinkFaults(std::int64_t bits_per_second) : bits_per_second_(bits_per_second) {}
 
     /// Throws std::logic_error unless 0 <= from < until and factor >= 1. The effect is kept up to date.
     const FaultEffect& add(const LinkFault&);
+    /// REQUIRES: it outlives the run.
+    void lead_through(Passage& passage) { passages_.push_back(&passage); }
 
     /// At this moment.
     std::int64_t bits_per_second(Time now) const;
     /// Whether the byte or acknowledge that begins now is lost. Notes what the faults have done.
     bool take(const FaultEffect::Hit& packet, bool leaves_a);
-    /// Whether all packets that begin from now up to `last` get over, at the speed of now, with nothing to note.
+    /// Whether all packets that begin from now up to `last` get over, at the speed of now, with nothing to note, if
+    /// what they lead through does not change.
     bool are_steady(Time now, Time last) const;
 
 private:
@@ -66,6 +83,7 @@ private:
 
     std::int64_t bits_per_second_; ///< without faults
     std::deque<Each> faults_;      ///< their effects keep their places
+    std::vector<Passage*> passages_;
 };
 
 } // namespace placedpar::hardware

@@ -1,5 +1,6 @@
 #include "tests/netlist/small_catalogue.hpp"
 
+#include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
 
 namespace placedpar {
@@ -42,7 +43,7 @@ ProcessKind sink() {
 
 Catalogue make_catalogue() {
     Catalogue catalogue;
-    for (auto kind : {master(), slave(), pump(), sink()})
+    for (auto kind : {master(), slave(), pump(), sink(), switch_logic_kind(), switch_setter_kind()})
         catalogue.add(std::move(kind));
     return catalogue;
 }

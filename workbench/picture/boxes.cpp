@@ -72,6 +72,8 @@ private:
 
     void add_process(std::size_t index) {
         const ProcessInstance& process = n_.processes[index];
+        if (n_.nodes[process.node].kind->is_set_by_link())
+            return; // the switch's own logic: the wire to its configuration link says it
         auto name = shortened(process.name) + (process.high_priority ? " !" : "");
         auto kind = process.kind.empty() ? "no program" : shortened(process.kind);
         nodes_[process.node].processes.push_back({index, name, kind, {}, 0});

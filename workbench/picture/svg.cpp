@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/buses_as_wires.hpp"
+#include "netlist/print/pieces_as_wires.hpp"
 #include "text/counted.hpp"
 #include "text/utf8.hpp"
 #include "workbench/picture/picture.hpp"
@@ -366,7 +367,7 @@ private:
 namespace placedpar {
 
 std::string print_svg(const Network& with_buses) {
-    Network network = with_buses_as_wires(with_buses);
+    Network network = with_buses_as_wires(with_pieces_as_wires(with_buses));
     return picture::SvgPrinter(network, picture::draw(network, picture::spans_of(network)), picture::View::hardware)
         .print();
 }

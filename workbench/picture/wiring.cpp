@@ -7,7 +7,9 @@ namespace placedpar::picture {
 namespace {
 
 Span span_between(std::size_t index, const LinkEnd& from, const LinkEnd& to) {
-    auto label = [](const LinkEnd& end) { return end.at_edge() ? "" : fmt::format("{}", end.link); };
+    auto label = [](const LinkEnd& end) {
+        return end.at_edge() ? "" : end.link == configuration_link ? "config" : fmt::format("{}", end.link);
+    };
     return {index, from, to, label(from), label(to)};
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <numeric>
+#include <set>
 
 namespace placedpar {
 
@@ -29,6 +30,7 @@ Tracks::Tracks(const Network& network) {
     for (std::size_t i = 0, wires = network.count_wires(); i < wires; ++i)
         add_links(network, i);
     add_buses(network);
+    add_switches(network);
     number_as_drawn();
 }
 
@@ -47,6 +49,18 @@ void Tracks::add_buses(const Network& network) {
         if (const BusAttachment& each = network.attachments[i]; network.nodes[each.node].kind->is_master())
             add(network.nodes[each.bus].name + " <- " + network.nodes[each.node].name,
                 {each.bus, Track::Kind::bus, i + 1, {}});
+}
+
+/// The outputs of a switch that a program sets: each says what it puts out.
+void Tracks::add_switches(const Network& network) {
+    std::set<std::pair<std::size_t, int>> outputs;
+    for (const LinkConnection& connection : network.connections)
+        for (const SwitchCrossing& crossing : connection.crossings)
+            if (connection.at_run_time && is_set_at_run_time(network, crossing.node))
+                for (int link : {crossing.from_link, crossing.to_link})
+                    outputs.emplace(crossing.node, link);
+    for (auto [node, link] : outputs)
+        add(link_name(network.nodes, {node, link}), {node, Track::Kind::bus, static_cast<std::size_t>(link), {}});
 }
 
 void Tracks::number_as_drawn() {

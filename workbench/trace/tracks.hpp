@@ -58,6 +58,7 @@ private:
     std::size_t add(std::string name, Track::Place);
     void add_links(const Network&, std::size_t connection);
     void add_buses(const Network&);
+    void add_switches(const Network&);
     void number_as_drawn();
     void add_component(const Process&, const std::string& path);
     bool add_machine_process(const Process&, const std::string& path);

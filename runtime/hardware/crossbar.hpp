@@ -1,0 +1,125 @@
+#pragma once
+
+#include "runtime/executive.hpp"
+#include "runtime/hardware/link_faults.hpp"
+#include "runtime/protocol.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+namespace placedpar {
+class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
+
+class Link;
+
+/// A message to the configuration link of a C004: one to three bytes (IMS C004 data sheet).
+struct SwitchCommand {
+    enum class Kind : std::uint8_t {
+        connect_output = 0,    ///< [0][input][output]
+        connect_links = 1,     ///< [1][link][link]: both ways
+        enquire = 2,           ///< [2][output]: which input it is connected to
+        ready = 3,             ///< [3]: ends a configuration; what has been connected takes data from now on
+        reset = 4,             ///< [4]: all outputs are disconnected
+        disconnect_output = 5, ///< [5][output]
+        disconnect_links = 6   ///< [6][link][link]: their outputs
+    };
+    Kind kind = Kind::ready;
+    std::uint8_t first = 0, second = 0;
+
+    std::size_t bytes() const;
+    WireForm wire_form() const { return WireForm(bytes()); }
+};
+
+/// A byte on the configuration link: the input that an output is connected to, and the top bit set if it is.
+struct SwitchAnswer {
+    static constexpr std::uint8_t connected = 0x80;
+    std::uint8_t byte = 0;
+};
+
+/// An IMS C004: 32 outputs, each of which puts out what comes in at an input of its own choice, or nothing. Commands
+/// set it during the run; nothing is connected before. What comes in at an input that no output has chosen is lost;
+/// ours: so is what an output puts out that is for a link other than the one it leads to, and what comes between a
+/// connection and the command 3 after it. A connection that is there already stays as it is when it is made again, and
+/// while others are made.
+///
+/// It is also what executes its own logic: a process that inputs commands from the configuration link and obeys them.
+/// That takes no time, besides the link's.
+class Crossbar final : public Executive {
+public:
+    static constexpr int links = 32;
+
+    Crossbar(Kernel&, std::string name);
+
+    /// The one that executes the running process. Throws std::logic_error if that is on none.
+    static Crossbar& here();
+
+    /// Does what the command says, now. The answer is of `enquire`. Throws std::invalid_argument for a link that it
+    /// does not have, and a kind that does not exist.
+    std::optional<SwitchAnswer> obey(const SwitchCommand&);
+
+    /// Whether what comes in at the input goes out at the output.
+    bool leads(int input, int output) const;
+
+    /// From a the link comes in at one of the links, and goes on to b by the other. REQUIRES: before the run.
+    void lead_on(Link&, int at_a, int at_b);
+
+    /// What was lost at an output that did not lead on what came in for it.
+    struct Loss {
+        const Link* link;
+        FaultEffect effect;
+        int output;        ///< of the first packet
+        std::string state; ///< what the output did then: "was connected to no input"
+    };
+    /// Of each link that lost anything, in the order of lead_on().
+    std::deque<Loss> losses() const;
+    std::uint64_t commands() const { return commands_; }
+    /// Made, one for each output.
+    std::uint64_t connections() const { return connections_; }
+
+    Time tick(Priority) const override { return std::chrono::microseconds{1}; }
+    void compute(Cycles, const Grain&) override;
+    void make_ready(Process&) override;
+    void leave(Process&, Process* successor) override;
+
+private:
+    /// What an output puts out.
+    struct Choice {
+        int input = nothing;
+        bool ready = false; ///< command 3 has come
+    };
+    static constexpr int nothing = -1;
+
+    /// A link that leads through it.
+    struct Way final : Passage {
+        Way(Crossbar& c, Link& l, int a, int b) : crossbar(c), link(l), at_a(a), at_b(b), loss{&l, {}, 0, ""} {}
+        bool leads_on(bool leaves_a) const override;
+        void lose(const FaultEffect::Hit&, bool leaves_a) override;
+        int output(bool leaves_a) const { return leaves_a ? at_b : at_a; }
+        Crossbar& crossbar;
+        Link& link;
+        int at_a, at_b;
+        Loss loss;
+    };
+
+    void connect(int input, int output);
+    void disconnect(int output);
+    void make_all_ready();
+    void change(int output, const Choice&);
+    SwitchAnswer answer(int output) const;
+    std::string state_of(int output) const;
+    void trace_change(int output, const Choice& before) const;
+
+    Kernel& kernel_;
+    std::array<Choice, links> choices_{}; ///< by output
+    std::deque<Way> ways_;                ///< they keep their places
+    std::uint64_t commands_ = 0, connections_ = 0;
+};
+
+} // namespace placedpar::hardware
