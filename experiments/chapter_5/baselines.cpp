@@ -19,6 +19,9 @@ namespace {
 constexpr std::size_t searchers = 100; ///< points of a population, as the thesis's single genetic algorithm has
 /// Of an evolution strategy that keeps looking around, in lengths of the search space.
 constexpr double least_step = 0.02;
+/// What is claimed of the lag beyond least squares over the same window, in generations: of genetic algorithms, and of
+/// searches among real numbers.
+constexpr double least_lag_beyond = 10, most_lag_beyond = 5;
 /// c1 of coloured noise.
 constexpr double colour = 0.8;
 
@@ -172,6 +175,18 @@ Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vecto
     return comparison;
 }
 
+/// How much later than least squares over the same window each search follows, seed by seed.
+std::vector<Claim> claims_of(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
+    auto lag_beyond = [&](const PlantStudy& study) { return less(study.lags(), exact[1].lags()); };
+    auto claim = [&](const PlantStudy& study) { return "lag beyond least squares, " + study.islands.name; };
+    std::vector<Claim> claims;
+    for (const PlantStudy& study : {searched[0], searched[1]})
+        claims.push_back({claim(study), "generations", lag_beyond(study), least_lag_beyond, {}});
+    for (const PlantStudy& study : {searched[2], searched[3]})
+        claims.push_back({claim(study), "generations", lag_beyond(study), {}, most_lag_beyond});
+    return claims;
+}
+
 struct Weather {
     const char* name;
     PlantExperiment plant;
@@ -193,6 +208,7 @@ Replay replay_baselines(const ReplayContext& context) {
         plot.panels.push_back(pole_panel("estimates, " + std::string(weather.name), others));
         rows.insert(rows.end(), others.begin(), others.end());
         comparisons.push_back(tracks_comparison(std::string("medians, ") + weather.name, rows));
+        comparisons.push_back(claims_comparison(std::string("claims, ") + weather.name, claims_of(exact, searched)));
     }
     return replay_of(std::move(comparisons), {{"baselines", plot}});
 }

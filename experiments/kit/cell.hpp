@@ -26,6 +26,7 @@ struct Cell {
     int decimals = 2;                     ///< as printed
     /// Bounds from one side, in the cell's unit. With either of them the tolerances play no part.
     std::optional<double> at_least = {}, at_most = {};
+    std::optional<double> reference_to = {}; ///< of a claim with two bounds, which is printed only: the upper one
 
     /// How far the simulated figure is from the reference, in percent of it; 0 where both are 0. None without a
     /// reference.

@@ -13,11 +13,16 @@ namespace {
 
 using Cells = std::vector<Cell>;
 
+constexpr std::size_t least_width = 7; // of a figure
+
 struct ShownColumn {
     std::string name;
-    bool known = false, error = false; ///< whether a cell of it has one
+    /// Widths of its widest figures; 0 where no cell of it has a known one, or an error.
+    std::size_t simulated = least_width, known = 0, error = 0;
 
-    std::size_t width() const { return std::max(name.size(), std::size_t(8 + (known ? 8 : 0) + (error ? 8 : 0))); }
+    std::size_t width() const {
+        return std::max(name.size(), simulated + 1 + (known ? known + 1 : 0) + (error ? error + 1 : 0));
+    }
 };
 
 /// Adjacent rows that share their columns.
@@ -92,8 +97,16 @@ std::string print_bound(const char* sign, double bound, int decimals) {
     return sign + without_trailing_zeros(fmt::format("{:.{}f}", bound, decimals));
 }
 
+std::string print_simulated(const Cell& cell) {
+    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
+    return fmt::format("{:.{}f}", simulated, cell.decimals);
+}
+
 std::string print_known(const Cell& cell) {
-    return cell.reference ? without_trailing_zeros(fmt::format("{:.{}f}", *cell.reference, cell.decimals)) : "";
+    auto print = [&](double known) { return without_trailing_zeros(fmt::format("{:.{}f}", known, cell.decimals)); };
+    if (!cell.reference)
+        return "";
+    return print(*cell.reference) + (cell.reference_to ? "-" + print(*cell.reference_to) : "");
 }
 
 std::string print_error(const Cell& cell, const std::string& against) {
@@ -130,22 +143,32 @@ bool has_tolerances(const Table& table) {
     return std::ranges::any_of(table.rows, [](const Cells& row) { return !print_tolerances(row).empty(); });
 }
 
+/// Room for a figure that may be missing.
+void widen(std::size_t& width, const std::string& figure) {
+    if (!figure.empty())
+        width = std::max({width, figure.size(), least_width});
+}
+
 /// Finds what its columns have to show.
 Table with_what_is_shown(Table table, const std::string& against) {
     for (ShownColumn& column : table.columns)
         for (const Cells& row : table.rows)
             if (auto cell = std::ranges::find(row, column.name, &Cell::column); cell != row.end()) {
-                column.known = column.known || !print_known(*cell).empty();
-                column.error = column.error || !print_error(*cell, against).empty();
+                widen(column.simulated, print_simulated(*cell));
+                widen(column.known, print_known(*cell));
+                widen(column.error, print_error(*cell, against));
             }
     return table;
 }
 
+/// A figure, or the word above it, to the right in its width behind a space; nothing in a column without such figures.
+std::string in_width(const std::string& text, std::size_t width) {
+    return width ? fmt::format(" {:>{}}", text, width) : "";
+}
+
 std::string print_cell(const Cell& cell, const ShownColumn& column, const std::string& against) {
-    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
-    return fmt::format("{:7.{}f}", simulated, cell.decimals) +
-           (column.known ? fmt::format(" {:>7}", print_known(cell)) : "") +
-           (column.error ? fmt::format(" {:>7}", print_error(cell, against)) : "") + mark(cell);
+    return fmt::format("{:>{}}", print_simulated(cell), column.simulated) + in_width(print_known(cell), column.known) +
+           in_width(print_error(cell, against), column.error) + mark(cell);
 }
 
 std::string print_row(const Cells& row, const Table& table, const std::string& against, std::size_t width) {
@@ -165,8 +188,8 @@ std::string print_head(const Table& table, const std::string& against, std::size
     std::string names, figures;
     for (const ShownColumn& column : table.columns) {
         names += fmt::format("  {:>{}}", column.name, column.width());
-        std::string each =
-            "simulat." + (column.known ? fmt::format("{:>8}", against) : "") + (column.error ? "   error" : "");
+        std::string each = fmt::format("{:>{}}", "simulat.", column.simulated + 1) + in_width(against, column.known) +
+                           in_width("error", column.error);
         figures += fmt::format("  {:>{}}", each, column.width());
     }
     return fmt::format("\n{:<{}}{}\n{:<{}}{}{}", "", width, names, "", width, figures,

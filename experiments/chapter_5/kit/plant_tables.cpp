@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -27,12 +28,28 @@ std::string bound_of(const Claim& claim) {
     return bound;
 }
 
+/// As many as the bounds need to be printed as they are, 2 at least and 6 at most.
+int decimals_of(const Claim& claim) {
+    auto fits = [](std::optional<double> bound, int decimals) {
+        double shifted = bound.value_or(0) * std::pow(10, decimals);
+        return std::abs(shifted - std::round(shifted)) < 1e-6;
+    };
+    int decimals = 2;
+    while (decimals < 6 && !(fits(claim.at_least, decimals) && fits(claim.at_most, decimals)))
+        ++decimals;
+    return decimals;
+}
+
 void add_interval(Comparison& comparison, const Claim& claim) {
     Interval interval = median_interval(claim.values);
-    comparison.add(
-        cell_of(claim.text, "median", claim.unit, claim.bound(), identification::median(claim.values), {}, 2));
-    comparison.add(plain_cell(claim.text, "95 % from", claim.unit, interval.low, 2));
-    comparison.add(plain_cell(claim.text, "to", claim.unit, interval.high, 2));
+    int decimals = decimals_of(claim);
+    Cell median =
+        cell_of(claim.text, "median", claim.unit, claim.bound(), identification::median(claim.values), {}, decimals);
+    if (claim.at_least && claim.at_most)
+        median.reference_to = claim.at_most;
+    comparison.add(median);
+    comparison.add(plain_cell(claim.text, "95 % from", claim.unit, interval.low, decimals));
+    comparison.add(plain_cell(claim.text, "to", claim.unit, interval.high, decimals));
 }
 
 struct TrackColumn {

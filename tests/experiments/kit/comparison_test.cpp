@@ -116,3 +116,15 @@ TEST_CASE("a claim is a bound: beside it there is no error in percent, but the b
                                           "      simulat.   error\n"
                                           "x        0.02 <= 0.01!\n");
 }
+
+TEST_CASE("a claim of two bounds shows both, and what is wide pushes no other column out of its place") {
+    Comparison comparison{.name = "name", .against = "claim"};
+    comparison.cells = {cell("x", "a", "", 0.67, 1), cell("x", "b", "", {}, 2), cell("y", "a", "", {}, -1234.5),
+                        cell("y", "b", "", 3, 3, 0.25)};
+    comparison.cells.front().reference_to = 0.99;
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                        a                         b\n"
+                                          "       simulat.     claim  simulat.   claim   error  tolerance\n"
+                                          "x         1.00 0.67-0.99      2.00\n"
+                                          "y     -1234.50                3.00       3       0   0.25\n");
+}
