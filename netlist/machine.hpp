@@ -54,6 +54,7 @@ private:
     hardware::Lane lane(std::size_t connection, bool from_a_to_b) const;
     void make_faults();
     void strike_links_at(const Fault&);
+    void hog(const Fault&);
     void strike_link(std::size_t connection, const hardware::LinkFault&);
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
@@ -79,6 +80,7 @@ private:
     std::vector<NodeExecutive> executives_;                                ///< by node
     std::vector<hardware::Link*> links_;                                   ///< by connection; null for ways over a bus
     std::vector<std::vector<const hardware::FaultEffect*>> fault_effects_; ///< by fault, of each link it strikes
+    std::vector<hardware::VmeMaster*> hogs_;                               ///< by fault; null where it is of no bus
     std::vector<hardware::VmeBus*> buses_;                                 ///< by node; null where it is none
     std::vector<hardware::VmeMaster*> masters_;                            ///< by attachment; null where it is none
     std::vector<hardware::DualPortedMemory*> memories_;                    ///< by attachment; null where it has none

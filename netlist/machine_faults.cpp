@@ -1,5 +1,8 @@
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/machine.hpp"
+#include "runtime/timer.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -53,12 +56,35 @@ void Machine::strike_links_at(const Fault& fault) {
     }
 }
 
+/// A master that none of the netlist's is: it asks when the fault begins, and lets go when it ends.
+void Machine::hog(const Fault& fault) {
+    std::size_t others = 0;
+    for (const hardware::VmeMaster* each : hogs_)
+        others += each && &each->bus() == buses_[fault.node];
+    hardware::VmePlace place{static_cast<int>(fault.integer("level")), free_slot(network_, fault.node, others)};
+    auto& master = simulation_.add<hardware::VmeMaster>(fmt::format("slot {}", place.slot), *buses_[fault.node], place);
+    hogs_.back() = &master;
+    Time from = begin_of(fault), until = end_of(fault);
+    simulation_
+        .process(print_fault(fault, network_.nodes),
+                 [&master, from, until] {
+                     wait_until(from);
+                     master.hold_until(until);
+                 })
+        .serve_machine();
+}
+
 /// A device that falls silent does so at its end of each of its links.
 void Machine::make_faults() {
     for (const Fault& fault : network_.faults) {
         fault_effects_.emplace_back();
+        hogs_.push_back(nullptr);
         if (fault.link >= 0) {
             strike_links_at(fault);
+            continue;
+        }
+        if (buses_[fault.node]) {
+            hog(fault);
             continue;
         }
         executives_[fault.node].suffer(fault);
@@ -91,6 +117,8 @@ std::vector<FaultUse> Machine::fault_uses() const {
         use.fault = print_fault(fault, network_.nodes);
         for (const hardware::FaultEffect* effect : fault_effects_[i])
             add_effect(use, *effect);
+        if (const hardware::VmeMaster* master = hogs_[i]; master && master->grants() > 0)
+            use.held_since = begin_of(fault) + master->time_waited();
         if (fault.link < 0)
             use.stopped = stopped_on(fault.node);
     }

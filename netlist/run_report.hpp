@@ -60,8 +60,9 @@ struct FaultUse {
     };
     std::optional<Hit> first, last;   ///< that it struck, and that it lost
     std::vector<std::string> stopped; ///< processes that were not at their end when their processor halted
+    std::optional<Time> held_since;   ///< when a bus was granted to the master that hogs it
 
-    bool had_effect() const { return first || !stopped.empty(); }
+    bool had_effect() const { return first || held_since || !stopped.empty(); }
 };
 
 /// What a switch that a program sets did in the run.

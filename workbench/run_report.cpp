@@ -157,6 +157,8 @@ std::string print_effect(const FaultUse& fault) {
                                    counted(fault.acknowledges_lost, "acknowledge")));
     if (!fault.stopped.empty())
         said.push_back(fmt::format("stopped {}", fmt::join(fault.stopped, ", ")));
+    if (fault.held_since)
+        said.push_back(fmt::format("had the bus from {} on", to_string(*fault.held_since)));
     std::string out = said.empty() ? fault.had_effect() ? "slowed messages down" : "had no effect"
                                    : fmt::format("{}", fmt::join(said, "; "));
     if (fault.first)
@@ -276,7 +278,8 @@ boost::json::object json_of(const RunReport&, const FaultUse& fault) {
             {"acknowledges_lost", fault.acknowledges_lost},
             {"first", hit_json(fault.first)},
             {"last_lost", hit_json(fault.last)},
-            {"stopped", texts_of(fault.stopped)}};
+            {"stopped", texts_of(fault.stopped)},
+            {"held_since_ps", fault.held_since ? boost::json::value(fault.held_since->count()) : nullptr}};
 }
 
 boost::json::object json_of(const RunReport&, const SwitchUse::Loss& loss) {

@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_ways = 100'000;
+    static constexpr std::size_t most_ways = 20'000;
 
     bool at_switch(const LinkEnd& end) const {
         return c_.draft.nodes[end.node].kind->links == LinkRole::crosses && end.link != configuration_link;

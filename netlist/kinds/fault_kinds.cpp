@@ -37,6 +37,11 @@ AttributeDescription moment(const char* name, const char* about) {
 AttributeDescription fault_begins() { return moment("from", "when it begins; a time is written 20ms"); }
 AttributeDescription fault_ends() { return moment("until", "when it is over; 0: never"); }
 
+AttributeDescription fault_must_end() {
+    return {.value = integer("until", {.unit = "ns", .least = 1, .most = longest}, "when it is over"),
+            .decimal_suffixes = true};
+}
+
 const std::vector<FaultKind>& link_faults() {
     static const std::vector<FaultKind> kinds{
         {.name = "silent",

@@ -13,6 +13,8 @@ const std::vector<FaultKind>& link_faults();
 /// The attribute `from` of every fault, and `until` of one that passes; 0 stands for ever.
 AttributeDescription fault_begins();
 AttributeDescription fault_ends();
+/// The attribute `until` of one that must pass.
+AttributeDescription fault_must_end();
 
 /// The moments that those say.
 Time begin_of(const Fault&);

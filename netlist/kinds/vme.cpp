@@ -1,5 +1,6 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "runtime/hardware/vme_bus.hpp"
 #include "runtime/simulation.hpp"
 
@@ -23,6 +24,10 @@ std::vector<AttributeDescription> bus_attributes() {
             nanoseconds_of("bytecycle", 310, 1, "of an access to a register"),
             nanoseconds_of("grant", 200, 0, "from a request or a release to the grant"),
             nanoseconds_of("timeout", 125'000, 1, "until a bus error where nobody answers")};
+}
+
+AttributeDescription request_level() {
+    return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "of its request")};
 }
 
 hardware::Arbitration arbitration_of(const Node& node) {
@@ -54,6 +59,9 @@ DeviceKind vme() {
             .attributes = bus_attributes(),
             .bus = BusRole::is_bus,
             .make_bus = make_vme,
+            .faults = {{.name = "hogged",
+                        .about = "another master asks for the bus and does not let go of it",
+                        .attributes = {fault_begins(), fault_must_end(), request_level()}}},
             .drawing = {.frame = "#8a4b2b", .heading = "#f6dccb", .legend = "bus"}};
 }
 

@@ -113,8 +113,10 @@ void VmeBus::grant(VmeMaster& master) {
 
 /// The first of the holder's blocks, as far as it can.
 void VmeBus::move_block() {
-    const VmeMaster::Block& block = *holder_->blocks_.front();
+    VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();
+    if (block.until > block_began_)
+        block.each = block.until - block_began_;
     end_block_after(must_yield() ? 1 : block.words);
     if (TraceSink* trace = kernel_.trace())
         trace->occupied(name_, holder_->name(), block_began_);
@@ -167,6 +169,8 @@ void VmeMaster::access_byte(const BusSlave& slave) {
 
 void VmeMaster::hold(Time how_long) { move(1, how_long); }
 
+void VmeMaster::hold_until(Time end) { move(1, Time{1}, end); }
+
 void VmeMaster::require_answer(const BusSlave& slave) {
     if (slave.answers())
         return;
@@ -176,10 +180,10 @@ void VmeMaster::require_answer(const BusSlave& slave) {
                                bus_.name(), to_string(bus_.timing().time_out)));
 }
 
-void VmeMaster::move(std::uint64_t words, Time each) {
+void VmeMaster::move(std::uint64_t words, Time each, Time until) {
     kernel_.throw_if_unwinding();
     Process& self = kernel_.running();
-    Block block{self, words, each};
+    Block block{self, words, each, until};
     blocks_.push_back(&block);
     if (bus_.holder_ != this && !asks_)
         ask();

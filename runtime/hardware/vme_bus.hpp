@@ -151,6 +151,8 @@ public:
     void access_byte(const BusSlave&);
     /// It holds the bus for so long in one cycle that cannot be left, as a device that does not let go.
     void hold(Time);
+    /// The same until a moment, whenever the bus is granted; if that is later, for no time worth speaking of.
+    void hold_until(Time);
 
     std::uint64_t words_moved() const { return words_moved_; }
     std::uint64_t bytes_accessed() const { return bytes_accessed_; }
@@ -168,9 +170,10 @@ private:
         Process& process;
         std::uint64_t words;
         Time each;
+        Time until{}; ///< of a word that ends then, if that is to come
         bool done = false;
     };
-    void move(std::uint64_t words, Time each);
+    void move(std::uint64_t words, Time each, Time until = {});
     void require_answer(const BusSlave&);
     void ask();
     void granted();

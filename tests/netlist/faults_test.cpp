@@ -158,3 +158,59 @@ TEST_CASE("a stream with time-outs survives what a stream without does not, and 
     CHECK(sound.measured("c", "received") == 100);
     CHECK(sound.measured("p", "given_up") == 0);
 }
+
+namespace {
+
+/// Two bus masters, of which one writes to the other, and what else is said.
+std::string bus_of_two(const std::string& more, const std::string& arbiter = "PRI") {
+    return "VME (arbiter = \"" + arbiter + R"(") vme; BBKV2 a, b; connect a.bus[0] to vme.slot[1];
+        connect b.bus[0] to vme.slot[21];
+        process (interface (output out)) p; process (interface (input in)) c;
+        use "csp.producer" for p; use "csp.consumer" for c; p (count = 20, bytes = 400); c (count = 20);
+        connect p.out to c.in; place p on a; place c on b;)" +
+           more;
+}
+
+RunReport run_on_bus(const std::string& more) { return Machine(network_of_stream(bus_of_two(more)), csp(), 1).run(); }
+
+} // namespace
+
+TEST_CASE("a bus that another master hogs is waited for, from its grant to its end, and the report says since when") {
+    RunReport free = run_on_bus("");
+    RunReport hogged = run_on_bus("fault vme hogged (from = 100us, until = 5ms);");
+    CHECK(hogged.result.ending == Ending::completed);
+    REQUIRE(hogged.faults.size() == 1);
+    CHECK(hogged.faults[0].fault == "vme hogged (from = 100us, until = 5ms)");
+    REQUIRE(hogged.faults[0].held_since);
+    Time since = *hogged.faults[0].held_since, end = std::chrono::milliseconds{5};
+    CHECK(since > std::chrono::microseconds{100});
+    CHECK(since < std::chrono::microseconds{150}); // a block of 100 words that is under way
+    CHECK(hogged.result.time > free.result.time + (end - since) - std::chrono::microseconds{150});
+    CHECK(hogged.result.time < free.result.time + (end - since) + std::chrono::microseconds{2});
+    REQUIRE(hogged.buses[0].masters.size() == 3);
+    CHECK(hogged.buses[0].masters[2].name == "slot 20");
+    CHECK(hogged.buses[0].masters[2].grants == 1);
+    CHECK(hogged.buses[0].masters[0].longest_wait > Time{end - since} - std::chrono::microseconds{150});
+    CHECK(run_on_bus("fault vme hogged (from = 1s, until = 2s);").faults[0].had_effect() == false);
+}
+
+TEST_CASE("two hogs stand in two slots, and what is printed of one loads again") {
+    Network network = network_of_stream(
+        bus_of_two("fault vme hogged (until = 1ms, level = 0); fault vme hogged (from = 2ms, until = 3ms);"));
+    Network again = network_of_stream(print_cfs(network));
+    CHECK(again.hash == network.hash);
+    CHECK(print_fault(network.faults[0], network.nodes) == "vme hogged (until = 1ms, level = 0)");
+    RunReport report = Machine(network, csp(), 1).run();
+    CHECK(report.buses[0].masters.size() == 4);
+    CHECK(report.faults[0].held_since);
+    CHECK(report.faults[1].held_since);
+    auto refused = [](const std::string& text) { return render(read_netlist_text(text, csp())); };
+    CHECK(refused(bus_of_two("fault vme hogged (until = 1ms, level = 2);", "SGL"))
+              .find("\"vme\" has the arbiter SGL: there is only level 3") != std::string::npos);
+    CHECK(refused(bus_of_two("fault vme hogged;")).find("needs the attribute \"until\"") != std::string::npos);
+    CHECK(refused(bus_of_two("fault vme hogged (from = 2ms, until = 1ms);")).find("over before it begins") !=
+          std::string::npos);
+    CHECK(refused(bus_of_two("fault vme halts;")).find("a bus has no fault \"halts\"") != std::string::npos);
+    CHECK(refused(bus_of_two("rep i = 0 for 20 fault vme hogged (until = 1ms);")).find("no slot of \"vme\" is free") !=
+          std::string::npos);
+}
