@@ -3,6 +3,7 @@
 #include "gaprocs/active_error_analysis.hpp"
 #include "gaprocs/processes/analyst_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/peers.hpp"
 #include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/window.hpp"
 #include "netlist/kinds/description.hpp"
@@ -28,16 +29,16 @@ using namespace search_description;
 struct AnalysedIsland {
     std::string name;
     std::size_t window;
-    Input<IslandReport> reports;
+    Input<EstimateMessage> reports;
 };
 
 std::vector<AnalysedIsland> islands_of(const ProcessEnvironment& environment) {
     std::vector<AnalysedIsland> islands;
-    for (const auto& [port, process] : reporters_to(environment.network(), environment.index())) {
+    for (const auto& [port, process] : peers_at(environment.network(), environment.index(), "from_islands")) {
         const ProcessInstance& island = environment.network().processes[process];
         islands.push_back({island.name,
                            static_cast<std::size_t>(std::get<std::int64_t>(island.parameters.at("window"))),
-                           environment.input<IslandReport>(port)});
+                           environment.input<EstimateMessage>(port)});
     }
     return islands;
 }
@@ -72,8 +73,8 @@ public:
 
 private:
     /// Of every island, at once.
-    std::vector<IslandReport> receive_reports() {
-        std::vector<IslandReport> reports(islands_.size());
+    std::vector<EstimateMessage> receive_reports() {
+        std::vector<EstimateMessage> reports(islands_.size());
         par_for(reports.size(), [&](std::size_t i) { reports[i] = islands_[i].reports.input(); });
         return reports;
     }
@@ -99,10 +100,10 @@ private:
         return islands_.size() * of_each;
     }
 
-    void analyse(const std::vector<IslandReport>& reports) {
+    void analyse(const std::vector<EstimateMessage>& reports) {
         compute(static_cast<std::int64_t>(errors_to_find()) * Cycles{environment_.integer("cycles_per_error")});
         std::vector<Individual> bests;
-        std::ranges::transform(reports, std::back_inserter(bests), &IslandReport::best);
+        std::ranges::transform(reports, std::back_inserter(bests), &EstimateMessage::best);
         analysis_.analyse(bests, samples_.samples());
         ++answers_;
         if (observer_)
@@ -139,7 +140,7 @@ private:
 /// The problem is the islands', in their coding, which check_analyst() and check_island() found to be one.
 void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
     const Network& network = environment.network();
-    std::size_t first = reporters_to(network, environment.index()).front().process;
+    std::size_t first = peers_at(network, environment.index(), "from_islands").front().process;
     auto text = [&](const char* parameter) {
         return std::get<std::string>(network.processes[first].parameters.at(parameter));
     };
@@ -151,24 +152,23 @@ void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problem
 
 ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observer) {
     using namespace description;
-    return {.name = "ga.analyst",
-            .about =
-                "Active error analysis (thesis 5.3.2) of islands that have different windows: each time they have "
-                "exchanged, it chooses whose best is the answer of all, and holds it until the next time. It changes "
-                "nothing on the islands.",
-            .ports = {from_host(),
-                      input<IslandReport>("from_islands", "island report", "an array: one end for each island")},
-            .parameters = {policy<IslandChoice>("choice", "row",
-                                                "whose best is the answer; islands in the order of "
-                                                "from_islands"),
-                           cycles_per_error()},
-            .measurements = {{"answers", "", "how often it has chosen: from the first full window of every island on"},
-                             {"chosen", "", "the island whose best is the answer at the end"},
-                             {"the problem's parameters", "", "as decoded from that best"}},
-            .body = [&problems,
-                     observer](ProcessEnvironment& environment) { run_analyst(environment, problems, observer); },
-            .check = [&problems](const Network& network,
-                                 std::size_t process) { return check_analyst(network, process, problems); }};
+    return {
+        .name = "ga.analyst",
+        .about = "Active error analysis (thesis 5.3.2) of islands that have different windows: each time they have "
+                 "exchanged, it chooses whose best is the answer of all, and holds it until the next time. It changes "
+                 "nothing on the islands.",
+        .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
+        .parameters = {policy<IslandChoice>("choice", "row",
+                                            "whose best is the answer; islands in the order of "
+                                            "from_islands"),
+                       cycles_per_error()},
+        .measurements = {{"answers", "", "how often it has chosen: from the first full window of every island on"},
+                         {"chosen", "", "the island whose best is the answer at the end"},
+                         {"the problem's parameters", "", "as decoded from that best"}},
+        .body = [&problems,
+                 observer](ProcessEnvironment& environment) { run_analyst(environment, problems, observer); },
+        .check = [&problems](const Network& network,
+                             std::size_t process) { return check_analyst(network, process, problems); }};
 }
 
 } // namespace placedpar

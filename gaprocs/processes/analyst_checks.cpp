@@ -4,8 +4,7 @@
 #include "gaprocs/processes/archipelago.hpp"
 #include "gaprocs/processes/island_run.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
-#include "gaprocs/processes/slave_tree.hpp"
-#include "netlist/network/names.hpp"
+#include "gaprocs/processes/peers.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +21,8 @@ namespace {
 class AnalystCheck {
 public:
     AnalystCheck(const Network& network, std::size_t analyst, const ProblemRegistry& problems)
-        : network_(network), analyst_(analyst), problems_(problems), reporters_(reporters_to(network, analyst)) {}
+        : network_(network), analyst_(analyst), problems_(problems),
+          reporters_(peers_at(network, analyst, "from_islands")) {}
 
     std::vector<Complaint> run() {
         check_islands();
@@ -77,7 +77,7 @@ private:
     /// REQUIRES: every from_host is connected, as ports must be that are not optional.
     void check_host() {
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
-        for (const Reporter& each : reporters_)
+        for (const Peer& each : reporters_)
             if (host(each.process) != host(analyst_))
                 return refuse("from_host", fmt::format("the samples of \"{}\" come from another process than those of "
                                                        "\"{}\"",
@@ -95,7 +95,7 @@ private:
 
     std::size_t longest_window() const {
         std::int64_t longest = 0;
-        for (const Reporter& each : reporters_)
+        for (const Peer& each : reporters_)
             longest = std::max(longest, std::get<std::int64_t>(instance(each.process).parameters.at("window")));
         return static_cast<std::size_t>(longest);
     }
@@ -121,19 +121,11 @@ private:
     const Network& network_;
     std::size_t analyst_;
     const ProblemRegistry& problems_;
-    std::vector<Reporter> reporters_;
+    std::vector<Peer> reporters_;
     std::vector<Complaint> complaints_;
 };
 
 } // namespace
-
-std::vector<Reporter> reporters_to(const Network& network, std::size_t analyst) {
-    std::vector<Reporter> reporters;
-    for (const PortBinding& binding : network.processes[analyst].ports)
-        if (base_name(binding.port) == "from_islands")
-            reporters.push_back({binding.port, network.channels[binding.channel].from.process});
-    return reporters;
-}
 
 std::vector<Complaint> check_analyst(const Network& network, std::size_t process, const ProblemRegistry& problems) {
     return AnalystCheck(network, process, problems).run();

@@ -5,7 +5,6 @@
 #include "netlist/network/network.hpp"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace placedpar {
@@ -15,13 +14,5 @@ namespace placedpar {
 /// from another host than the islands', a choice of an island that there is not. Warns where it would never answer.
 /// REQUIRES: ports that must be connected are: the reader refuses a netlist where they are not, before it asks here.
 std::vector<Complaint> check_analyst(const Network&, std::size_t process, const ProblemRegistry&);
-
-/// A process that reports to an analyst.
-struct Reporter {
-    std::string port;    ///< of the analyst
-    std::size_t process; ///< nowhere: an edge
-};
-/// In the order of the subscripts of from_islands.
-std::vector<Reporter> reporters_to(const Network&, std::size_t analyst);
 
 } // namespace placedpar

@@ -1,7 +1,9 @@
 #include "gaprocs/processes/kinds.hpp"
 
+#include "gaprocs/processes/estimates.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
+#include "gaprocs/processes/peers.hpp"
 #include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/description.hpp"
@@ -33,23 +35,45 @@ std::vector<Sample> samples_of(const ProcessEnvironment& environment, const Reco
     return {first, first + static_cast<std::ptrdiff_t>(samples_to_send(environment, recorded.samples()))};
 }
 
-/// The host sends each sample to every master, as fast as they take them.
-void run_host(ProcessEnvironment& environment, const ProblemRegistry& problems) {
-    const RecordedProblem& recorded = problems.find(environment.text("problem"));
-    std::vector<Sample> samples = samples_of(environment, recorded);
-    auto masters = environment.outputs<HostMessage>("to_masters");
-    par_for(masters.size(), [&](std::size_t m) {
+/// The host sends each sample to every master, as fast as they take them, and takes every estimate that comes back.
+class Host {
+public:
+    Host(ProcessEnvironment& environment, const ProblemRegistry& problems)
+        : recorded_(problems.find(environment.text("problem"))), samples_(samples_of(environment, recorded_)),
+          bytes_(recorded_.problem()->channels() == 0
+                     ? 0
+                     : static_cast<std::uint32_t>(environment.integer("sample_bytes"))),
+          to_masters_(environment.outputs<HostMessage>("to_masters")),
+          masters_(peers_at(environment.network(), environment.index(), "to_masters")),
+          estimates_(environment, problems) {}
+
+    void run() {
+        std::size_t masters = to_masters_.size();
+        par_for(masters + estimates_.searches(),
+                [&](std::size_t i) { i < masters ? send(i) : estimates_.receive(i - masters); });
+        estimates_.report();
+    }
+
+private:
+    void send(std::size_t master) {
         HostMessage message;
-        message.bytes =
-            recorded.problem()->channels() == 0 ? 0 : static_cast<std::uint32_t>(environment.integer("sample_bytes"));
-        for (const Sample& sample : samples) {
+        message.bytes = bytes_;
+        for (const Sample& sample : samples_) {
             message.sample = sample;
-            masters[m].output(message);
+            to_masters_[master].output(message);
+            estimates_.note_taken(masters_[master].process);
         }
         message.end = true;
-        masters[m].output(message);
-    });
-}
+        to_masters_[master].output(message);
+    }
+
+    const RecordedProblem& recorded_;
+    std::vector<Sample> samples_;
+    std::uint32_t bytes_;
+    std::vector<Output<HostMessage>> to_masters_;
+    std::vector<Peer> masters_;
+    Estimates estimates_;
+};
 
 } // namespace
 
@@ -58,8 +82,10 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
     using namespace description;
     return {.name = "ga.host",
             .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
-                     "they take it.",
-            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master")},
+                     "they take it, and takes the estimates that come back.",
+            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
+                      optional(input<EstimateMessage>("from_masters", "estimate",
+                                                      "an array: one end for each master whose estimates come back"))},
             .parameters = {problem(),
                            integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
                                    "how many samples of the record are sent; 0: all"),
@@ -67,7 +93,13 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                                    "how long a problem without a record is searched; each is asked for by an empty "
                                    "sample"),
                            bytes_in_message("sample_bytes", 16, "a sample in a message")},
-            .body = [&problems](ProcessEnvironment& environment) { run_host(environment, problems); },
+            .measurements = {{"estimates", "", "how many came back"},
+                             {"response", "ms",
+                              "from when a master had taken a sample until its estimate of it had come: the mean"},
+                             {"longest_response", "ms", "the longest of these"},
+                             {"best_of", "", "the master whose last estimate is the fittest"},
+                             {"the problem's parameters", "", "as decoded from that estimate"}},
+            .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
             .check = [&problems](const Network& network,
                                  std::size_t process) { return check_host(network, process, problems); }};
 }

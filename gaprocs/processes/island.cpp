@@ -50,8 +50,8 @@ PortDescription from_neighbours() {
 
 PortDescription to_analyst() {
     using namespace description;
-    return optional(output<IslandReport>(
-        "to_analyst", "island report", "its best, after every generation in which the schedule has islands exchange"));
+    return optional(output<EstimateMessage>(
+        "to_analyst", "estimate", "its best, after every generation in which the schedule has islands exchange"));
 }
 
 ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {
@@ -71,7 +71,8 @@ ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver* observe
         searching({.name = "ga.island",
                    .about = "An island of algorithm B: a genetic algorithm of its own that exchanges individuals with "
                             "its neighbours. With slaves it is a master as well (A + B).",
-                   .ports = {to_neighbours(), from_neighbours(), from_host(), to_slaves(), from_slaves(), to_analyst()},
+                   .ports = {to_neighbours(), from_neighbours(), from_host(), to_host(), to_slaves(), from_slaves(),
+                             to_analyst()},
                    .parameters = search_parameters() + farm_parameters() + exchange_parameters(),
                    .measurements = search_measurements(),
                    .together = {{"to_slaves", "from_slaves"}}},

@@ -2,7 +2,7 @@
 
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/parameters.hpp"
-#include "gaprocs/processes/slave_tree.hpp"
+#include "gaprocs/processes/peers.hpp"
 
 #include <algorithm>
 #include <cstdint>

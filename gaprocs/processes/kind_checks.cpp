@@ -2,6 +2,7 @@
 
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/processes/peers.hpp"
 #include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/processes/slave_tree.hpp"
 #include "gaprocs/usual_settings.hpp"
@@ -35,6 +36,7 @@ public:
     }
 
     void host() {
+        check_estimates();
         if (!recorded_)
             return;
         if (has_objective())
@@ -177,6 +179,18 @@ private:
                                    "and has no record of measurements",
                                    parameter, text("problem")),
                        hint);
+    }
+
+    /// An estimate is of a sample, and its host knows when that was taken.
+    void check_estimates() {
+        for (const Peer& search : peers_at(network_, process_, "from_masters")) {
+            auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
+            if (!host || host->process != process_)
+                refuse(search.port,
+                       fmt::format("\"{}.{}\" brings estimates of a process that is not sent its samples from here",
+                                   name(process_), search.port),
+                       fmt::format("connect {}.to_masters[...] to the same process's from_host", name(process_)));
+        }
     }
 
     void refuse_generations() {

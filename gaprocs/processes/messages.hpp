@@ -70,9 +70,10 @@ struct Emigrants : Parcel {
     std::vector<Individual> individuals;
 };
 
-/// From an island to the analyst of all: its best, each time that it exchanges.
-struct IslandReport : Parcel {
-    bool end = false; ///< the island has ended
+/// From a search to its host, after the generations of each sample, and from an island to the analyst of all, each time
+/// that it exchanges.
+struct EstimateMessage : Parcel {
+    bool end = false; ///< the search has ended
     std::uint64_t generation = 0;
     std::size_t samples = 0; ///< that it has been sent until then
     Individual best;

@@ -2,7 +2,7 @@
 
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/parameters.hpp"
-#include "gaprocs/processes/slave_tree.hpp"
+#include "gaprocs/processes/peers.hpp"
 #include "gaprocs/recoded_problem.hpp"
 #include "text/user_error.hpp"
 

@@ -134,6 +134,12 @@ PortDescription from_host() {
     return description::input<HostMessage>("from_host", "host message", "the samples of the record");
 }
 
+PortDescription to_host() {
+    return description::optional(description::output<EstimateMessage>(
+        "to_host", "estimate",
+        "its best, after the generations of each sample; to the host that sends it the samples"));
+}
+
 Parameters farm_parameters() {
     using namespace description;
     return {

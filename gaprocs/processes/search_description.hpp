@@ -57,6 +57,7 @@ ParameterDescription bytes_in_message(std::string name, std::int64_t by_default,
 Parameters search_parameters();
 std::vector<MeasurementDescription> search_measurements();
 PortDescription from_host();
+PortDescription to_host();
 
 /// Of every master.
 Parameters farm_parameters();

@@ -1,6 +1,7 @@
 #include "gaprocs/processes/search_process.hpp"
 
 #include "gaprocs/processes/bias_point.hpp"
+#include "gaprocs/processes/estimates.hpp"
 #include "gaprocs/processes/farm.hpp"
 #include "gaprocs/processes/island_exchange.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
@@ -35,7 +36,8 @@ public:
                   SearchObserver* observer)
         : environment_(environment), problem_(problem), observer_(observer),
           settings_(read_search_settings(environment, problem)), workload_(read_workload(environment, problem)),
-          from_host_(environment.input<HostMessage>("from_host")), farm_(make_farm(environment, problem, workload_)),
+          from_host_(environment.input<HostMessage>("from_host")), to_host_(estimates_to("to_host")),
+          to_analyst_(estimates_to("to_analyst")), farm_(make_farm(environment, problem, workload_)),
           has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
           search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
@@ -43,8 +45,6 @@ public:
             exchange_.emplace(environment, problem, settings_, workload_);
         if (recoded)
             bias_point_.emplace(environment, *recoded, workload_);
-        if (environment.connected("to_analyst"))
-            to_analyst_ = environment.output<IslandReport>("to_analyst");
         if (observer)
             search_.listen(told_to(*observer, environment.process(), problem, now));
     }
@@ -54,8 +54,9 @@ public:
             exchange_->beside_mail([this] { search_record(); });
         else
             search_record();
-        if (to_analyst_)
-            end_reports();
+        for (Output<EstimateMessage>* output : {&to_host_, &to_analyst_})
+            if (*output)
+                end_estimates(*output);
         if (has_slaves_)
             leave_slaves();
         report();
@@ -75,8 +76,14 @@ private:
                 begin_timing();
             for (std::size_t trial = 0; trial < settings_.window.trials; ++trial)
                 run_generation();
+            if (to_host_)
+                to_host_.output(estimate());
         }
         rate_.stop();
+    }
+
+    Output<EstimateMessage> estimates_to(const char* port) const {
+        return environment_.connected(port) ? environment_.output<EstimateMessage>(port) : Output<EstimateMessage>();
     }
 
     static std::string stream_name(const ProcessEnvironment& environment) {
@@ -111,7 +118,7 @@ private:
         if (bias_point_)
             bias_point_->after_generation(search_.best().genome);
         if (to_analyst_ && exchange_->reports_after(search_.generation()))
-            report_best();
+            to_analyst_.output(estimate());
         execution_.stop();
         if (observer_)
             tell_migrations();
@@ -125,19 +132,19 @@ private:
         values_of_best_ = problem_.decode(best_->genome);
     }
 
-    void report_best() {
-        IslandReport report;
-        report.generation = search_.generation();
-        report.samples = samples_;
-        report.best = search_.best();
-        report.bytes = message_bytes(1, workload_.string_bytes + workload_.fitness_bytes);
-        to_analyst_.output(std::move(report));
+    EstimateMessage estimate() const {
+        EstimateMessage estimate;
+        estimate.generation = search_.generation();
+        estimate.samples = samples_;
+        estimate.best = best_known();
+        estimate.bytes = message_bytes(1, workload_.string_bytes + workload_.fitness_bytes);
+        return estimate;
     }
 
-    void end_reports() {
-        IslandReport report;
-        report.end = true;
-        to_analyst_.output(std::move(report));
+    static void end_estimates(Output<EstimateMessage>& output) {
+        EstimateMessage end;
+        end.end = true;
+        output.output(std::move(end));
     }
 
     void tell_migrations() const {
@@ -170,7 +177,7 @@ private:
             report_rate();
         environment_.measure("populations", fmt::format("{:016x}", populations_.value()));
         if (search_.generation() > 0)
-            report_estimate();
+            report_best_known();
     }
 
     /// Of the generations with a full window.
@@ -193,27 +200,11 @@ private:
     }
 
     /// With measurements the last generation knows most; an objective stays, and so does the best that was ever found.
-    void report_estimate() {
-        auto objective = problem_.objective();
-        const Individual& best = objective ? *best_ : search_.best();
-        if (objective)
-            report_objective(*objective, best.fitness);
-        else
-            environment_.measure("best_fitness", best.fitness);
-        auto values = objective ? values_of_best_ : problem_.decode(best.genome);
-        if (values.empty())
-            environment_.measure("best_string", problem_.representation().text(best.genome));
-        for (std::size_t i = 0; i < values.size(); ++i)
-            environment_.measure(problem_.parameter_names()[i], values[i], problem_.parameter_units()[i]);
-    }
+    const Individual& best_known() const { return problem_.objective() ? *best_ : search_.best(); }
 
-    void report_objective(const Objective& objective, double fitness) {
-        if (auto value = objective.value(fitness))
-            environment_.measure("best_objective", *value, objective.unit);
-        else
-            environment_.measure("best_objective", "not a finite number");
-        if (objective.optimum)
-            environment_.measure("known_optimum", *objective.optimum, objective.unit);
+    void report_best_known() {
+        measure_individual(environment_, problem_, best_known(),
+                           problem_.objective() ? values_of_best_ : problem_.decode(best_known().genome));
     }
 
     ProcessEnvironment& environment_;
@@ -222,12 +213,12 @@ private:
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
+    Output<EstimateMessage> to_host_, to_analyst_; ///< of no channel where nobody waits for any
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;
     std::optional<IslandExchange> exchange_;
     std::optional<BiasPointEnd> bias_point_; ///< of one of a pair
-    Output<IslandReport> to_analyst_;        ///< of no channel where there is no analyst
 
     std::size_t samples_ = 0; ///< that have come in
     SlidingWindow window_;

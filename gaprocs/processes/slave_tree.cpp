@@ -1,5 +1,6 @@
 #include "gaprocs/processes/slave_tree.hpp"
 
+#include "gaprocs/processes/peers.hpp"
 #include "netlist/network/names.hpp"
 
 #include <fmt/format.h>
@@ -15,19 +16,6 @@ namespace {
 
 std::string shown(const Network& network, const ChannelEnd& end) {
     return end.at_edge() ? end.port : network.processes[end.process].name + "." + end.port;
-}
-
-const ChannelEnd& end_beyond(const Network& network, const PortBinding& binding) {
-    const NetworkChannel& channel = network.channels[binding.channel];
-    return binding.direction == Direction::output ? channel.to : channel.from;
-}
-
-/// The connected ends of a port, in the order of their subscripts.
-std::vector<PortBinding> ends_of(const Network& network, std::size_t process, std::string_view port) {
-    std::vector<PortBinding> ends;
-    std::ranges::copy_if(network.processes[process].ports, std::back_inserter(ends),
-                         [&](const PortBinding& binding) { return base_name(binding.port) == port; });
-    return ends;
 }
 
 bool is_slave(const Network& network, const ChannelEnd& end) {
@@ -117,11 +105,6 @@ private:
 };
 
 } // namespace
-
-std::optional<ChannelEnd> other_end(const Network& network, std::size_t process, std::string_view port) {
-    auto ends = ends_of(network, process, port);
-    return ends.empty() ? std::nullopt : std::optional(end_beyond(network, ends.front()));
-}
 
 SlaveTree follow_slaves(const Network& network, std::size_t master) {
     Follower follower(network);

@@ -4,9 +4,6 @@
 #include "netlist/network/network.hpp"
 
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace placedpar {
@@ -30,8 +27,5 @@ std::vector<std::size_t> count_slaves_behind(const Network&, std::size_t process
 
 /// The slaves that pass their tasks on in a circle with this one, which no master reaches; none where it is in none.
 std::vector<std::size_t> circle_of(const Network&, std::size_t slave);
-
-/// The other end of the first channel at a port; none where it is not connected.
-std::optional<ChannelEnd> other_end(const Network&, std::size_t process, std::string_view port);
 
 } // namespace placedpar

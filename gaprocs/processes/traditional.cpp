@@ -9,7 +9,7 @@ ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver* ob
     using namespace search_description;
     return searching({.name = "ga.traditional",
                       .about = "The traditional genetic algorithm: one population, on one processor.",
-                      .ports = {from_host()},
+                      .ports = {from_host(), to_host()},
                       .parameters = search_parameters(),
                       .measurements = search_measurements()},
                      problems, observer);
