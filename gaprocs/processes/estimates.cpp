@@ -54,8 +54,10 @@ void Estimates::receive(std::size_t search) {
     }
 }
 
+/// A search that is on no processor answers at the very time at which it takes a sample: perhaps before that is noted.
 void Estimates::note(std::size_t process, const EstimateMessage& estimate) {
-    Time response = now() - taken_.at(process)[estimate.samples - 1];
+    const std::vector<Time>& taken = taken_[process];
+    Time response = estimate.samples <= taken.size() ? now() - taken[estimate.samples - 1] : Time{};
     response_ += response;
     longest_ = std::max(longest_, response);
     ++received_;
