@@ -140,7 +140,13 @@ def with_output(text, printed):
     return "\n".join(lines) + "\n"
 
 
-def run(document, tree, programs):
+def run_command(command, tree, environment):
+    """Exit code and printed lines of a command, and what is wrong with them, if anything is."""
+    exit_code, printed = execute(command, tree, environment)
+    return exit_code, printed, failure(command, exit_code, printed)
+
+
+def run(document, tree, programs, run_command=run_command):
     """Does what the document says in the tree; the number of failures, and the document as the program would have it."""
     environment = dict(os.environ, PATH=f"{programs}{os.pathsep}{os.environ['PATH']}", LC_ALL="C.UTF-8")
     text = (tree / document).read_text()
@@ -150,8 +156,7 @@ def run(document, tree, programs):
             (tree / step.name).write_text(step.text)
             continue
         done += 1
-        exit_code, printed = execute(step, tree, environment)
-        wrong = failure(step, exit_code, printed)
+        exit_code, printed, wrong = run_command(step, tree, environment)
         if wrong:
             failures += 1
             print(f"{document}:{step.line}: $ {step.text}\n{wrong}\n")
@@ -161,11 +166,11 @@ def run(document, tree, programs):
     return failures, with_output(text, other)
 
 
-def main(source, programs, document, write=False):
+def main(source, programs, document, write=False, run_command=run_command):
     with tempfile.TemporaryDirectory() as scratch:
         tree = pathlib.Path(scratch) / "placedpar"
         shutil.copytree(source, tree, ignore=shutil.ignore_patterns(".git", "build"))
-        failures, text = run(document, tree, os.path.abspath(programs))
+        failures, text = run(document, tree, os.path.abspath(programs), run_command)
     if write:
         (pathlib.Path(source) / document).write_text(text)
     return 1 if failures and not write else 0
