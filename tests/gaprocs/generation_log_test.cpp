@@ -7,6 +7,7 @@
 #include "gaprocs/usual_settings.hpp"
 #include "tests/gaprocs/island_netlist.hpp"
 #include "tests/gaprocs/strings.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -191,6 +192,7 @@ TEST_CASE("what is minimised is logged in its own sign, the least is the best") 
 }
 
 TEST_CASE("the log of islands on the machine is that of the library but for the times") {
+    test::EveryNth sampled(5);
     check_ring_of_masters({.islands = 2, .population = 10});
     check_ring_of_masters({.islands = 4, .population = 30});
     check_ring_of_masters({.slaves = 2, .islands = 3, .population = 9, .split = "evaluations"});
@@ -201,6 +203,8 @@ TEST_CASE("the log of islands of any topology and policies is that of the librar
         for (const char* schedule : {"broadcast(2)", "sequential(1)"})
             for (const char* emigration : {"best", "random(2)"})
                 for (const char* acceptance : {"worst", "random(1)", "alike(1)", "offspring"}) {
+                    if (sampled.passes_over())
+                        continue;
                     CAPTURE(topology);
                     CAPTURE(schedule);
                     CAPTURE(emigration);

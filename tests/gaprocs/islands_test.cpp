@@ -1,6 +1,7 @@
 // Algorithm B on the simulated machine against the islands of the library.
 
 #include "tests/gaprocs/island_netlist.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -110,12 +111,15 @@ TEST_CASE("without exchange the islands are other searches") {
 }
 
 TEST_CASE("every topology, schedule, emigration and acceptance: processes as the library") {
+    test::EveryNth sampled(11);
     for (bool different : {false, true})
         for (const Topology& topology : topologies())
             for (const char* schedule : {"broadcast(2)", "sequential(1)"})
                 for (const char* emigration : {"best", "random(2)", "tournament(2, 3)"})
                     for (const char* acceptance :
                          {"worst", "worst(1)", "random", "random(1)", "alike", "alike(1)", "offspring"}) {
+                        if (sampled.passes_over())
+                            continue;
                         IslandNetlist netlist{different ? different_islands() : alike_islands()};
                         netlist.settings.topology = topology;
                         netlist.settings.schedule = Schedule::named(schedule);
@@ -127,8 +131,11 @@ TEST_CASE("every topology, schedule, emigration and acceptance: processes as the
 
 TEST_CASE("no placement and no speed of a link or processor changes a generation") {
     using On = IslandNetlist::On;
+    test::EveryNth sampled(5);
     for (const Topology& topology : topologies())
         for (const char* schedule : {"broadcast(1)", "sequential(2)"}) {
+            if (sampled.passes_over())
+                continue;
             IslandNetlist netlist{different_islands()};
             netlist.settings.topology = topology;
             netlist.settings.schedule = Schedule::named(schedule);

@@ -5,6 +5,7 @@
 #include "netlist/read.hpp"
 #include "tests/netlist/numbers.hpp"
 #include "tests/netlist/small_catalogue.hpp"
+#include "tests/sanitized.hpp"
 
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
@@ -136,7 +137,7 @@ TEST_CASE("mutated netlists are read to an end") {
     const auto texts = seeds();
     REQUIRE(texts.size() > 60);
     int networks = 0;
-    for (std::uint64_t number = 0; number < 10000; ++number) {
+    for (std::uint64_t number = 0; number < (test::sanitized ? 2000 : 10000); ++number) {
         Numbers numbers(number);
         const auto& seed = texts[numbers.below(2) == 0 ? numbers.below(good_seeds) : numbers.below(texts.size())];
         auto text = mutate(seed, texts, numbers);

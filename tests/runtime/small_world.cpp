@@ -78,6 +78,20 @@ bool Interpreter::can_end(const States& states, bool completed) const {
     return false;
 }
 
+Interpreter::States Interpreter::reachable() const {
+    States found = start();
+    std::vector<State> open(found.begin(), found.end());
+    while (!open.empty()) {
+        State state = open.back();
+        open.pop_back();
+        for (std::size_t channel = 0; channel < world_.channels.size(); ++channel)
+            for (const State& next : after({state}, channel))
+                if (found.insert(next).second)
+                    open.push_back(next);
+    }
+    return found;
+}
+
 std::set<std::string> Interpreter::traces() const {
     std::set<std::string> found;
     follow(start(), "", found);

@@ -47,6 +47,8 @@ public:
     /// Whether nothing more can happen in some of the states, and whether the world may then be called
     /// completed, or deadlocked.
     bool can_end(const States&, bool completed) const;
+    /// Everywhere that the world can come to stand.
+    States reachable() const;
     /// All traces from start to end.
     std::set<std::string> traces() const;
 

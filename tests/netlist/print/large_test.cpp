@@ -4,6 +4,7 @@
 #include "netlist/read.hpp"
 #include "tests/netlist/good_networks.hpp"
 #include "tests/netlist/small_catalogue.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,13 +38,13 @@ TEST_CASE("processes with every parameter of their kind") {
                       "place m[i] on t; place s[i] on t; }");
 }
 
-TEST_CASE("channels over a link, each of which is placed in what is printed") {
+TEST_CASE("channels over a link, each of which is placed in what is printed" * doctest::skip(test::sanitized)) {
     check_loads_again("val n 5000; T800 a, b; connect a.link[0] to b.link[0]; edge e[229000]; process p[n], s[n];\n"
                       "use \"pump\" for p; use \"sink\" for s;\n"
                       "rep i = 0 for n { connect p[i].out to s[i].in; place p[i] on a; place s[i] on b; }");
 }
 
-TEST_CASE("as many things as a network may have, and the edge that is not declared") {
+TEST_CASE("as many things as a network may have, and the edge that is not declared" * doctest::skip(test::sanitized)) {
     check_loads_again("T800 t; process p[249997]; rep i = 0 for 249997 place p[i] on t; connect t.link[0] to host;");
 }
 

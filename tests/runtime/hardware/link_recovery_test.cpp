@@ -8,6 +8,7 @@
 #include "runtime/recovery.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -374,7 +375,7 @@ private:
 
 TEST_CASE("random programs over links with faults end, completed or diagnosed, and nobody is told what is not so") {
     std::size_t given_up = 0, completed = 0, stuck = 0;
-    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    for (std::uint64_t seed = 0; seed < (test::sanitized ? 300 : 1500); ++seed) {
         CAPTURE(seed);
         RandomProgram bytes(seed, true), closed(seed, false);
         RunResult result = bytes.run(), with_closed_form = closed.run();

@@ -7,6 +7,7 @@
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -123,7 +124,7 @@ LinkTiming random_timing(RandomStream& random) {
 } // namespace
 
 TEST_CASE("random traffic over a link takes the time that a circuit of bits takes, to the picosecond") {
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < (test::sanitized ? 60 : 300); ++seed) {
         CAPTURE(seed);
         RandomStream random(seed, "link against bits");
         LinkTiming timing = random_timing(random);
@@ -142,7 +143,7 @@ TEST_CASE("random traffic over a link takes the time that a circuit of bits take
 }
 
 TEST_CASE("the closed form gives the times of the single bytes, to the picosecond and in the same order") {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    for (std::uint64_t seed = 0; seed < (test::sanitized ? 400 : 2000); ++seed) {
         CAPTURE(seed);
         RandomStream random(seed, "closed form against bytes");
         LinkTiming timing = random_timing(random);
@@ -187,7 +188,7 @@ bool same(const std::vector<FaultEffect>& x, const std::vector<FaultEffect>& y) 
 
 TEST_CASE("random traffic over a link with faults goes as far, and takes the time, as on a circuit of bits") {
     int stuck = 0;
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    for (std::uint64_t seed = 0; seed < (test::sanitized ? 40 : 200); ++seed) {
         CAPTURE(seed);
         RandomStream random(seed, "faulty link against bits");
         LinkTiming timing = random_timing(random);
@@ -204,7 +205,7 @@ TEST_CASE("random traffic over a link with faults goes as far, and takes the tim
 }
 
 TEST_CASE("the closed form gives the times of the single bytes on a link with faults") {
-    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    for (std::uint64_t seed = 0; seed < (test::sanitized ? 600 : 3000); ++seed) {
         CAPTURE(seed);
         RandomStream random(seed, "closed form against bytes, with faults");
         LinkTiming timing = random_timing(random);
