@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,11 +87,11 @@ private:
 
     void enquire(std::size_t partner) {
         commands_.output({SwitchCommand::Kind::enquire, link_of(partner)});
-        wrong_answers_ += answers_->input().byte != (link_ | SwitchAnswer::connected);
+        wrong_answers_ += answers_.input().byte != (link_ | SwitchAnswer::connected);
     }
 
     Output<SwitchCommand> commands_;
-    std::optional<Input<SwitchAnswer>> answers_;
+    Input<SwitchAnswer> answers_; ///< of no channel where nobody enquires
     std::uint8_t link_, first_;
     std::int64_t wrong_answers_ = 0;
 };
