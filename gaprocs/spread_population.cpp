@@ -1,6 +1,7 @@
 #include "gaprocs/spread_population.hpp"
 
 #include "gaprocs/representation/coding.hpp"
+#include "text/user_error.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -36,6 +37,14 @@ std::vector<Genome> spread_population(std::size_t count, const Recoding& reading
             }
     }
     return population;
+}
+
+std::vector<Genome> spread_population(std::size_t count, const SearchProblem& problem, RandomStream& random) {
+    auto fields = problem.fields();
+    if (fields.empty() || problem.representation().kind() != StringKind::binary)
+        throw UserError("a spread population is of strings whose fields of bits stand for numbers, and this problem's "
+                        "have none");
+    return spread_population(count, {.problem_bits = fields, .bits = fields, .coding = problem.coding()}, random);
 }
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/recoding.hpp"
+#include "gaprocs/search_problem.hpp"
 #include "runtime/random.hpp"
 
 #include <cstddef>
@@ -14,5 +15,7 @@ namespace placedpar {
 /// field.
 /// REQUIRES: reading.validate() throws nothing.
 std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random);
+/// Of the problem's own strings, as it codes them. Throws UserError: they have no fields of bits.
+std::vector<Genome> spread_population(std::size_t count, const SearchProblem& problem, RandomStream& random);
 
 } // namespace placedpar

@@ -27,9 +27,9 @@ Noun initial_population() {
                                   "'master.initial=\"examples/03-table-e1/first.txt\"'"},
                       {.name = "spread",
                        .about = "the codes of each field evenly over its range, in an order drawn for each",
-                       .written = "",
+                       .written = "initial = \"spread\"",
                        .source = "thesis 6.3, predefined populations; M. McKay et al., 1979",
-                       .example = "replay encoding"}},
+                       .example = "run examples/03-table-e1/cluster.cfs --set 'master.initial=\"spread\"'"}},
             .also_called = {"population"}};
 }
 

@@ -2,6 +2,7 @@
 
 #include "gaprocs/initial_population.hpp"
 #include "gaprocs/processes/search_description.hpp"
+#include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "text/user_error.hpp"
@@ -31,6 +32,17 @@ template <class Step>
 void set_policy(Step& usual, const std::string& text) {
     if (text != search_description::usual)
         usual = Step::named(text);
+}
+
+/// None where all are drawn by the search.
+std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
+    const std::string& initial = environment.text("initial");
+    if (initial.empty())
+        return {};
+    if (initial != search_description::spread)
+        return load_population(initial, problem.representation());
+    RandomStream random = environment.random_stream(stream_name(environment) + " spread");
+    return spread_population(size(environment, "population"), problem, random);
 }
 
 std::size_t bits_of_field(const std::string& word) {
@@ -75,6 +87,11 @@ Workload read_workload(const ProcessEnvironment& environment, const SearchProble
 
 Coding read_coding(const ProcessEnvironment& environment) { return Coding::named(environment.text("coding")); }
 
+std::string stream_name(const ProcessEnvironment& environment) {
+    const std::string& stream = environment.text("stream");
+    return stream.empty() ? environment.process() : stream;
+}
+
 SearchSettings read_search_settings(const ProcessEnvironment& environment, const SearchProblem& problem) {
     SearchSettings settings = usual_settings(problem);
     settings.population = size(environment, "population");
@@ -84,8 +101,7 @@ SearchSettings read_search_settings(const ProcessEnvironment& environment, const
     set_policy(settings.reproduction, environment.text("reproduction"));
     set_policy(settings.crossover, environment.text("crossover_operator"));
     set_policy(settings.mutation, environment.text("mutation_operator"));
-    if (const std::string& file = environment.text("initial"); !file.empty())
-        settings.initial = load_population(file, problem.representation());
+    settings.initial = read_initial_population(environment, problem);
     settings.window.length = size(environment, "window");
     settings.window.first = size(environment, "first_window");
     settings.window.trials = size(environment, "trials");

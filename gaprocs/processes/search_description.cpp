@@ -58,7 +58,8 @@ Parameters operator_parameters() {
                        "how a field of the string stands for a number (thesis: natural); the slaves are told"),
         deciding("initial-population", text("initial", {.by_default = ""},
                                             "a file with the first of the first population, a string in each line; the "
-                                            "others are drawn at random")),
+                                            "others are drawn at random. Or \"spread\": the codes of each field evenly "
+                                            "over its range")),
         text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
     };
 }

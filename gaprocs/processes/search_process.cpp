@@ -86,11 +86,6 @@ private:
         return environment_.connected(port) ? environment_.output<EstimateMessage>(port) : Output<EstimateMessage>();
     }
 
-    static std::string stream_name(const ProcessEnvironment& environment) {
-        const std::string& stream = environment.text("stream");
-        return stream.empty() ? environment.process() : stream;
-    }
-
     /// Times are measured from the first full window on: all generations from there cost the same.
     void begin_timing() {
         farm_.forget_times();

@@ -1,7 +1,9 @@
 #include "gaprocs/initial_population.hpp"
 #include "gaprocs/objective_problem.hpp"
 #include "gaprocs/search.hpp"
+#include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
+#include "runtime/fingerprint.hpp"
 #include "tests/gaprocs/cluster.hpp"
 #include "tests/gaprocs/objectives.hpp"
 #include "text/user_error.hpp"
@@ -10,6 +12,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 using namespace placedpar;
 
@@ -107,4 +110,32 @@ TEST_CASE("a netlist names the file") {
                     .problem = "seats",
                     .host_parameters = "generations = 1"};
     CHECK(run_on_line(cluster.netlist()).measured("master0", "best_objective") == 0);
+}
+
+TEST_CASE("a netlist asks for a spread population: the library's, drawn from a stream beside the search's") {
+    Cluster cluster{.slaves = 0, .master_parameters = "", .problem = "sphere", .host_parameters = "generations = 1"};
+    for (const char* coding : {"natural", "gray", "gray(1)"}) {
+        CAPTURE(coding);
+        cluster.master_parameters = fmt::format("initial = \"spread\", coding = \"{}\"", coding);
+        auto sphere = minimise(PlainSphere{})->coded(Coding::named(coding));
+        RandomStream random(1, "one stream spread");
+        Fingerprint populations;
+        for (const Genome& genome : spread_population(30, *sphere, random))
+            for (std::uint64_t word : genome.words())
+                populations.mix(word);
+        CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") ==
+              fmt::format("{:016x}", populations.value()));
+    }
+}
+
+TEST_CASE("what has no fields of bits cannot be spread") {
+    for (auto [problem, more] :
+         {std::pair{"seats", ""}, {"plane", ""}, {"line", ""}, {"sphere", ", coding = \"real\""}}) {
+        CAPTURE(problem);
+        Cluster cluster{
+            .slaves = 0, .master_parameters = fmt::format("initial = \"spread\"{}", more), .problem = problem};
+        CHECK_THROWS_WITH(
+            run_on_line(cluster.netlist()),
+            doctest::Contains("a spread population is of strings whose fields of bits stand for numbers"));
+    }
 }

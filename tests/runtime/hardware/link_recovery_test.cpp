@@ -374,8 +374,9 @@ private:
 } // namespace
 
 TEST_CASE("random programs over links with faults end, completed or diagnosed, and nobody is told what is not so") {
+    constexpr std::size_t programs = test::sanitized ? 300 : 1500;
     std::size_t given_up = 0, completed = 0, stuck = 0;
-    for (std::uint64_t seed = 0; seed < (test::sanitized ? 300 : 1500); ++seed) {
+    for (std::uint64_t seed = 0; seed < programs; ++seed) {
         CAPTURE(seed);
         RandomProgram bytes(seed, true), closed(seed, false);
         RunResult result = bytes.run(), with_closed_form = closed.run();
@@ -389,7 +390,7 @@ TEST_CASE("random programs over links with faults end, completed or diagnosed, a
         given_up += bytes.given_up();
         ++(result.ending == Ending::completed ? completed : stuck);
     }
-    CHECK(given_up > 10'000);
-    CHECK(completed > 300);
-    CHECK(stuck > 100);
+    CHECK(given_up > 6 * programs);
+    CHECK(completed > programs / 5);
+    CHECK(stuck > programs / 15);
 }
