@@ -44,6 +44,7 @@ public:
     std::vector<std::string> parameter_names() const override { return problem_->parameter_names(); }
     std::vector<std::string> parameter_units() const override { return problem_->parameter_units(); }
     std::vector<double> true_parameters() const override { return problem_->true_parameters(); }
+    std::vector<std::size_t> fields() const override { return recoding_.bits; }
     Coding coding() const override { return recoding_.coding; }
 
 private:

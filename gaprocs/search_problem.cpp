@@ -41,6 +41,7 @@ public:
     std::vector<std::string> parameter_names() const override { return plain_->parameter_names(); }
     std::vector<std::string> parameter_units() const override { return plain_->parameter_units(); }
     std::vector<double> true_parameters() const override { return plain_->true_parameters(); }
+    std::vector<std::size_t> fields() const override { return plain_->fields(); }
     Coding coding() const override { return coding_; }
 
 private:

@@ -72,7 +72,7 @@ public:
     /// Empty where they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
-    /// Bits of each field of the string, in its order; empty where the problem does not say.
+    /// Bits of each field of the string, in its order, "don't care" ones aside; empty where the problem does not say.
     virtual std::vector<std::size_t> fields() const { return {}; }
     /// How the string is read.
     virtual Coding coding() const = 0;

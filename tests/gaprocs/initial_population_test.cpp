@@ -114,7 +114,7 @@ TEST_CASE("a netlist names the file") {
 
 TEST_CASE("a netlist asks for a spread population: the library's, drawn from a stream beside the search's") {
     Cluster cluster{.slaves = 0, .master_parameters = "", .problem = "sphere", .host_parameters = "generations = 1"};
-    for (const char* coding : {"natural", "gray", "gray(1)"}) {
+    for (const std::string coding : {"natural", "gray", "gray(1)"}) {
         CAPTURE(coding);
         cluster.master_parameters = fmt::format("initial = \"spread\", coding = \"{}\"", coding);
         auto sphere = minimise(PlainSphere{})->coded(Coding::named(coding));
