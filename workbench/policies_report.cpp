@@ -164,9 +164,8 @@ std::string print_one(const Asked& asked, const PolicyDescription& policy, const
 }
 
 std::string print_form(const Form& form) {
-    std::string in_netlist = form.written.empty() ? "of the library alone" : "in a netlist: " + form.written;
-    return fmt::format("\n{}\n  {}\n  {}\n  source: {}\n  example: placedpar {}\n", painted(Paint::heading, form.name),
-                       form.about, in_netlist, form.source, form.example);
+    return fmt::format("\n{}\n  {}\n  in a netlist: {}\n  source: {}\n  example: placedpar {}\n",
+                       painted(Paint::heading, form.name), form.about, form.written, form.source, form.example);
 }
 
 std::string print_parameters_deciding(const std::vector<Deciding>& all) {

@@ -12,7 +12,7 @@ namespace placedpar {
 struct Form {
     std::string name; ///< "star"
     std::string about;
-    std::string written; ///< how a netlist says it; "" where the library alone has it
+    std::string written; ///< how a netlist says it
     std::string source;  ///< as PolicyDescription::source
     std::string example; ///< what follows `placedpar` to see it, below the folder that holds examples/
 };

@@ -59,7 +59,7 @@ TEST_CASE("what a number, the problem or the connections decide is listed, too, 
     CHECK(says(print_policy(known.catalogue, "best"), "\n  in a netlist: elite = 1\n  source: K. De Jong, 1975\n"));
     CHECK(says(print_policy(known.catalogue, "Distributed Fitness"), "\n\ndistributed\n  each island a window"));
     CHECK(says(print_policy(known.catalogue, "permutation"), "problem = \"tour-circle(cities = 12)\""));
-    CHECK(says(print_policy(known.catalogue, "spread"), "\n  of the library alone\n"));
+    CHECK(says(print_policy(known.catalogue, "spread"), "\n  in a netlist: initial = \"spread\"\n"));
     std::string star = print_policy(known.catalogue, "star"); // of islands, and of a master and its slaves
     CHECK(says(star, "topology = \"star\""));
     CHECK(says(star, "connect master.to_slaves[1] to slave[1].from_master;"));
