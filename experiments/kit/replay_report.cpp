@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace placedpar {
 
@@ -16,7 +17,7 @@ boost::json::value or_null(std::optional<double> number) {
 }
 
 /// Figures that only some cells have.
-void add_if(boost::json::object& json, const char* key, std::optional<double> figure) {
+void add_if(boost::json::object& json, std::string_view key, std::optional<double> figure) {
     if (figure)
         json[key] = *figure;
 }
@@ -32,6 +33,7 @@ boost::json::object cell_json(const Cell& cell, const std::string& against) {
                              {"origin", name_of(cell.origin)}};
     if (against != "thesis")
         json[against] = or_null(cell.reference);
+    add_if(json, against + "_to", cell.reference_to);
     add_if(json, "tolerance", cell.tolerance); // in the cell's unit
     add_if(json, "at_least", cell.at_least);
     add_if(json, "at_most", cell.at_most);

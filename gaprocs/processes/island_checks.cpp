@@ -159,6 +159,8 @@ private:
     }
 
     void check_room() {
+        if (integer(process_, "elite") > integer(process_, "population") - 2)
+            return; // said by the process itself
         std::size_t most = most_immigrants_at_once();
         try {
             Acceptance::validate_for(most, static_cast<std::size_t>(integer(process_, "population")),

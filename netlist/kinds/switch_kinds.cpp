@@ -157,7 +157,7 @@ ProcessKind switch_logic_kind() {
             .about =
                 "What a C004 does with the bytes that come over its configuration link: it connects and disconnects "
                 "its links, and answers. Placed on the switch; a part of the machine, which never ends.",
-            .ports = {input<SwitchCommand>("commands", "c004 command", "1 to 3 bytes: IMS C004 data sheet"),
+            .ports = {input<SwitchCommand>("commands", "c004 command", "1 to 3 bytes"),
                       optional(output<SwitchAnswer>("answers", "c004 answer", "a byte, to the command 2"))},
             .body = obey_for_ever,
             .check = check_place_of_logic};

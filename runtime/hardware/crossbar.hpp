@@ -19,7 +19,9 @@ namespace placedpar::hardware {
 
 class Link;
 
-/// A message to the configuration link of a C004: one to three bytes (IMS C004 data sheet).
+/// A message to the configuration link of a C004: one to three bytes. From memory of INMOS's data sheet, which is not
+/// at hand; INMOS's network checker (check.c of its `ispy`, published) sends [0][input][output] and [4], and takes the
+/// top bit of an answer of a C004B for what it is here. It sends no [3].
 struct SwitchCommand {
     enum class Kind : std::uint8_t {
         connect_output = 0,    ///< [0][input][output]

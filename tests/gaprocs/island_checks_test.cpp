@@ -189,6 +189,9 @@ TEST_CASE("more migrants than individuals, more than a message holds, and more t
     check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals, 1 of them "
                      "elite, expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
+    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // and no word on what follows from it
+    check_says(no_pair, "an elite of 11 leaves no pair");
+    CHECK(no_pair.find("at once") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),
                "22 immigrants come at once");
 }

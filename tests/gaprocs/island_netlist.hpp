@@ -6,14 +6,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace placedpar::test {
 
-/// Islands of the line problem as a netlist: island[0], island[1], ... on the same number of workstations, which are
-/// joined as their islands are, on four transputers, each joined with every other, or all on one.
+/// Islands of the line problem, or another, as a netlist: island[0], island[1], ... on the same number of workstations,
+/// which are joined as their islands are, on four transputers, each joined with every other, or all on one.
 struct IslandNetlist {
     IslandsSettings settings;
     enum class On { one_transputer, four_transputers, workstations } on = On::one_transputer;
@@ -22,15 +24,22 @@ struct IslandNetlist {
     std::string wire = "linkspeed = 20M";
     std::string topology = "given"; ///< the parameter
     std::string more = "";          ///< parameters of each island
+    std::string problem = "line";
+    bool recorded = true;  ///< has a window that slides over samples
+    std::string host = ""; ///< parameters of the host
+    int slaves = 0;        ///< of each island, in a chain; on workstations only
 
     std::string text() const {
         std::size_t n = settings.islands.size();
         std::string text = fmt::format("val n {};\nworkstation ({}) sun;\nprocess host; process island[n];\n"
-                                       "use \"ga.host\" for host; place host on sun; host (problem = \"line\");\n",
-                                       n, on == On::workstations ? wire : "linkspeed = 20M");
+                                       "use \"ga.host\" for host; place host on sun; host (problem = \"{}\"{});\n",
+                                       n, on == On::workstations ? wire : "linkspeed = 20M", problem, host);
         text += on == On::workstations ? workstations() : transputers();
         for (std::size_t i = 0; i < n; ++i)
             text += island(i);
+        for (std::size_t i = 0; i < n; ++i)
+            for (int s = 0; s < slaves; ++s)
+                text += slave(i, s);
         return text + channels();
     }
 
@@ -69,12 +78,27 @@ private:
         const SearchSettings& each = settings.islands[i];
         return fmt::format(
             "use \"ga.island\" for island[{0}];\nconnect host.to_masters[{0}] to island[{0}].from_host;\n"
-            "island[{0}] (problem = \"line\", population = {1}, window = {2}, first_window = {3}, "
-            "trials = {4}, bias = {5:.1f}, elite = {6}, schedule = \"{7}\", emigration = \"{8}\", "
-            "acceptance = \"{9}\", topology = \"{10}\"{11});\n",
-            i, each.population, each.window.length, std::min(each.window.first, each.window.length), each.window.trials,
-            each.window.bias, each.elite, settings.schedule.text(), settings.emigration.text(),
-            settings.acceptance.text(), topology, more);
+            "island[{0}] (problem = \"{1}\"{2}, population = {3}, elite = {4}, schedule = \"{5}\", "
+            "emigration = \"{6}\", acceptance = \"{7}\", topology = \"{8}\"{9}{10});\n",
+            i, problem, slaves > 0 ? fmt::format(", slaves = {}", slaves) : "", each.population, each.elite,
+            settings.schedule.text(), settings.emigration.text(), settings.acceptance.text(), topology,
+            recorded ? window(each.window) : "", more);
+    }
+
+    static std::string window(const WindowSettings& window) {
+        return fmt::format(", window = {}, first_window = {}, trials = {}, bias = {:.1f}", window.length,
+                           std::min(window.first, window.length), window.trials, window.bias);
+    }
+
+    /// The first hangs from its island by a link that no neighbour uses.
+    std::string slave(std::size_t i, int s) const {
+        std::string before = s == 0 ? fmt::format("island[{}]", i) : fmt::format("slave{}_{}", i, s - 1);
+        std::string link = s == 0 ? fmt::format("w[{}].link[99]", i) : fmt::format("s{}_{}.link[3]", i, s - 1);
+        return fmt::format("T800 ({4}, {6}) s{0}_{1}; process slave{0}_{1}; use \"ga.slave\" for slave{0}_{1};\n"
+                           "place slave{0}_{1} on s{0}_{1}; slave{0}_{1} (problem = \"{5}\");\n"
+                           "connect {3} to s{0}_{1}.link[1];\nconnect {2}.to_slaves to slave{0}_{1}.from_master;\n"
+                           "connect slave{0}_{1}.to_master to {2}.from_slaves;\n",
+                           i, s, before, link, s % 2 ? other_transputer : transputer, problem, wire);
     }
 
     /// The ends at which immigrants come in are numbered from the highest island on: their order means nothing.
@@ -94,13 +118,18 @@ private:
 struct LibraryRun {
     std::vector<std::string> populations;
 
-    LibraryRun(const IslandsSettings& settings, std::vector<RandomStream> streams) {
-        auto problem = make_search_problem(LineProblem{});
-        Islands islands(*problem, settings, std::move(streams));
+    LibraryRun(const IslandsSettings& settings, std::vector<RandomStream> streams)
+        : LibraryRun(*make_search_problem(LineProblem{}), line_record(line_samples), settings, std::move(streams)) {}
+
+    /// Throws as Islands().
+    LibraryRun(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
+               std::vector<RandomStream> streams) {
+        Islands islands(problem, settings, std::move(streams));
         std::vector<Fingerprint> hashes(settings.islands.size());
-        for (const Sample& sample : line_record(line_samples)) {
+        std::size_t trials = problem.objective() ? 1 : settings.islands.front().window.trials;
+        for (const Sample& sample : record) {
             islands.push(sample);
-            for (std::size_t trial = 0; islands.ready() && trial < settings.islands.front().window.trials; ++trial)
+            for (std::size_t trial = 0; islands.ready() && trial < trials; ++trial)
                 add_generation(islands, hashes);
         }
         for (const Fingerprint& hash : hashes)

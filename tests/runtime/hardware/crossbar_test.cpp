@@ -17,9 +17,11 @@
 #include <array>
 #include <bitset>
 #include <deque>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
@@ -63,11 +65,23 @@ struct Exchange {
         sw.obey({Kind::connect_links, 0, static_cast<std::uint8_t>(1 + partner)});
         sw.obey({Kind::ready});
     }
+    /// 1000 bytes to a, connected at the start; the other is done 100 us later, when 179 have begun: one each 560 ns.
+    RunResult change_in_message(std::function<void()> change) {
+        set(0);
+        simulation.process("root", [this] { a.out().output({1000, 1}); });
+        simulation.process("a", [this] { a.in().input(); });
+        simulation.process("setter", [change = std::move(change)] {
+            wait_until(100us);
+            change();
+        });
+        return simulation.run();
+    }
+    static constexpr Time last_byte_before_the_change = 179 * 560ns;
 };
 
 } // namespace
 
-TEST_CASE("each command does what the data sheet says, and an answer says what an output is connected to") {
+TEST_CASE("each command does what its contract says, and an answer says what an output is connected to") {
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
     auto answer = [&](std::uint8_t output) { return static_cast<int>(sw.obey({Kind::enquire, output})->byte); };
@@ -235,17 +249,11 @@ TEST_CASE("a connection that changes in a message cuts it: its byte is said, wit
         Exchange x;
         if (every_byte)
             x.links[0]->from_a_to_b().simulate_every_byte();
-        x.set(0);
-        x.simulation.process("root", [&] { x.a.out().output({1000, 1}); });
-        x.simulation.process("a", [&] { x.a.in().input(); });
-        x.simulation.process("setter", [&] {
-            wait_until(100us); // 179 bytes have begun, one each 560 ns
-            x.sw.obey({Kind::disconnect_links, 0, 1});
-        });
-        CHECK(x.simulation.run().ending == Ending::stuck);
+        RunResult result = x.change_in_message([&] { x.sw.obey({Kind::disconnect_links, 0, 1}); });
+        CHECK(result.ending == Ending::stuck);
         REQUIRE(x.sw.losses().size() == 1);
         FaultEffect lost = x.sw.losses()[0].effect;
-        CHECK(lost.first->at == 179 * 560ns);
+        CHECK(lost.first->at == Exchange::last_byte_before_the_change);
         CHECK(lost.first->byte == 180);
         CHECK(!lost.first->acknowledge);
         CHECK(lost.bytes_lost == 1);
@@ -254,32 +262,21 @@ TEST_CASE("a connection that changes in a message cuts it: its byte is said, wit
 
 TEST_CASE("the output to a partner goes on repeating its input when another has chosen that, too") {
     Exchange x;
-    x.set(0);
-    x.simulation.process("root", [&] { x.a.out().output({1000, 1}); });
-    x.simulation.process("a", [&] { x.a.in().input(); });
-    x.simulation.process("setter", [&] {
-        wait_until(100us);
-        x.set(1);
-    });
-    CHECK(x.simulation.run().ending == Ending::stuck);
+    CHECK(x.change_in_message([&] { x.set(1); }).ending == Ending::stuck);
     REQUIRE(x.sw.losses().size() == 1);
     FaultEffect lost = x.sw.losses()[0].effect;
-    CHECK(lost.first->at == 179 * 560ns + 260ns);
+    CHECK(lost.first->at == Exchange::last_byte_before_the_change + 260ns);
     CHECK(lost.first->acknowledge);
     CHECK(x.sw.losses()[0].state == "was connected to input 2");
 }
 
 TEST_CASE("a connection that is there again before the next byte cuts nothing") {
     Exchange x;
-    x.set(0);
-    x.simulation.process("root", [&] { x.a.out().output({1000, 1}); });
-    x.simulation.process("a", [&] { x.a.in().input(); });
-    x.simulation.process("setter", [&] {
-        wait_until(100us);
+    RunResult result = x.change_in_message([&] {
         x.sw.obey({Kind::reset});
         x.set(0);
     });
-    CHECK(x.simulation.run().ending == Ending::completed);
+    CHECK(result.ending == Ending::completed);
     CHECK(x.sw.losses().empty());
 }
 
