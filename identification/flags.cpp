@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace placedpar::identification {
@@ -26,11 +27,13 @@ bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     bool low = (link.compliance_in3_per_psi < 1.5 * step);
     bool high = (link.compliance_in3_per_psi > CircuitProblem::largest_in3_per_psi - 2.5 * step);
     if (low)
-        link.flags.push_back("at the lower bound of the search: the record asks for a compliance of 0 or below, as an "
-                             "offset of the spool makes it");
+        link.flags.push_back({FlagKind::lower_bound,
+                              "at the lower bound of the search: the record asks for a compliance of 0 or below, as an "
+                              "offset of the spool makes it"});
     if (high)
-        link.flags.push_back(fmt::format("at the upper bound of the search, {} in^3/psi: the true value may be above",
-                                         CircuitProblem::largest_in3_per_psi));
+        link.flags.push_back({FlagKind::upper_bound,
+                              fmt::format("at the upper bound of the search, {} in^3/psi: the true value may be above",
+                                          CircuitProblem::largest_in3_per_psi)});
     return low || high;
 }
 
@@ -38,9 +41,10 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
     double rms = excitation_psi_per_s(window, junction);
     bool still = rms < least_slope_psi_per_s && rms * link.compliance_in3_per_psi < least_flow_in3_per_s;
     if (still)
-        link.flags.push_back(fmt::format("no excitation: the pressure moves at {:.0f} psi/s (rms) over the last "
-                                         "window; below {:.0f} noise decides",
-                                         rms, least_slope_psi_per_s));
+        link.flags.push_back({FlagKind::no_excitation,
+                              fmt::format("no excitation: the pressure moves at {:.0f} psi/s (rms) over the last "
+                                          "window; below {:.0f} noise decides",
+                                          rms, least_slope_psi_per_s)});
     return still;
 }
 
@@ -49,23 +53,26 @@ void flag_uncertainty(LinkIdentified& link) {
     if (!(share > uncertain_share))
         return;
     std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
-    link.flags.push_back(fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are the "
-                                     "spool, the units and the machine's constants right?",
-                                     size, 100 * uncertain_share));
+    link.flags.push_back({FlagKind::uncertain,
+                          fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are the "
+                                      "spool, the units and the machine's constants right?",
+                                      size, 100 * uncertain_share)});
 }
 
 /// A valve that has opened keeps moving: a spool or an area that never changes comes from a dead sensor.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
     if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
-        link.flags.push_back("inconsistent: the valve reading never changes, but the pressure changes as if the valve "
-                             "moved");
+        link.flags.push_back({FlagKind::still_valve,
+                              "inconsistent: the valve reading never changes, but the pressure changes as if the valve "
+                              "moved"});
 }
 
 void flag_searches(LinkIdentified& link) {
     if (link.highest - link.lowest > searches_differ * link.compliance_in3_per_psi)
-        link.flags.push_back(fmt::format("inconsistent: the searches end between {:.5f} and {:.5f} in^3/psi",
-                                         link.lowest, link.highest));
+        link.flags.push_back(
+            {FlagKind::searches, fmt::format("inconsistent: the searches end between {:.5f} and {:.5f} in^3/psi",
+                                             link.lowest, link.highest)});
 }
 
 /// Do the first and the second half of the samples ask for different compliances?
@@ -73,13 +80,29 @@ void flag_halves(LinkIdentified& link, const ComplianceFit& early, const Complia
     double difference = std::abs(late.compliance_in3_per_psi[junction] - early.compliance_in3_per_psi[junction]);
     double error = std::hypot(early.standard_error[junction], late.standard_error[junction]);
     if (difference > halves_differ * link.compliance_in3_per_psi && difference > halves_differ_errors * error)
-        link.flags.push_back(fmt::format("inconsistent: least squares asks for {:.5f} in the first half of the "
-                                         "samples and for {:.5f} in^3/psi in the second",
-                                         early.compliance_in3_per_psi[junction],
-                                         late.compliance_in3_per_psi[junction]));
+        link.flags.push_back(
+            {FlagKind::halves,
+             fmt::format("inconsistent: least squares asks for {:.5f} in the first half of the "
+                         "samples and for {:.5f} in^3/psi in the second",
+                         early.compliance_in3_per_psi[junction], late.compliance_in3_per_psi[junction])});
 }
 
 } // namespace
+
+std::string_view name_of(FlagKind kind) {
+    constexpr std::array<std::string_view, 9> names{"lower_bound", "upper_bound", "no_excitation",
+                                                    "misfit",      "still_valve", "searches",
+                                                    "halves",      "uncertain",   "offset"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+bool LinkIdentified::flagged(FlagKind kind) const {
+    return std::ranges::any_of(flags, [&](const Flag& flag) { return flag.kind == kind; });
+}
+
+bool Identified::flagged() const {
+    return std::ranges::any_of(links, [](const LinkIdentified& link) { return !link.flags.empty(); });
+}
 
 void add_flags(Identified& identified, const CircuitProblem& problem, const FlowConstants& flow,
                std::span<const CircuitSample> samples, std::span<const CircuitSample> window,
@@ -94,9 +117,10 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
         LinkIdentified& link = identified.links[j];
         bool at_bound = flag_bounds(link, problem), still = flag_excitation(link, window, j);
         if (error >= allowed)
-            link.flags.push_back(fmt::format("inconsistent: the best individual still misses {:.1f} in^3/s of flow "
-                                             "(rms), more than the bias allows ({:.1f})",
-                                             error, allowed));
+            link.flags.push_back(
+                {FlagKind::misfit, fmt::format("inconsistent: the best individual still misses {:.1f} in^3/s of flow "
+                                               "(rms), more than the bias allows ({:.1f})",
+                                               error, allowed)});
         flag_still_valve(link, samples, j);
         flag_searches(link);
         if (early && late)
@@ -112,9 +136,10 @@ void flag_calibration(Identified& identified, const SpoolOffset& found, double r
         return;
     auto boom = std::ranges::find(identified.links, Link::boom, &LinkIdentified::link);
     if (boom != identified.links.end())
-        boom->flags.push_back(fmt::format("an offset of {:+.4f} in was found: a leak looks the same; calibrate on a "
-                                          "machine known to be sound, and give --offset",
-                                          found.offset_in));
+        boom->flags.push_back(
+            {FlagKind::offset, fmt::format("an offset of {:+.4f} in was found: a leak looks the same; calibrate on a "
+                                           "machine known to be sound, and give --offset",
+                                           found.offset_in)});
 }
 
 } // namespace placedpar::identification

@@ -9,11 +9,11 @@ namespace placedpar::identification {
 /// off by more than the thesis's 10 %.
 inline constexpr double uncertain_share = 0.1;
 
-/// Says in LinkIdentified::flags, a sentence each, why a compliance should not be believed as it stands:
+/// Says in LinkIdentified::flags why a compliance should not be believed as it stands:
 ///
 /// - at a bound of the search: the true value may lie beyond; an offset of the spool makes it negative;
 /// - no excitation: the last window's pressure hardly moves, so that noise decides;
-/// - inconsistent: the circuit's equations miss the flow by more than the bias allows, the searches disagree,
+/// - inconsistent: the circuit's equations miss the flow by more than the bias allows (misfit), the searches disagree,
 ///   or the two halves of the record do, or the valve reading never changes;
 /// - uncertain: least squares leaves a standard error of more than uncertain_share. Left out where a bound or the lack
 ///   of excitation has already been flagged.

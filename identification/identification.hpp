@@ -9,9 +9,31 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace placedpar::identification {
+
+/// Why a compliance should not be believed as it stands: see flags.hpp.
+enum class FlagKind : unsigned char {
+    lower_bound,   ///< the answer is at the search's lower bound
+    upper_bound,   ///< at its upper bound
+    no_excitation, ///< the last window's pressure hardly moves
+    misfit,        ///< the circuit's equations miss the flow by more than the bias allows
+    still_valve,   ///< the valve reading never changes
+    searches,      ///< the searches disagree
+    halves,        ///< the two halves of the samples do
+    uncertain,     ///< the standard error is too large a share of the answer
+    offset         ///< an offset of the spool was found that may be a leak
+};
+
+/// As results for machines name it: "lower_bound".
+std::string_view name_of(FlagKind);
+
+struct Flag {
+    FlagKind kind;
+    std::string text; ///< a sentence for people, with its figures
+};
 
 /// The compliance of one link, as identified.
 struct LinkIdentified {
@@ -21,7 +43,9 @@ struct LinkIdentified {
     double standard_error;         ///< of least squares on the last window: what the record's noise leaves uncertain
     std::optional<double> optimum; ///< the best of all codes on the last window; none above 20 bits (exhaustive_bits)
     std::optional<double> codes_from_optimum; ///< the searches' median distance from it
-    std::vector<std::string> flags;           ///< sentences; empty: nothing unusual
+    std::vector<Flag> flags;                  ///< empty: nothing unusual
+
+    bool flagged(FlagKind) const;
 };
 
 struct Identified {
@@ -29,6 +53,8 @@ struct Identified {
     std::vector<LinkIdentified> links;        ///< in the circuit's order
     std::vector<TransientEstimate> estimates; ///< of the first search
     std::uint64_t generations = 0;            ///< of all searches
+
+    bool flagged() const; ///< any link, with anything
 };
 
 /// Identifies the compliances of a circuit from its samples, without any simulated transputers. The first search draws

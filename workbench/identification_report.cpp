@@ -1,5 +1,6 @@
 #include "workbench/identification_report.hpp"
 
+#include "hydraulics/data/units.hpp"
 #include "text/counted.hpp"
 
 #include <boost/json.hpp>
@@ -14,18 +15,14 @@ using namespace identification;
 
 namespace {
 
-/// One search has no spread of its own.
-std::string print_spread(const LinkIdentified& link, std::size_t searches) {
-    return searches > 1 ? fmt::format("{:9.5f} {:9.5f}", link.lowest, link.highest)
-                        : fmt::format("{:>9} {:>9}", "-", "-");
-}
-
-std::string print_link(const LinkIdentified& link, std::size_t searches) {
+std::string print_link(const LinkIdentified& link) {
+    static const double m3_per_pascal = hydraulics::unit_named("m^3/Pa")->factor; // in in^3/psi
     std::string name = fmt::format("C_{}i", symbol_of(link.link));
     std::string optimum = link.optimum ? fmt::format("{:9.5f} {:9.0f}", *link.optimum, *link.codes_from_optimum)
                                        : fmt::format("{:>9} {:>9}", "-", "-");
-    return fmt::format("{:<7} {:9.5f}  {} {:9.5f}  {}\n", name, link.compliance_in3_per_psi,
-                       print_spread(link, searches), link.standard_error, optimum);
+    return fmt::format("{:<7} {:9.5f}  {:9.5f}  {:9.3e}  {:9.1e}  {}\n", name, link.compliance_in3_per_psi,
+                       link.standard_error, link.compliance_in3_per_psi / m3_per_pascal,
+                       link.standard_error / m3_per_pascal, optimum);
 }
 
 std::size_t frozen_samples(const Identified& identified) {
@@ -37,9 +34,16 @@ std::size_t frozen_samples(const Identified& identified) {
 
 std::string print_flags(const LinkIdentified& link) {
     std::string text;
-    for (const std::string& flag : link.flags)
-        text += fmt::format("! C_{}i: {}\n", symbol_of(link.link), flag);
+    for (const Flag& flag : link.flags)
+        text += fmt::format("! C_{}i: {}\n", symbol_of(link.link), flag.text);
     return text;
+}
+
+boost::json::array flags_json(const LinkIdentified& link) {
+    boost::json::array flags;
+    for (const Flag& flag : link.flags)
+        flags.push_back({{"kind", name_of(flag.kind)}, {"text", flag.text}});
+    return flags;
 }
 
 std::string print_search(const Identified& identified, const ComplianceSearch& prepared, const IdentificationWay& way) {
@@ -67,7 +71,7 @@ boost::json::object link_json(const LinkIdentified& link) {
             {"standard_error", or_null(link.standard_error)},
             {"optimum", or_null(link.optimum)},
             {"codes_from_optimum", or_null(link.codes_from_optimum)},
-            {"flags", boost::json::array(link.flags.begin(), link.flags.end())}};
+            {"flags", flags_json(link)}};
 }
 
 boost::json::object estimate_json(const TransientEstimate& estimate) {
@@ -88,9 +92,9 @@ std::string print_identified(const Identified& identified, const ComplianceSearc
         text += fmt::format("frozen for want of excitation after {} of them\n", frozen);
     if (double offset = spool_offset_in(prepared); offset != 0)
         text += fmt::format("spool offset taken off the readings: {:+.5f} in\n", offset);
-    text += "\nin^3/psi  median  searches: 5 %      95 %  std.error    optimum  codes off\n";
+    text += "\n         in^3/psi  std.error     m^3/Pa  std.error    optimum  codes off\n";
     for (const LinkIdentified& link : identified.links)
-        text += print_link(link, way.searches);
+        text += print_link(link);
     for (const LinkIdentified& link : identified.links)
         text += print_flags(link);
     return text;

@@ -160,7 +160,9 @@ ExitCode identify_case(const IdentifyOptions& options, const Case& asked, boost:
     print_out(print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared, asked.way))
         json[key] = value;
-    return processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+    ExitCode ended = processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+    bool doubted = options.strict && identified.flagged();
+    return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
 }
 
 void require_files(const IdentifyOptions& options) {

@@ -85,12 +85,14 @@ void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
     for (auto* option : add_read_options(command, options.read))
         option->needs(netlist);
     add_file(command, "--json", options.json, "writes the result for machines");
+    command.add_flag("--strict", options.strict, "exit code 3 where an answer should not be believed as it stands");
     command.footer(
-        "It prints, in in^3/psi, the compliance of each link (the median of the searches) and where 90 % of the "
-        "searches end;\n"
-        "the standard error that the record's own noise leaves; the best of all codes on the last window, and "
-        "how many codes\n"
-        "the searches end from it. A line with ! says where that should not be believed as it stands.\n"
+        "It prints the compliance of each link (the median of the searches) and the standard error that the record's "
+        "own noise leaves,\n"
+        "in both systems of units; the best of all codes on the last window, in in^3/psi, and how many codes the "
+        "searches end from it.\n"
+        "A line with ! says where that should not be believed as it stands. --json has where 90 % of the searches end, "
+        "too.\n"
         "What a record looks like: docs/records.md. Records to try: examples/records.");
 }
 

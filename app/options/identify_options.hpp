@@ -24,7 +24,7 @@ struct IdentifyOptions {
     std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
     double bias = 400;
     std::optional<std::size_t> elite;
-    bool rising = false;
+    bool rising = false, strict = false;
 };
 
 void declare_identify_options(CLI::App& command, IdentifyOptions& options);

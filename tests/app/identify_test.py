@@ -71,24 +71,44 @@ class Identification(unittest.TestCase):
 
     def test_an_offset_that_is_not_taken_off_ends_at_the_lower_bound(self):
         boom = self.boom(RECORDS / "boom-offset.csv", "--offset", "none")
-        self.assertRegex(boom["flags"][0], "^at the lower bound")
+        self.assertEqual(boom["flags"][0]["kind"], "lower_bound")
+        self.assertRegex(boom["flags"][0]["text"], "^at the lower bound")
         self.assertAlmostEqual(self.boom(RECORDS / "boom-offset.csv", "--offset", -0.01)["compliance"], TRUTH,
                                delta=0.1 * TRUTH)
 
     def test_a_leak_that_passes_for_an_offset_is_flagged(self):
         leak = self.record("excavator", "--set", "fault.leak=0.0028", "--set", "fault.leak_start=0.192")
-        self.assertRegex(self.boom(leak)["flags"][0], r"^an offset of \+0\.004\d in was found: a leak looks the same")
+        self.assertRegex(self.boom(leak)["flags"][0]["text"], r"^an offset of \+0\.004\d in was found: a leak looks the same")
         self.assertNotIn("leak", self.identify(leak, "--offset", 0.0045))
 
     def test_angles_that_are_radians_are_uncertain(self):
         radians = self.rows(lambda row: row[:3] + [str(float(row[3]) * 0.01745)] + row[4:])
-        self.assertRegex(self.boom(radians, "--offset", "none")["flags"][0], r"^uncertain: .* standard error of \d\d %")
+        self.assertRegex(self.boom(radians, "--offset", "none")["flags"][0]["text"], r"^uncertain: .* standard error of \d\d %")
 
-    def test_one_search_has_no_spread_and_twenty_one_have(self):
-        thesis, service = self.identify(STEP), self.identify(STEP, "--way", "service")
-        self.assertRegex(thesis, r"(?m)^C_BOi +0\.00\d+ +- +- +0\.000")
-        self.assertRegex(service, r"(?m)^C_BOi +0\.00\d+ +0\.00\d+ +0\.00\d+ +0\.000")
-        self.assertIn("21 searches", service)
+    def test_the_compliance_stands_with_its_standard_error_in_both_systems_of_units(self):
+        printed = re.search(r"(?m)^C_BOi +(\S+) +(\S+) +(\S+) +(\S+)", self.identify(STEP))
+        compliance, error, si, si_error = map(float, printed.groups())
+        self.assertAlmostEqual(compliance, TRUTH, delta=0.1 * TRUTH)
+        m3_per_pascal = 0.0254 ** 3 / 6894.757293168361
+        self.assertAlmostEqual(si / (compliance * m3_per_pascal), 1, delta=2e-3)
+        self.assertAlmostEqual(si_error / (error * m3_per_pascal), 1, delta=0.06)  # of two digits
+
+    def test_where_the_searches_end_is_for_machines(self):
+        one, many = self.boom(STEP), self.boom(STEP, "--way", "service")
+        self.assertEqual(one["lowest"], one["highest"])
+        self.assertLessEqual(many["lowest"], many["compliance"])
+        self.assertLessEqual(many["compliance"], many["highest"])
+        printed = self.identify(STEP, "--way", "service")
+        self.assertIn("21 searches", printed)
+        self.assertNotIn("95 %", printed)
+
+    def test_strict_tells_a_script_that_an_answer_is_doubted(self):
+        offset = RECORDS / "boom-offset.csv"
+        for record, option, code in ((STEP, "--strict", 0), (offset, "--offset=none", 0)):
+            self.assertEqual(placedpar("identify", record, option).returncode, code)
+        doubted = placedpar("identify", offset, "--offset", "none", "--strict", "--json", self.file("found.json", ""))
+        self.assertEqual(doubted.returncode, 3)
+        self.assertIn("! C_BOi: at the lower bound", doubted.stdout)
 
     def test_each_setting_is_heeded(self):
         plain = self.result(STEP)

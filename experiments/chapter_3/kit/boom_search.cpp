@@ -52,8 +52,7 @@ BoomIdentified identify_boom(const BoomData& data, const BoomModel& model, const
     CircuitProblem problem(boom_circuit(), data.flow, way.bits);
     Identified found = identify(problem, data.flow, samples, way, seed);
     const LinkIdentified& boom = found.links.front();
-    bool at_bound =
-        std::ranges::any_of(boom.flags, [](const std::string& flag) { return flag.starts_with("at the lower bound"); });
+    bool at_bound = boom.flagged(FlagKind::lower_bound);
     auto least_squares = fit(samples, data.flow);
     return {std::move(samples), found, boom.compliance_in3_per_psi, least_squares, at_bound};
 }
