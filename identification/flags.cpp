@@ -1,5 +1,6 @@
 #include "identification/flags.hpp"
 
+#include "hydraulics/data/frozen_run.hpp"
 #include "identification/compliance_fit.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +69,33 @@ void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> sampl
                               "moved"});
 }
 
+/// What no pressure does.
+void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
+    std::vector<double> psi;
+    for (const CircuitSample& sample : samples)
+        psi.push_back(sample.links[junction].inlet_psi);
+    if (double least = std::ranges::min(psi); least < vacuum_psi)
+        link.flags.push_back(
+            {FlagKind::vacuum, fmt::format("impossible: the pressure reads {:.0f} psi, below vacuum", least)});
+    if (auto frozen = frozen_run(psi))
+        link.flags.push_back(
+            {FlagKind::frozen, fmt::format("impossible: the pressure stands at {:.1f} psi in {} samples from {:.3f} s "
+                                           "on, and then jumps by {:.0f} psi",
+                                           psi[frozen->first], frozen->last - frozen->first,
+                                           samples[frozen->first].time_s, frozen->jump_psi)});
+}
+
+/// Oil that flows in drives the piston out, but for what the hose takes up meanwhile: on average over the samples.
+void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
+    double flow = 0;
+    for (const CircuitSample& sample : samples)
+        flow += sample.links[junction].piston_flow_in3_per_s / static_cast<double>(samples.size());
+    if (flow < -least_flow_in3_per_s)
+        link.flags.push_back({FlagKind::falls, fmt::format("inconsistent: the piston goes back, by {:.1f} in^3/s on "
+                                                           "average, while oil flows in: is the angle's sign right?",
+                                                           -flow)});
+}
+
 void flag_searches(LinkIdentified& link) {
     if (link.highest - link.lowest > searches_differ * link.compliance_in3_per_psi)
         link.flags.push_back(
@@ -90,9 +118,9 @@ void flag_halves(LinkIdentified& link, const ComplianceFit& early, const Complia
 } // namespace
 
 std::string_view name_of(FlagKind kind) {
-    constexpr std::array<std::string_view, 9> names{"lower_bound", "upper_bound", "no_excitation",
-                                                    "misfit",      "still_valve", "searches",
-                                                    "halves",      "uncertain",   "offset"};
+    constexpr std::array<std::string_view, 12> names{"lower_bound", "upper_bound", "no_excitation", "misfit",
+                                                     "still_valve", "searches",    "halves",        "uncertain",
+                                                     "offset",      "vacuum",      "frozen",        "falls"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -122,6 +150,8 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
                                                "(rms), more than the bias allows ({:.1f})",
                                                error, allowed)});
         flag_still_valve(link, samples, j);
+        flag_pressure(link, samples, j);
+        flag_falling(link, samples, j);
         flag_searches(link);
         if (early && late)
             flag_halves(link, *early, *late, j);

@@ -24,7 +24,10 @@ enum class FlagKind : unsigned char {
     searches,      ///< the searches disagree
     halves,        ///< the two halves of the samples do
     uncertain,     ///< the standard error is too large a share of the answer
-    offset         ///< an offset of the spool was found that may be a leak
+    offset,        ///< an offset of the spool was found that may be a leak
+    vacuum,        ///< a pressure is below vacuum
+    frozen,        ///< the pressure's sensor freezes
+    falls          ///< the piston goes back while oil flows in
 };
 
 /// As results for machines name it: "lower_bound".

@@ -1,5 +1,7 @@
 #include "hydraulics/data/record_faults.hpp"
 
+#include "hydraulics/data/frozen_run.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -125,6 +127,26 @@ void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::
     if (greatest > 0 && !within(greatest, usual))
         warn(fmt::format("{} reaches {:.6g} {}, which is unusual", name, number, unit.name),
              likely_units(unit.quantity, number, usual));
+}
+
+void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
+                    std::size_t index, std::vector<Diagnostic>& faults) {
+    auto warn = [&](std::size_t sample, std::string message, std::string hint) {
+        const TextRow& row = table.rows[sample];
+        faults.push_back(warning_at(row.line, row.cells[index].column, std::move(message), std::move(hint)));
+    };
+    auto below = [](double each) { return each < vacuum_psi; };
+    if (auto first = std::ranges::find_if(psi, below); first != psi.end())
+        warn(static_cast<std::size_t>(first - psi.begin()),
+             fmt::format("{} is {:.6g} {}, below vacuum; so are {} of {} samples", name, *first / unit.factor,
+                         unit.name, std::ranges::count_if(psi, below), psi.size()),
+             "pressures are above the air's: has the sensor's sign been turned?");
+    if (auto frozen = frozen_run(psi))
+        warn(frozen->first,
+             fmt::format("{} stands at {:.6g} {} up to line {}, and then jumps by {:.4g} {}", name,
+                         psi[frozen->first] / unit.factor, unit.name, table.rows[frozen->last - 1].line,
+                         frozen->jump_psi / unit.factor, unit.name),
+             "a sensor or a logger that froze: leave these rows out");
 }
 
 } // namespace placedpar::hydraulics

@@ -37,4 +37,9 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
                    HeaderPlace place, std::vector<Diagnostic>& faults);
 
+/// Warns of a pressure below vacuum, at the first sample that has one, and of one that freezes and then jumps. `index`:
+/// of the channel's cells. REQUIRES: table's rows are the samples.
+void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
+                    std::size_t index, std::vector<Diagnostic>& faults);
+
 } // namespace placedpar::hydraulics

@@ -100,10 +100,13 @@ double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic
 void check(Record& record, const TextTable& table, const std::vector<Column>& columns,
            std::vector<Diagnostic>& faults) {
     for (const Column& column : columns)
-        if (HeaderPlace place{table.header.line, column.at}; column.sensor)
+        if (HeaderPlace place{table.header.line, column.at}; column.sensor) {
             check_channel(column.name, *column.sensor, *column.unit, *column.values, place, faults);
-        else
+            if (quantity_of(*column.sensor) == Quantity::pressure)
+                check_pressure(column.name, *column.unit, *column.values, table, column.index, faults);
+        } else {
             check_times(record, table, {column.index, place, *column.unit}, faults);
+        }
 }
 
 /// Decimals that tell all times apart, as far as they were given.

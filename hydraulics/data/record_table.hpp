@@ -27,8 +27,8 @@ struct ReadRecord {
 /// Refused: a column or its unit missing, wrong or repeated; no column of a sensor; no number, or one larger than
 /// anything measured; times that go back, repeat with other readings, or are no whole number of periods apart;
 /// fewer than `fewest_samples` rows; what split_table refuses. Warned of: identical rows in succession (used once),
-/// gaps, channels that never change, channels and periods that would be ordinary in another unit. Faults come in
-/// the order of their lines.
+/// gaps, channels that never change, channels and periods that would be ordinary in another unit, pressures below
+/// vacuum and frozen ones. Faults come in the order of their lines.
 ReadRecord read_record(std::string_view text);
 
 /// The sensors' line fit needs 5 samples.

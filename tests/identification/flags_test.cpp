@@ -91,6 +91,24 @@ TEST_CASE("long after the transient: no excitation") {
     CHECK(is_flagged(identify_boom(boom_measured(4, low_noise, 1), way, 1), "no excitation"));
 }
 
+TEST_CASE("what no machine does: pressures below vacuum, a frozen sensor, a piston that goes back while oil flows in") {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        Record good = boom_measured(1.5, low_noise, seed), negative = good, frozen = good, turned = good;
+        for (double& psi : negative.of(Link::boom, Sensor::inlet_pressure))
+            psi = -psi;
+        auto& psi = frozen.of(Link::boom, Sensor::inlet_pressure);
+        std::fill(psi.begin() + 16, psi.begin() + 26, psi[16]); // of the rise
+        for (double& angle : turned.of(Link::boom, Sensor::angle))
+            angle = -angle;
+        auto flagged = [&](const Record& record, FlagKind kind) {
+            return identify_boom(record, thesis_way(), seed).links[0].flagged(kind);
+        };
+        CHECK(flagged(negative, FlagKind::vacuum));
+        CHECK(flagged(frozen, FlagKind::frozen));
+        CHECK(flagged(turned, FlagKind::falls));
+    }
+}
+
 TEST_CASE("a pump that gives less than the model's: inconsistent") {
     ComplianceSearch prepared = prepare(boom_measured(1.5, low_noise, 1), Parameters::excavator(), {}, thesis_way());
     FlowConstants stronger = prepared.flow;

@@ -171,6 +171,25 @@ TEST_CASE("channels that are likely wrong") {
         "moved\n");
 }
 
+TEST_CASE("pressures below vacuum, and one that freezes") {
+    std::string text = "time [s],boom.inlet_pressure [bar],boom.angle [deg]\n";
+    for (int i = 0; i < 12; ++i)
+        text += fmt::format("{},{},{}\n", 0.02 * i, i < 4 ? 100.0 + i : i < 9 ? 104.0 : i == 9 ? -1.5 : 107.5, 7 + i);
+    CHECK(
+        record_faults(text) ==
+        "warning 6:6: boom.inlet_pressure stands at 104 bar up to line 10, and then jumps by -105.5 bar | a sensor or "
+        "a logger that froze: leave these rows out\n"
+        "warning 11:6: boom.inlet_pressure is -1.5 bar, below vacuum; so are 1 of 12 samples | pressures are "
+        "above the air's: has the sensor's sign been turned?\n");
+}
+
+TEST_CASE("a pressure that rests, and one that moves by a converter's codes, are not frozen") {
+    std::string text = "time [s],boom.inlet_pressure [psi],boom.angle [deg]\n";
+    for (int i = 0; i < 12; ++i)
+        text += fmt::format("{},{},{}\n", 0.02 * i, i < 8 ? 1555.0 : 1555 + 39.0 * (i - 7), 7 + i);
+    CHECK(record_faults(text).empty());
+}
+
 TEST_CASE("gaps part a record into stretches") {
     ReadRecord read = read_record(boom_columns + rows(0, 6) + rows(8, 12) + rows(20, 21));
     REQUIRE(read.record);
