@@ -1,6 +1,7 @@
 #include "hydraulics/data/record_faults.hpp"
 
 #include "hydraulics/data/frozen_run.hpp"
+#include "hydraulics/data/resample.hpp"
 
 #include <fmt/format.h>
 
@@ -71,15 +72,25 @@ std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const Te
         return fault(true, fmt::format("{:.6g} s before the time on line {}", -step_s, line_before),
                      "rows must be in order of time");
     double periods = std::round(step_s / period_s);
-    if (periods < 1 || std::abs(step_s - periods * period_s) > sampling_tolerance * period_s)
+    if (periods < 1 || std::abs(step_s - periods * period_s) > jitter_tolerance * period_s)
         return fault(true, fmt::format("{:.6g} s after the time on line {}", step_s, line_before),
                      fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
-                                 period_s, 100 * sampling_tolerance));
+                                 period_s, 100 * jitter_tolerance));
     if (periods > 1)
         return fault(
             false, fmt::format("{:.0f} sample{} missing before this one", periods - 1, periods == 2 ? " is" : "s are"),
             "no window and no slope reaches over the gap");
     return std::nullopt;
+}
+
+/// Is a step further from whole periods than slopes allow?
+bool jitters(const Record& record) {
+    for (std::size_t i = 1; i < record.size(); ++i) {
+        double periods = (record.time_s[i] - record.time_s[i - 1]) / record.period_s;
+        if (std::abs(periods - std::round(periods)) > sampling_tolerance)
+            return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -106,6 +117,14 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
         if (auto fault = fault_of_step(record.time_s[i] - record.time_s[i - 1], record.period_s,
                                        table.rows[i].cells[time.index], table.rows[i].line, table.rows[i - 1].line))
             faults.push_back(std::move(*fault));
+    if (!has_errors(faults) && jitters(record)) {
+        double worst_s = resample(record);
+        faults.push_back(warning_at(time.place.line, time.place.column,
+                                    fmt::format("the times are up to {:.3g} {} off whole periods of {:.4g} {}",
+                                                worst_s / time.unit.factor, time.unit.name, median_s / time.unit.factor,
+                                                time.unit.name),
+                                    "readings at whole periods are taken from the lines between neighbours"));
+    }
     if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
         faults.push_back(
             warning_at(time.place.line, time.place.column,

@@ -27,9 +27,9 @@ struct TimeColumn {
 /// Removes rows that are identical to the one before, as loggers write them when they restart.
 void drop_repeated_rows(TextTable& table, std::vector<Diagnostic>& faults);
 
-/// Sets record.period_s to the median step of record.time_s; the times must rise by whole numbers of periods.
-/// Warns of gaps, and of a period that would be ordinary in another unit. REQUIRES: table's rows are the record's
-/// samples, at least two.
+/// Sets record.period_s to the median step of record.time_s; the times must rise by whole numbers of periods. Those
+/// that jitter about them are resampled. Warns of that, of gaps, and of a period that would be ordinary in another
+/// unit. REQUIRES: table's rows are the record's samples, at least two.
 void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<Diagnostic>& faults);
 
 /// Warns of a channel that never changes, and of one whose greatest value would be ordinary in another unit.

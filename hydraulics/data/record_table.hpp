@@ -25,10 +25,11 @@ struct ReadRecord {
 /// is converted. A column of another name is warned of and left out.
 ///
 /// Refused: a column or its unit missing, wrong or repeated; no column of a sensor; no number, or one larger than
-/// anything measured; times that go back, repeat with other readings, or are no whole number of periods apart;
+/// anything measured; times that go back, repeat with other readings, or are further from whole periods apart than
+/// jitter_tolerance;
 /// fewer than `fewest_samples` rows; what split_table refuses. Warned of: identical rows in succession (used once),
-/// gaps, channels that never change, channels and periods that would be ordinary in another unit, pressures below
-/// vacuum and frozen ones. Faults come in the order of their lines.
+/// jittered times (resampled), gaps, channels that never change, channels and periods that would be ordinary in another
+/// unit, pressures below vacuum and frozen ones. Faults come in the order of their lines.
 ReadRecord read_record(std::string_view text);
 
 /// The sensors' line fit needs 5 samples.

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import random
 import re
 import tempfile
 import unittest
@@ -101,6 +102,13 @@ class Identification(unittest.TestCase):
         printed = self.identify(STEP, "--way", "service")
         self.assertIn("21 searches", printed)
         self.assertNotIn("95 %", printed)
+
+    def test_a_clock_that_jitters_by_a_millisecond_changes_little(self):
+        draw = random.Random(1)
+        jittered = self.rows(lambda row: [f"{float(row[0]) + draw.uniform(-0.001, 0.001):.5f}"] + row[1:])
+        run = placedpar("identify", jittered)
+        self.assertIn("off whole periods of 0.02 s", run.stderr)
+        self.assertAlmostEqual(self.boom(jittered)["compliance"], TRUTH, delta=0.1 * TRUTH)
 
     def test_strict_tells_a_script_that_an_answer_is_doubted(self):
         offset = RECORDS / "boom-offset.csv"
