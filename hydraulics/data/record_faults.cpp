@@ -121,8 +121,8 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
         double worst_s = resample(record);
         faults.push_back(warning_at(time.place.line, time.place.column,
                                     fmt::format("the times are up to {:.3g} {} off whole periods of {:.4g} {}",
-                                                worst_s / time.unit.factor, time.unit.name, median_s / time.unit.factor,
-                                                time.unit.name),
+                                                worst_s / time.unit.factor, time.unit.name,
+                                                record.period_s / time.unit.factor, time.unit.name),
                                     "readings at whole periods are taken from the lines between neighbours"));
     }
     if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
