@@ -2,6 +2,7 @@
 
 #include "netlist/read.hpp"
 #include "tests/netlist/small_catalogue.hpp"
+#include "tests/sanitized.hpp"
 #include "text/load_source.hpp"
 
 #include <doctest/doctest.h>
@@ -98,14 +99,16 @@ TEST_CASE("lines, words and nesting without measure") {
     CHECK(refused("val x 1" + repeated("\n[1]", 100000) + ";").starts_with("the expression is too long"));
     CHECK(refused("process (" + repeated("order (\n", 5000) + ";").starts_with("the nesting is too deep"));
     CHECK(refused("val s \"" + std::string(5000, 'x') + "\";").starts_with("the string is too long"));
-    CHECK(refused(repeated("val x 1;\n", 1100000)).starts_with("the netlist is too large"));
+    if (!test::sanitized)
+        CHECK(refused(repeated("val x 1;\n", 1100000)).starts_with("the netlist is too large"));
 }
 
 TEST_CASE("replication and arrays without measure") {
     CHECK(refused("rep i = 0 for 9223372036854775807 ;").find("takes more than") != std::string::npos);
     CHECK(refused("rep i = 1 for 9223372036854775807 ;") == "1 + 9223372036854775807 is beyond 64 bits");
-    CHECK(refused("rep a = 0 for 3000 rep b = 0 for 3000 { val x a + b; }").find("takes more than") !=
-          std::string::npos);
+    if (!test::sanitized)
+        CHECK(refused("rep a = 0 for 3000 rep b = 0 for 3000 { val x a + b; }").find("takes more than") !=
+              std::string::npos);
     CHECK(refused("T800 t[1000][1000];").find("the array is too large") != std::string::npos);
     CHECK(refused("T800 t[4611686018427387904][4];").find("the array is too large") != std::string::npos);
     CHECK(refused("rep i = 0 for 1000000 T800 t;").starts_with("the network is too large"));
