@@ -16,7 +16,8 @@ struct FrozenRun {
 };
 
 /// The first of them. All ours: five equal readings, for a pressure that moves passes a converter's code in less; a
-/// jump of 40 psi, for one that has rested begins to move by less in a sample.
+/// jump of 40 psi that is greater than the step after it, for one that has rested begins to move slowly and gathers
+/// speed.
 std::optional<FrozenRun> frozen_run(std::span<const double> psi, std::size_t fewest = 5, double least_jump_psi = 40);
 
 } // namespace placedpar::hydraulics

@@ -118,12 +118,16 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
                                        table.rows[i].cells[time.index], table.rows[i].line, table.rows[i - 1].line))
             faults.push_back(std::move(*fault));
     if (!has_errors(faults) && jitters(record)) {
-        double worst_s = resample(record);
-        faults.push_back(warning_at(time.place.line, time.place.column,
-                                    fmt::format("the times are up to {:.3g} {} off whole periods of {:.4g} {}",
-                                                worst_s / time.unit.factor, time.unit.name,
-                                                record.period_s / time.unit.factor, time.unit.name),
-                                    "readings at whole periods are taken from the lines between neighbours"));
+        if (auto worst_s = resample(record))
+            faults.push_back(warning_at(time.place.line, time.place.column,
+                                        fmt::format("the times are up to {:.3g} {} off whole periods of {:.4g} {}",
+                                                    *worst_s / time.unit.factor, time.unit.name,
+                                                    record.period_s / time.unit.factor, time.unit.name),
+                                        "readings at whole periods are taken from the lines between neighbours"));
+        else
+            faults.push_back(error_at(time.place.line, time.place.column,
+                                      "the period changes: the times leave whole periods by more than half of one",
+                                      "a record of each rate by itself"));
     }
     if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
         faults.push_back(
@@ -157,8 +161,8 @@ void check_pressure(std::string_view name, const Unit& unit, std::span<const dou
     auto below = [](double each) { return each < vacuum_psi; };
     if (auto first = std::ranges::find_if(psi, below); first != psi.end())
         warn(static_cast<std::size_t>(first - psi.begin()),
-             fmt::format("{} is {:.6g} {}, below vacuum; so are {} of {} samples", name, *first / unit.factor,
-                         unit.name, std::ranges::count_if(psi, below), psi.size()),
+             fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name, *first / unit.factor, unit.name,
+                         std::ranges::count_if(psi, below), psi.size()),
              "pressures are above the air's: has the sensor's sign been turned?");
     if (auto frozen = frozen_run(psi))
         warn(frozen->first,

@@ -26,7 +26,7 @@ struct ReadRecord {
 ///
 /// Refused: a column or its unit missing, wrong or repeated; no column of a sensor; no number, or one larger than
 /// anything measured; times that go back, repeat with other readings, or are further from whole periods apart than
-/// jitter_tolerance;
+/// jitter_tolerance; a period that changes;
 /// fewer than `fewest_samples` rows; what split_table refuses. Warned of: identical rows in succession (used once),
 /// jittered times (resampled), gaps, channels that never change, channels and periods that would be ordinary in another
 /// unit, pressures below vacuum and frozen ones. Faults come in the order of their lines.

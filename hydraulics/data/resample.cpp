@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace placedpar::hydraulics {
@@ -28,16 +29,19 @@ std::size_t neighbour(std::size_t i, double time_s, std::span<const double> time
 
 } // namespace
 
-double resample(Record& record) {
-    std::vector<double> periods = whole_periods(record), times_s = record.time_s, before;
-    record.period_s = (times_s.back() - times_s.front()) / periods.back();
-    double start_s = 0, worst_s = 0;
+std::optional<double> resample(Record& record) {
+    std::vector<double> periods = whole_periods(record), times_s = record.time_s, regular_s, before;
+    double period_s = (times_s.back() - times_s.front()) / periods.back(), start_s = 0, worst_s = 0;
     for (std::size_t i = 0; i < times_s.size(); ++i)
-        start_s += (times_s[i] - periods[i] * record.period_s) / static_cast<double>(times_s.size());
+        start_s += (times_s[i] - periods[i] * period_s) / static_cast<double>(times_s.size());
     for (std::size_t i = 0; i < times_s.size(); ++i) {
-        record.time_s[i] = start_s + periods[i] * record.period_s;
-        worst_s = std::max(worst_s, std::abs(times_s[i] - record.time_s[i]));
+        regular_s.push_back(start_s + periods[i] * period_s);
+        worst_s = std::max(worst_s, std::abs(times_s[i] - regular_s[i]));
     }
+    if (worst_s > period_s / 2)
+        return std::nullopt;
+    record.period_s = period_s;
+    record.time_s = std::move(regular_s);
     for (Link link : all_links)
         for (Sensor sensor : all_sensors) {
             std::vector<double>& values = record.of(link, sensor);

@@ -19,7 +19,6 @@
 using namespace placedpar;
 using test::IslandNetlist;
 using test::LibraryRun;
-using Names = std::initializer_list<const char*>;
 
 namespace {
 
