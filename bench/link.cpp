@@ -23,9 +23,7 @@ void carry(const char* what, bool every_byte, bool both_ways, long messages) {
     constexpr std::uint32_t bytes = 1000;
     Simulation simulation;
     Link& link = simulation.add<Link>();
-    Channel<Block> there("there"), back("back");
-    there.put_on(link.from_a_to_b());
-    back.put_on(link.from_b_to_a());
+    Channel<Block> there("there", link.from_a_to_b()), back("back", link.from_b_to_a());
     for (Channel<Block>* channel : {&there, &back})
         if (channel == &there || both_ways) {
             simulation.process("sender", [=] {

@@ -37,7 +37,8 @@ namespace json = boost::json;
 using asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds period{20};
+/// Between the samples of a client that is paced; they say 20 ms whatever it is.
+std::chrono::milliseconds period{20};
 
 struct Part {
     const char* name;
@@ -175,10 +176,13 @@ void mix(placedpar::Fingerprint& fingerprint, const std::string& answer) {
                 fingerprint.mix(std::bit_cast<std::uint64_t>(c.to_number<double>()));
 }
 
-/// What a part cost the service: its totals before and after.
-void run(const Part& part, std::size_t samples) {
+/// What a part cost the service: its totals before and after. `state`: the folder of its state file; empty: none.
+void run(const Part& part, std::size_t samples, const std::string& state) {
     placedpar::monitor::ServiceSettings settings;
-    settings.limits.clients = part.clients + 1;
+    settings.limits.clients = settings.limits.clients_per_peer = part.clients + 1;
+    settings.limits.machines_per_peer = settings.limits.machines;
+    if (!state.empty())
+        settings.state = fmt::format("{}/{}.state", state, part.name);
     placedpar::monitor::Service service(settings, [](const std::string&) {});
     std::thread thread([&] { service.run(); });
     asio::io_context io;
@@ -195,19 +199,21 @@ void run(const Part& part, std::size_t samples) {
 
     std::vector<double> latencies_ms;
     placedpar::Fingerprint fingerprint;
-    double work_s = 0, cpu_s = 0;
+    double work_s = 0, cpu_s = 0, turn_s = 0;
     for (const auto& system : systems) {
         latencies_ms.insert(latencies_ms.end(), system->latencies_ms.begin(), system->latencies_ms.end());
         mix(fingerprint, system->last_answer);
         work_s = std::max(work_s, field(system->load, "work_s"));
         cpu_s = std::max(cpu_s, field(system->load, "cpu_s"));
+        turn_s = std::max(turn_s, field(system->load, "longest_turn_s"));
     }
     std::sort(latencies_ms.begin(), latencies_ms.end());
     double count = static_cast<double>(latencies_ms.size());
-    fmt::print("{:<22} {:>7} {:>10.0f} {:>9.1f} {:>9.1f} {:>11.1f} {:>9.2f} {:>9.2f} {:>9.2f}   {:016x}\n", part.name,
-               part.clients, count / took_s, 100 * work_s / took_s, 100 * cpu_s / took_s, 1e6 * cpu_s / count,
-               placedpar::identification::lower_median(latencies_ms),
-               placedpar::identification::quantile(latencies_ms, 0.99), latencies_ms.back(), fingerprint.value());
+    fmt::print("{:<22} {:>7} {:>10.0f} {:>9.1f} {:>9.1f} {:>11.1f} {:>9.2f} {:>9.2f} {:>9.2f} {:>10.2f}   {:016x}\n",
+               part.name, part.clients, count / took_s, 100 * work_s / took_s, 100 * cpu_s / took_s,
+               1e6 * cpu_s / count, placedpar::identification::lower_median(latencies_ms),
+               placedpar::identification::quantile(latencies_ms, 0.99), latencies_ms.back(), 1e3 * turn_s,
+               fingerprint.value());
     std::fflush(stdout);
 }
 
@@ -220,7 +226,15 @@ int main(int argc, char** argv) try {
     command.add_option("CLIENTS", clients, "of the last three parts")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
+    std::string state;
+    command.add_option("--state", state, "keep what is known in this folder, which must be empty")
+        ->check(CLI::ExistingDirectory);
+    int period_ms = 20;
+    command.add_option("--period", period_ms, "between the samples of a client that is paced, in ms")
+        ->check(CLI::Range(1, 60000))
+        ->capture_default_str();
     CLI11_PARSE(command, argc, argv);
+    period = std::chrono::milliseconds(period_ms);
     const std::vector<Part> parts{
         {"four-links", "d", R"(["BU","BO","ST","SW"])", {"BU", "BO", "ST", "SW"}, 1, true},
         {"two-sets-of-two", "a", R"(["BU","BO","ST","SW"])", {"BU", "BO", "ST", "SW"}, 1, true},
@@ -229,10 +243,10 @@ int main(int argc, char** argv) try {
         {"booms-flat-out", "a", R"(["BO"])", {"BO"}, clients, false},
     };
     fmt::print("{} samples each, 5 generations of 120 a sample; latencies from a sample to its answer\n", samples);
-    fmt::print("{:<22} {:>7} {:>10} {:>9} {:>9} {:>11} {:>9} {:>9} {:>9}   {}\n", "", "clients", "samples/s",
-               "work [%]", "cpu [%]", "us a sample", "p50 [ms]", "p99 [ms]", "max [ms]", "fingerprint");
+    fmt::print("{:<22} {:>7} {:>10} {:>9} {:>9} {:>11} {:>9} {:>9} {:>9} {:>10}   {}\n", "", "clients", "samples/s",
+               "work [%]", "cpu [%]", "us a sample", "p50 [ms]", "p99 [ms]", "max [ms]", "turn [ms]", "fingerprint");
     for (const Part& part : parts)
-        run(part, samples);
+        run(part, samples, state);
 } catch (const std::exception& error) {
     fmt::print(stderr, "monitor_load: {}\n", error.what());
     return 1;

@@ -14,6 +14,7 @@ set(printed ${PROJECT_BINARY_DIR}/app) # by the program: app/CMakeLists.txt
 install(FILES ${printed}/placedpar.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${printed}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME placedpar)
 install(FILES ${printed}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _placedpar)
+install(FILES ${PROJECT_SOURCE_DIR}/monitor/systemd/placedpar-monitor.service DESTINATION lib/systemd/system)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar OPTIONAL)
 
 install(EXPORT PlacedParTargets NAMESPACE PlacedPar:: DESTINATION ${package_folder})

@@ -10,6 +10,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -32,8 +33,10 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
             for (const auto& sample : samples)
                 sum += term(sample);
             const auto found = sum.numbers();
-            for (std::size_t lane = 0; lane < std::min(Several::count, sums.size() - first); ++lane)
-                sums[first + lane] = found[lane];
+            if (sums.size() - first >= Several::count) // of a known length: sooner
+                std::memcpy(&sums[first], found.data(), sizeof found);
+            else
+                std::copy_n(found.begin(), sums.size() - first, &sums[first]);
         }
     });
 }
@@ -92,7 +95,7 @@ template <typename T, typename P>
     if constexpr (ErrorAlongWindow<P>)
         return problem.template errors_along<T>(parameters);
     else
-        return [&problem, parameters ](std::span<const double> sample) __attribute__((flatten)) {
+        return [&problem, parameters ](const auto& sample) __attribute__((flatten)) {
             return problem.template error_of<T>(parameters, sample);
         };
 }
@@ -103,14 +106,21 @@ concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2,
     { problem.parameters_of_several(strings)[0] } -> std::convertible_to<Lanes<2>>;
 };
 
-/// The fitness of each of the strings over the samples, the bits of one individual evaluated after the other.
-/// REQUIRES: strings of problem.bits(); fitness.size() == population.size().
+/// One that works out once for all individuals what its error takes of a sample: error_of<T>(parameters, prepared) is
+/// that of the sample.
+template <typename P>
+concept PreparesSamples = requires(const P& problem, std::span<const Lanes<2>> parameters,
+                                   std::span<const double> sample) {
+    { problem.template error_of<Lanes<2>>(parameters, problem.prepared(sample)) } -> std::convertible_to<Lanes<2>>;
+};
+
+/// The fitness of each of the strings over the samples, as errors_along() takes them.
 template <bool gray, typename P, typename Samples>
-void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
-                      std::span<double> fitness) {
+void fitness_over(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
+                  std::span<double> fitness) {
     auto terms = [&]<class T>(std::span<const T> parameters) {
         return [bias, error = errors_along<T>(problem, parameters)](const auto& sample) mutable {
-            return fitness_term<T>(bias, error(std::span<const double>(sample)));
+            return fitness_term<T>(bias, error(sample));
         };
     };
     if constexpr (ParametersOfSeveral<P, gray>)
@@ -122,6 +132,21 @@ void fitness_in_lanes(const P& problem, std::span<const Genome> population, cons
         }
     sum_terms_in_lanes([&](std::size_t i) { return problem.parameters_of(StringRead<gray>(population[i])); }, samples,
                        terms, fitness);
+}
+
+/// The fitness of each of the strings over the samples, the bits of one individual evaluated after the other.
+/// REQUIRES: strings of problem.bits(); fitness.size() == population.size().
+template <bool gray, typename P, typename Samples>
+void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
+                      std::span<double> fitness) {
+    if constexpr (PreparesSamples<P>) {
+        std::vector<decltype(problem.prepared(*samples.begin()))> prepared;
+        prepared.reserve(samples.size());
+        for (const auto& sample : samples)
+            prepared.push_back(problem.prepared(sample));
+        fitness_over<gray>(problem, population, prepared, bias, fitness);
+    } else
+        fitness_over<gray>(problem, population, samples, bias, fitness);
 }
 
 } // namespace placedpar

@@ -46,6 +46,8 @@ public:
 
     const Representation& representation() const { return representation_; }
     const std::vector<Genome>& population() const { return population_; }
+    /// The population of a search that is not needed any more.
+    std::vector<Genome> take_population() && { return std::move(population_); }
     /// Generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
     /// How often no individual had positive fitness, so that the whole population but the elite was drawn anew. The

@@ -22,6 +22,15 @@ CircuitProblem::CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowCons
     : circuit_(checked(std::move(circuit))), flow_(flow), coding_(circuit_.size(), {0, largest_in3_per_psi, bits}),
       form_(form) {}
 
+hydraulics::CircuitTerms CircuitProblem::prepared(std::span<const double> sample) const {
+    hydraulics::CircuitTerms terms;
+    for (std::size_t j = 0; j < circuit_.size(); ++j) {
+        auto link = hydraulics::LinkSample::from(sample.subspan(j * hydraulics::LinkSample::channels));
+        terms.push_back(hydraulics::terms_of(link, flow_));
+    }
+    return terms;
+}
+
 std::vector<std::string> CircuitProblem::parameter_names() const {
     std::vector<std::string> names;
     for (const hydraulics::Junction& junction : circuit_)

@@ -49,14 +49,16 @@ public:
     CompliancesOf<Lanes<width>> parameters_of_several(const StringsInLanes<width, gray>& strings) const {
         return compliances_of<Lanes<width>>(strings);
     }
+    /// What the error takes of a sample.
+    hydraulics::CircuitTerms prepared(std::span<const double> sample) const;
     /// The error of one set of compliances, or of each of an array of them.
     template <typename T>
+    T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& prepared) const {
+        return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, prepared, flow_, form_);
+    }
+    template <typename T>
     T error_of(std::span<const T> compliances, std::span<const double> sample) const {
-        boost::container::static_vector<hydraulics::LinkSample, hydraulics::all_links.size()> links;
-        for (std::size_t j = 0; j < circuit_.size(); ++j)
-            links.push_back(hydraulics::LinkSample::from(sample.subspan(j * hydraulics::LinkSample::channels)));
-        return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, std::span(links.data(), links.size()),
-                                                      flow_, form_);
+        return error_of(compliances, prepared(sample));
     }
 
     template <BinaryString G>

@@ -16,44 +16,61 @@ using namespace hydraulics;
 
 namespace {
 
-Eigen::VectorXd residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
-                          const Eigen::VectorXd& compliance) {
-    auto junctions = static_cast<Eigen::Index>(circuit.size());
-    Eigen::VectorXd missing(static_cast<Eigen::Index>(samples.size()) * junctions);
-    Eigen::Index row = 0;
-    for (const CircuitSample& sample : samples) {
-        auto flows =
-            missing_flows_in3_per_s<double>(circuit, std::span<const double>(compliance.data(), circuit.size()),
-                                            sample.links, flow, InletFlow::as_signed);
-        for (std::size_t j = 0; j < circuit.size(); ++j)
-            missing[row++] = flows[j];
-    }
-    return missing;
-}
+constexpr auto most_junctions = static_cast<int>(all_links.size());
+// Of a fixed greatest size, for which no memory is asked.
+using PerLinkVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_junctions, 1>;
+using PerLinkMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_junctions, most_junctions>;
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, most_junctions>;
 
-Eigen::MatrixXd jacobian(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
-                         const Eigen::VectorXd& compliance) {
-    constexpr double step = 1e-6; // of compliances around 0.01: central differences good to 1e-8
-    Eigen::MatrixXd slopes(static_cast<Eigen::Index>(samples.size() * circuit.size()), compliance.size());
-    for (Eigen::Index c = 0; c < compliance.size(); ++c) {
-        Eigen::VectorXd shift = Eigen::VectorXd::Unit(compliance.size(), c) * step;
-        slopes.col(c) = (residuals(circuit, samples, flow, compliance + shift) -
-                         residuals(circuit, samples, flow, compliance - shift)) /
-                        (2 * step);
+/// The missing flows of all samples and junctions, as a function of the compliances.
+class Residuals {
+public:
+    Residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow)
+        : circuit_(circuit), flow_(flow) {
+        terms_.reserve(samples.size());
+        for (const CircuitSample& sample : samples)
+            terms_.push_back(terms_of(sample.links, flow));
     }
-    return slopes;
-}
 
-ComplianceFit fit_at(const Eigen::VectorXd& compliance, const Eigen::VectorXd& missing, const Eigen::MatrixXd& slopes) {
+    Eigen::VectorXd operator()(const PerLinkVector& compliance) const {
+        const auto junctions = static_cast<Eigen::Index>(circuit_.size());
+        Eigen::VectorXd missing(static_cast<Eigen::Index>(terms_.size()) * junctions);
+        Eigen::Index row = 0;
+        for (const CircuitTerms& terms : terms_) {
+            auto flows =
+                missing_flows_in3_per_s<double>(circuit_, std::span<const double>(compliance.data(), circuit_.size()),
+                                                terms, flow_, InletFlow::as_signed);
+            for (std::size_t j = 0; j < circuit_.size(); ++j)
+                missing[row++] = flows[j];
+        }
+        return missing;
+    }
+    Slopes slopes(const PerLinkVector& compliance) const {
+        constexpr double step = 1e-6; // of compliances around 0.01: central differences good to 1e-8
+        Slopes slopes(static_cast<Eigen::Index>(terms_.size() * circuit_.size()), compliance.size());
+        for (Eigen::Index c = 0; c < compliance.size(); ++c) {
+            PerLinkVector shift = PerLinkVector::Unit(compliance.size(), c) * step;
+            slopes.col(c) = ((*this)(compliance + shift) - (*this)(compliance - shift)) / (2 * step);
+        }
+        return slopes;
+    }
+
+private:
+    const Circuit& circuit_;
+    const FlowConstants& flow_;
+    std::vector<CircuitTerms> terms_;
+};
+
+ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& missing,
+                     const Eigen::FullPivLU<PerLinkMatrix>& normal) {
     auto freedom = static_cast<double>(std::max<Eigen::Index>(missing.size() - compliance.size(), 1));
     double variance = missing.squaredNorm() / freedom;
-    Eigen::FullPivLU<Eigen::MatrixXd> normal(slopes.transpose() * slopes);
     ComplianceFit fit{
         {compliance.begin(), compliance.end()},
         std::vector<double>(static_cast<std::size_t>(compliance.size()), std::numeric_limits<double>::infinity()),
         std::sqrt(missing.squaredNorm() / static_cast<double>(missing.size()))};
     if (normal.isInvertible()) {
-        Eigen::MatrixXd covariance = variance * normal.inverse();
+        PerLinkMatrix covariance = variance * normal.inverse();
         for (Eigen::Index c = 0; c < compliance.size(); ++c)
             fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
     }
@@ -88,21 +105,25 @@ std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<c
     constexpr double settled = 1e-9; // in^3/psi
     if (samples.empty())
         return std::nullopt;
-    Eigen::VectorXd compliance = Eigen::Map<const Eigen::VectorXd>(start.data(), std::ssize(start));
+    const Residuals residuals(circuit, samples, flow);
+    PerLinkVector compliance = Eigen::Map<const Eigen::VectorXd>(start.data(), std::ssize(start));
+    Eigen::VectorXd missing = residuals(compliance);
     for (int i = 0; i < most_steps; ++i) {
-        Eigen::VectorXd missing = residuals(circuit, samples, flow, compliance);
-        Eigen::MatrixXd slopes = jacobian(circuit, samples, flow, compliance);
-        Eigen::FullPivLU<Eigen::MatrixXd> normal(slopes.transpose() * slopes);
-        Eigen::VectorXd step = normal.solve(slopes.transpose() * missing);
+        const Slopes slopes = residuals.slopes(compliance);
+        const Eigen::FullPivLU<PerLinkMatrix> normal(slopes.transpose() * slopes);
+        PerLinkVector step = normal.solve(slopes.transpose() * missing);
         if (!step.allFinite())
             return std::nullopt;
         if (step.cwiseAbs().maxCoeff() < settled)
-            return fit_at(compliance, missing, slopes);
+            return fit_at(compliance, missing, normal);
         // Far from the solution a full step may overshoot into another square root's branch: halve it.
-        while (residuals(circuit, samples, flow, compliance - step).squaredNorm() > missing.squaredNorm() &&
-               step.cwiseAbs().maxCoeff() >= settled)
+        Eigen::VectorXd then = residuals(compliance - step);
+        while (then.squaredNorm() > missing.squaredNorm() && step.cwiseAbs().maxCoeff() >= settled) {
             step /= 2;
+            then = residuals(compliance - step);
+        }
         compliance -= step;
+        missing = then;
     }
     return std::nullopt;
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace placedpar::identification {
@@ -17,24 +16,20 @@ namespace {
 
 // Ours: half the gate's. Below them a third of the estimates are off by more than 10 % at the mid noise.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
-// By how much independent answers may differ, as shares of the compliance.
-constexpr double searches_differ = 0.2, halves_differ = 0.3;
+// By how much they may differ, as a share of the compliance.
+constexpr double halves_differ = 0.3;
 // The halves must also differ by this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
 /// This function and the next return whether they have flagged the link.
 bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     double step = problem.field().resolution();
-    bool low = (link.compliance_in3_per_psi < 1.5 * step);
-    bool high = (link.compliance_in3_per_psi > CircuitProblem::largest_in3_per_psi - 2.5 * step);
+    bool low = at_lower_bound(link.compliance_in3_per_psi, step);
+    bool high = at_upper_bound(link.compliance_in3_per_psi, step);
     if (low)
-        link.flags.push_back({FlagKind::lower_bound,
-                              "at the lower bound of the search: the record asks for a compliance of 0 or below, as an "
-                              "offset of the spool makes it"});
+        link.flags.push_back(lower_bound_flag());
     if (high)
-        link.flags.push_back({FlagKind::upper_bound,
-                              fmt::format("at the upper bound of the search, {} in^3/psi: the true value may be above",
-                                          CircuitProblem::largest_in3_per_psi)});
+        link.flags.push_back(upper_bound_flag());
     return low || high;
 }
 
@@ -50,14 +45,8 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
 }
 
 void flag_uncertainty(LinkIdentified& link) {
-    double share = link.standard_error / link.compliance_in3_per_psi;
-    if (!(share > uncertain_share))
-        return;
-    std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
-    link.flags.push_back({FlagKind::uncertain,
-                          fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are the "
-                                      "spool, the units and the machine's constants right?",
-                                      size, 100 * uncertain_share)});
+    if (link.standard_error > uncertain_share * link.compliance_in3_per_psi)
+        link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
 
 /// A valve that has opened keeps moving: a spool or an area that never changes comes from a dead sensor.
@@ -77,12 +66,12 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
     if (double least = std::ranges::min(psi); least < vacuum_psi)
         link.flags.push_back(
             {FlagKind::vacuum, fmt::format("impossible: the pressure reads {:.0f} psi, below vacuum", least)});
-    if (auto frozen = frozen_run(psi))
+    if (auto frozen = frozen_run(psi, least_jump_psi))
         link.flags.push_back(
             {FlagKind::frozen, fmt::format("impossible: the pressure stands at {:.1f} psi in {} samples from {:.3f} s "
                                            "on, and then jumps by {:.0f} psi",
                                            psi[frozen->first], frozen->last - frozen->first,
-                                           samples[frozen->first].time_s, frozen->jump_psi)});
+                                           samples[frozen->first].time_s, frozen->jump)});
 }
 
 /// Oil that flows in drives the piston out, but for what the hose takes up meanwhile: on average over the samples.
@@ -94,13 +83,6 @@ void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, 
         link.flags.push_back({FlagKind::falls, fmt::format("inconsistent: the piston goes back, by {:.1f} in^3/s on "
                                                            "average, while oil flows in: is the angle's sign right?",
                                                            -flow)});
-}
-
-void flag_searches(LinkIdentified& link) {
-    if (link.highest - link.lowest > searches_differ * link.compliance_in3_per_psi)
-        link.flags.push_back(
-            {FlagKind::searches, fmt::format("inconsistent: the searches end between {:.5f} and {:.5f} in^3/psi",
-                                             link.lowest, link.highest)});
 }
 
 /// Do the first and the second half of the samples ask for different compliances?
@@ -116,13 +98,6 @@ void flag_halves(LinkIdentified& link, const ComplianceFit& early, const Complia
 }
 
 } // namespace
-
-std::string_view name_of(FlagKind kind) {
-    constexpr std::array<std::string_view, 12> names{"lower_bound", "upper_bound", "no_excitation", "misfit",
-                                                     "still_valve", "searches",    "halves",        "uncertain",
-                                                     "offset",      "vacuum",      "frozen",        "falls"};
-    return names[static_cast<std::size_t>(kind)];
-}
 
 bool LinkIdentified::flagged(FlagKind kind) const {
     return std::ranges::any_of(flags, [&](const Flag& flag) { return flag.kind == kind; });
@@ -152,7 +127,6 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
         flag_still_valve(link, samples, j);
         flag_pressure(link, samples, j);
         flag_falling(link, samples, j);
-        flag_searches(link);
         if (early && late)
             flag_halves(link, *early, *late, j);
         if (!at_bound && !still)

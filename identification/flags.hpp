@@ -5,17 +5,12 @@
 
 namespace placedpar::identification {
 
-/// The standard error, as a share of the compliance, above which it is flagged. Ours: at 10 % one answer in three is
-/// off by more than the thesis's 10 %.
-inline constexpr double uncertain_share = 0.1;
-
 /// Says in LinkIdentified::flags why a compliance should not be believed as it stands:
 ///
 /// - at a bound of the search: the true value may lie beyond; an offset of the spool makes it negative;
 /// - no excitation: the last window's pressure hardly moves, so that noise decides;
-/// - inconsistent: the circuit's equations miss the flow by more than the bias allows (misfit), the searches disagree,
-///   or the two halves of the record do, or the valve reading never changes, or the piston goes back while oil flows
-///   in;
+/// - inconsistent: the circuit's equations miss the flow by more than the bias allows (misfit), the two
+///   halves of the record disagree, or the valve reading never changes, or the piston goes back while oil flows in;
 /// - impossible: a pressure below vacuum, or one that freezes and then jumps;
 /// - uncertain: least squares leaves a standard error of more than uncertain_share. Left out where a bound or the lack
 ///   of excitation has already been flagged.

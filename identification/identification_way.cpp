@@ -16,14 +16,4 @@ IdentificationWay rising_way() {
     return way;
 }
 
-IdentificationWay service_way() {
-    IdentificationWay way;
-    way.coding = Coding::gray;
-    way.search.elite = 1;
-    way.usable.skipped = 2;
-    way.gate.emplace();
-    way.searches = 21;
-    return way;
-}
-
 } // namespace placedpar::identification

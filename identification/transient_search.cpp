@@ -20,11 +20,9 @@ namespace {
 /// Does a link's pressure move too slowly, given the compliance found last?
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
-    for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j) {
-        double slope = excitation_psi_per_s(window, j);
-        if (slope < gate.slope_psi_per_s && slope * compliance_in3_per_psi[j] < gate.flow_in3_per_s)
+    for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j)
+        if (!gate.opens(excitation_psi_per_s(window, j), compliance_in3_per_psi[j]))
             return true;
-    }
     return false;
 }
 

@@ -27,7 +27,7 @@ struct SearchRun {
     std::uint64_t generations = 0;
 };
 
-/// One search over the samples, which identify() does `searches` times. Differs from run_traditional() in two things:
+/// One search over the samples. Differs from run_traditional() in two things:
 /// the gate, and gaps of the record, after which the window begins anew. Throws UnfitRecord when there are not enough
 /// samples for the first generation.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,

@@ -60,9 +60,9 @@ std::int64_t crossing_delay(const LinkConnection& connection, const std::vector<
     return hundredths;
 }
 
-/// 5 ns for a metre of wire (transmission line), and the switches.
 Time wire_delay(const LinkConnection& connection, const std::vector<Node>& nodes) {
-    return Time{static_cast<std::int64_t>(connection.metres * 5000.0)} +
+    constexpr auto metre = static_cast<double>(hardware::LinkTiming::metre_of_wire.count());
+    return Time{static_cast<std::int64_t>(connection.metres * metre)} +
            duration_of(crossing_delay(connection, nodes), 100 * connection.bits_per_second);
 }
 
@@ -177,19 +177,28 @@ void Machine::make_channels(const Catalogue& catalogue) {
     for (const NetworkChannel& channel : network_.channels) {
         const ProcessInstance& sender = network_.processes[channel.from.process];
         channels_.push_back(port_of(sender, channel.from.port, catalogue).make_channel(channel.name));
-        if (channel.placement.kind == ChannelPlacement::Kind::link)
-            carry(*channels_.back(), channel);
     }
+    routes_.resize(channels_.size());
+    for (std::size_t i = 0; i < channels_.size(); ++i)
+        if (const ChannelPlacement& at = network_.channels[i].placement;
+            at.kind == ChannelPlacement::Kind::link && at.broadcast_on == nowhere)
+            carry(i);
+    for (const Broadcast& each : broadcasts_)
+        for (std::size_t i = 0; i < each.channels.size(); ++i)
+            each.writer->carry(*channels_[each.channels[i]], i);
 }
 
-void Machine::carry(AnyChannel& channel, const NetworkChannel& description) {
+void Machine::carry(std::size_t index) {
+    AnyChannel& channel = *channels_[index];
     std::vector<hardware::Hop> hops;
-    for (auto [connection, forth] : description.placement.route) {
+    for (auto [connection, forth] : network_.channels[index].placement.route) {
         if (!router_links_[connection]) // then there is no other hop
             return channel.put_on(forth ? *carriers_[connection].from_a_to_b : *carriers_[connection].from_b_to_a);
         hops.push_back({*router_links_[connection], forth});
     }
-    channel.put_on(simulation_.add<hardware::Route>(hops));
+    auto& route = simulation_.add<hardware::Route>(hops);
+    channel.put_on(route);
+    routes_[index] = &route;
 }
 
 void Machine::make_processes(const Catalogue& catalogue) {

@@ -7,6 +7,7 @@
 #include "runtime/hardware/bus_memory.hpp"
 #include "runtime/hardware/crossbar.hpp"
 #include "runtime/hardware/link.hpp"
+#include "runtime/hardware/link_adapter.hpp"
 #include "runtime/hardware/router.hpp"
 #include "runtime/hardware/switched_lane.hpp"
 #include "runtime/hardware/vme_bus.hpp"
@@ -43,6 +44,11 @@ private:
     struct Carriers {
         Carrier *from_a_to_b = nullptr, *from_b_to_a = nullptr;
     };
+    /// One message for all of them.
+    struct Broadcast {
+        std::vector<std::size_t> channels;
+        hardware::AdapterBroadcast* writer = nullptr;
+    };
     void make_executives();
     void make_links();
     void make_switched(std::size_t connection);
@@ -50,7 +56,9 @@ private:
     void make_buses();
     void make_way(std::size_t connection);
     Carriers make_memory_lanes(const BusWay&);
-    Carriers make_adapter(const BusWay&);
+    Carriers make_adapter(std::size_t connection);
+    void make_broadcasts();
+    void add_to_broadcast(std::size_t channel);
     hardware::Lane lane(std::size_t connection, bool from_a_to_b) const;
     void make_faults();
     void strike_links_at(const Fault&);
@@ -59,7 +67,7 @@ private:
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
     void make_channels(const Catalogue&);
-    void carry(AnyChannel&, const NetworkChannel&);
+    void carry(std::size_t channel);
     void make_processes(const Catalogue&);
     void expect_partners();
     Process& make_process(std::size_t process, const ProcessKind&);
@@ -68,11 +76,14 @@ private:
     Time time_passing_on(std::size_t node) const;
     std::vector<LinkUse> link_uses() const;
     std::vector<BusUse> bus_uses() const;
+    std::vector<BroadcastUse> broadcast_uses(const hardware::VmeBus&) const;
     std::vector<ProcessUse> process_uses() const;
     std::vector<FaultUse> fault_uses() const;
     std::vector<SwitchUse> switch_uses() const;
     SwitchUse use_of(std::size_t node, const hardware::Crossbar&) const;
     std::vector<std::string> stopped_on(std::size_t node) const;
+    std::vector<std::string> channels_stopped_by(const Fault&) const;
+    bool is_stopped_by(const hardware::Route&, const Fault&) const;
 
     Network network_;
     std::uint64_t seed_;
@@ -85,11 +96,14 @@ private:
     std::vector<hardware::VmeMaster*> masters_;                            ///< by attachment; null where it is none
     std::vector<hardware::DualPortedMemory*> memories_;                    ///< by attachment; null where it has none
     std::vector<Carriers> carriers_;                                       ///< by connection
+    std::map<std::size_t, hardware::AdapterProgram*> adapters_;            ///< by connection that leads over one
+    std::vector<Broadcast> broadcasts_;                                    ///< in the order of their first channels
     /// Of links that switches connect during the run, by node, link and whether it outputs.
     std::map<std::tuple<std::size_t, int, bool>, hardware::SharedEngine> engines_;
     std::vector<hardware::Router*> routers_;          ///< by node
     std::vector<hardware::RouterLink*> router_links_; ///< by connection; null where no channel travels in packets
     std::vector<std::unique_ptr<AnyChannel>> channels_;
+    std::vector<const hardware::Route*> routes_; ///< by channel; null where it does not travel in packets
     std::list<ProcessEnvironment> environments_;
     std::vector<Process*> processes_;
     std::vector<Measurement> measurements_;

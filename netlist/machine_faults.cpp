@@ -29,7 +29,9 @@ hardware::LinkFault of_link(const Fault& fault, const LinkConnection& wire) {
     return result;
 }
 
-FaultUse::Hit hit_of(const hardware::FaultEffect::Hit& hit) { return {hit.at, hit.channel, hit.acknowledge, hit.byte}; }
+FaultUse::Hit hit_of(const hardware::FaultEffect::Hit& hit) {
+    return {hit.at, hit.channel, hit.acknowledge, hit.byte, hit.message};
+}
 
 void add_effect(FaultUse& use, const hardware::FaultEffect& effect) {
     use.bytes_lost += effect.bytes_lost;
@@ -109,6 +111,29 @@ std::vector<std::string> Machine::stopped_on(std::size_t node) const {
     return stopped;
 }
 
+/// A way over a bus leads over the wire at its adapter.
+bool Machine::is_stopped_by(const hardware::Route& route, const Fault& fault) const {
+    if (fault.link < 0) {
+        const Executive* executive = executives_[fault.node].executive;
+        return executive && route.is_stopped_by(*executive);
+    }
+    for (std::size_t i = 0; i < router_links_.size(); ++i) {
+        const auto& over_bus = network_.connections[i].over_bus;
+        bool struck = i == fault.connection || (over_bus && over_bus->wire == fault.connection);
+        if (struck && router_links_[i] && route.is_stopped_at(*router_links_[i]))
+            return true;
+    }
+    return false;
+}
+
+std::vector<std::string> Machine::channels_stopped_by(const Fault& fault) const {
+    std::vector<std::string> stopped;
+    for (std::size_t i = 0; i < routes_.size(); ++i)
+        if (routes_[i] && is_stopped_by(*routes_[i], fault))
+            stopped.push_back(channels_[i]->name());
+    return stopped;
+}
+
 std::vector<FaultUse> Machine::fault_uses() const {
     std::vector<FaultUse> uses;
     for (std::size_t i = 0; i < network_.faults.size(); ++i) {
@@ -121,6 +146,7 @@ std::vector<FaultUse> Machine::fault_uses() const {
             use.held_since = begin_of(fault) + master->time_waited();
         if (fault.link < 0)
             use.stopped = stopped_on(fault.node);
+        use.stopped_channels = channels_stopped_by(fault);
     }
     return uses;
 }

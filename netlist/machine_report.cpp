@@ -1,9 +1,14 @@
 #include "netlist/machine.hpp"
+#include "netlist/network/names.hpp"
 #include "text/user_error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace placedpar {
 
@@ -23,6 +28,36 @@ void forget_waits_that_end(RunReport& report) {
             process.waits_since.reset();
 }
 
+/// "farm.cfs:12"
+std::string file_and_line(const Location& location) {
+    if (!location.file)
+        return "";
+    return fmt::format("{}:{}", std::filesystem::path(location.file->path()).filename().string(), location.line);
+}
+
+/// The process of the network, or the one that a component belongs to.
+const ProcessInstance* outermost(const Network& network, std::string_view path) {
+    return find_named(network.processes, path.substr(0, path.find('/')));
+}
+
+/// Where the netlist declares what is stuck.
+void add_places(Deadlock& deadlock, const Network& network) {
+    for (StuckProcess& stuck : deadlock.processes)
+        if (const ProcessInstance* process = outermost(network, stuck.path))
+            stuck.netlist = file_and_line(process->declared);
+    for (StuckChannel& stuck : deadlock.channels)
+        if (const NetworkChannel* channel = find_named(network.channels, stuck.name))
+            stuck.netlist = file_and_line(channel->connected);
+}
+
+/// The processes of the network are the outermost; the one that failed may be a component of one.
+std::string failure_in_words(const Failure& failure, const Network& network) {
+    const ProcessInstance* process = outermost(network, failure.process);
+    std::string place = process ? process->declared.text() : "";
+    return fmt::format("{}{}process {}{} at {}", place, place.empty() ? "" : ": ", failure.process,
+                       process ? " (" + process->kind + ")" : "", to_string(failure.time));
+}
+
 } // namespace
 
 RunReport Machine::run(Time limit) {
@@ -39,8 +74,14 @@ RunReport Machine::run(Time limit) {
         report.result = simulation_.run(limit, count_work);
     } catch (const std::overflow_error& beyond_the_end_of_time) {
         throw UserError(beyond_the_end_of_time.what());
+    } catch (const hardware::BroadcastError& refused) {
+        throw UserError(fmt::format("{}: {}\nhint: a broadcast is one message for all that are placed on the bus; a "
+                                    "channel that is not placed there has messages of its own",
+                                    failure_in_words(*simulation_.who_failed(), network_), refused.what()));
     }
     forget_waits_that_end(report);
+    if (report.result.deadlock)
+        add_places(*report.result.deadlock, network_);
     report.result.fingerprint = fingerprint_with(report.result.fingerprint, measurements_);
     report.measurements = measurements_;
     return report;
@@ -79,7 +120,7 @@ std::vector<BusUse> Machine::bus_uses() const {
     std::vector<BusUse> uses;
     for (const hardware::VmeBus* bus : buses_)
         if (bus) {
-            uses.push_back({bus->name(), bus->time_busy(), {}});
+            uses.push_back({bus->name(), bus->time_busy(), {}, broadcast_uses(*bus)});
             for (const hardware::VmeMaster* each : bus->masters())
                 uses.back().masters.push_back({each->name(), each->place().level, each->words_moved(),
                                                each->bytes_accessed(), each->grants(), each->bus_errors(),

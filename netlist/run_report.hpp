@@ -1,8 +1,10 @@
 #pragma once
 
 #include "netlist/kinds/environment.hpp"
+#include "runtime/hardware/link_faults.hpp"
 #include "runtime/simulation.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,10 +37,18 @@ struct BusMasterUse {
     Time waited, longest_wait; ///< for the bus
 };
 
+/// Messages that were written once for several link adapters.
+struct BroadcastUse {
+    std::string from; ///< the port array: "host.to_masters"
+    std::size_t adapters;
+    std::uint64_t messages, bytes; ///< each counted once
+};
+
 struct BusUse {
     std::string name;
     Time busy; ///< how long it moved words or bytes
     std::vector<BusMasterUse> masters;
+    std::vector<BroadcastUse> broadcasts;
 };
 
 struct ProcessUse {
@@ -55,14 +65,16 @@ struct FaultUse {
     struct Hit {
         Time at;
         std::string channel;
-        bool acknowledge;   ///< of the byte; else the byte itself
-        std::uint64_t byte; ///< of the message, from 1
+        bool acknowledge;                                 ///< of the byte; else the byte itself
+        std::uint64_t byte;                               ///< of the message, from 1
+        hardware::FaultEffect::Hit::Message message = {}; ///< or a packet
     };
-    std::optional<Hit> first, last;   ///< that it struck, and that it lost
-    std::vector<std::string> stopped; ///< processes that were not at their end when their processor halted
-    std::optional<Time> held_since;   ///< when a bus was granted to the master that hogs it
+    std::optional<Hit> first, last;            ///< that it struck, and that it lost
+    std::vector<std::string> stopped_channels; ///< of those that travel in packets: they wait for ever because of it
+    std::vector<std::string> stopped;          ///< processes that were not at their end when their processor halted
+    std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs it
 
-    bool had_effect() const { return first || held_since || !stopped.empty(); }
+    bool had_effect() const { return first || held_since || !stopped.empty() || !stopped_channels.empty(); }
 };
 
 /// What a switch that a program sets did in the run.

@@ -30,14 +30,14 @@ struct Guard {
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
 /// An input guard and the process that it guards: `on(c, [&](int x) { ... })`.
-template <class T, class Body>
+template <class T, std::invocable<T> Body>
 auto on(Input<T> from, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::input, &from.channel(), Time{}, where},
                      [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
 /// A timeout guard, occam's `timer ? AFTER t`: ready when the virtual time `due` has come.
-template <class Body>
+template <std::invocable Body>
 auto after(Time due, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
@@ -45,7 +45,7 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
 /// occam's SKIP guard: always ready, so that a guard before it is chosen only if it is ready, and one behind it never.
 /// Polling costs a placed process its cycles. One that is not placed polls in no time: others get their turn at this
 /// moment, but time passes only when it waits.
-template <class Body>
+template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
 }
@@ -91,7 +91,7 @@ auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, 
 
 /// A replicated guard, `ALT i = 0 FOR n`: `each(inputs, [&](std::size_t i, T message) { ... })`. Of several ready ones
 /// the first is chosen. REQUIRES: the inputs outlive it.
-template <class T, class Body>
+template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     auto take = [inputs, body = std::move(body), where](std::size_t i) mutable { body(i, inputs[i].input(where)); };
     return detail::replicated(inputs, 0, std::move(take), where);
@@ -101,7 +101,7 @@ auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& whe
 /// each that is ready is chosen before another is a second time (G. Jones, Carefully scheduled selection with ALT,
 /// occam user group newsletter 10, 1989). `each(inputs, turn, [&](std::size_t i, T message) { ... })`. REQUIRES: the
 /// inputs and the turn outlive it.
-template <class T, class Body>
+template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
           const SourceLocation& where = SourceLocation::current()) {
     auto take = [inputs, &turn, body = std::move(body), where](std::size_t i) mutable {
@@ -145,7 +145,7 @@ auto when(bool condition, Guards<Body> several) {
 /// occam's PRI ALT: waits for the first ready guard, inputs if it is an input, and runs the body that it guards.
 /// Returns its index.
 template <class... Bodies>
-std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
+requires(sizeof...(Bodies) > 0) std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
     const Guard guards[] = {alternatives.first...};
     std::size_t chosen = select(guards, guards[0].where);
     std::size_t index = 0;
@@ -198,7 +198,7 @@ requires(detail::is_guards<Alternatives> || ...) std::size_t alt(Alternatives...
 }
 
 /// Of one replicated guard alone: `alt(inputs, [&](std::size_t i, T message) { ... })`.
-template <class T, class Body>
+template <class T, std::invocable<std::size_t, T> Body>
 std::size_t alt(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return alt(each(inputs, std::move(body), where));
 }

@@ -4,6 +4,8 @@
 #include "runtime/source_location.hpp"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -29,9 +31,13 @@ public:
     /// something is lost, or one of them has given it up.
     virtual bool output_is_lost(const AnyChannel&) const { return false; }
     virtual bool input_is_lost(const AnyChannel&) const { return false; }
+    /// What keeps a process that outputs waiting, though its partner inputs: other channels that are to be output at
+    /// the same time, or whose message is not taken.
+    virtual std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const { return {}; }
 
     // Of carriers whose messages can be given up (runtime/recovery.hpp).
-    virtual bool can_be_given_up() const { return false; }
+    /// Behind the channel's name: "travels in packets". "" if they can.
+    virtual std::string why_not_given_up() const { return "is on a carrier that takes messages as a whole"; }
     /// The process that is in output (input) goes on without its message: output (input) returns. Returns false, and
     /// does nothing, when the message is over for that process. Called by events; a process is in it.
     virtual bool give_up_output(AnyChannel&) { return false; }

@@ -68,10 +68,9 @@ void charge_copy(const Process& self, const WireForm& form) {
 }
 
 void require_can_be_given_up(const Carrier* carrier, const AnyChannel& channel) {
-    if (carrier && !carrier->can_be_given_up())
-        throw std::logic_error(fmt::format("channel {} travels in packets, or by a link adapter: it cannot give up a "
-                                           "message, nor be reset",
-                                           channel.name()));
+    if (std::string reason = carrier ? carrier->why_not_given_up() : ""; !reason.empty())
+        throw std::logic_error(
+            fmt::format("channel {} {}: it cannot give up a message, nor be reset", channel.name(), reason));
 }
 
 void require_nobody_in(const void* end, const AnyChannel& channel) {

@@ -2,13 +2,17 @@
 
 #include "runtime/carrier.hpp"
 #include "runtime/protocol.hpp"
+#include "runtime/same_message.hpp"
 #include "runtime/source_location.hpp"
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <typeindex>
 #include <utility>
+#include <vector>
 
 namespace placedpar {
 
@@ -55,6 +59,9 @@ public:
     };
 
     explicit AnyChannel(std::string name) : name_(std::move(name)) {}
+    /// A hard channel: occam's PLACE ... AT. `Channel<int> there("there", link.from_a_to_b())`. The carrier outlives
+    /// it.
+    AnyChannel(std::string name, Carrier& on) : AnyChannel(std::move(name)) { put_on(on); }
     virtual ~AnyChannel() = default;
     AnyChannel(const AnyChannel&) = delete;
     AnyChannel& operator=(const AnyChannel&) = delete;
@@ -106,10 +113,28 @@ public:
     /// The process that is in the channel to output (input) waits for ever, whatever its partner does.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
+    /// Other channels that keep the process in output waiting: Carrier::held_up_by.
+    std::vector<const AnyChannel*> held_up_by() const {
+        return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
+    }
+
+    /// What the messages of a channel between routers are, which are packets: whose, and whether the one that is being
+    /// output now is an acknowledge. No channel for one whose messages are its own.
+    struct Cargo {
+        const AnyChannel* channel = nullptr;
+        bool acknowledges = false;
+    };
+    const Cargo& cargo() const { return cargo_; }
+    void carries(const Cargo& cargo) { cargo_ = cargo; }
 
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
     void hand_over();
+    /// Whether the message in this channel is that in the other one; nothing where messages of its protocol cannot be
+    /// compared (SameMessage). REQUIRES: a process is in output in both.
+    std::optional<bool> has_message_of(const AnyChannel& other) const {
+        return protocol() == other.protocol() ? are_same(message_, other.message_) : false;
+    }
     /// A message waits for which no process has asked: tells who listens, if anybody does.
     void announce() {
         if (listener_)
@@ -122,6 +147,7 @@ protected:
 
 private:
     virtual void move_message(void* from, void* to) = 0;
+    virtual std::optional<bool> are_same(const void* message, const void* other) const = 0;
     void output_soft(Process&, const WireForm&, const SourceLocation&);
     void input_soft(Process&, const SourceLocation&);
 
@@ -135,12 +161,21 @@ private:
     Listener* listener_ = nullptr;      ///< for an inputter that sleeps on several channels
     Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
     Entrant* input_attempt_ = nullptr;
+    Cargo cargo_;
     bool output_out_of_order_ = false; ///< a message was given up at that end, which must be reset
     bool input_out_of_order_ = false;
 };
 
 template <class T>
 class Channel;
+
+namespace detail {
+
+/// Whether C++ would make one of the other, and lose what it says: a number's fraction, whatever a pointer points to.
+template <class From, class To>
+concept Loses = (std::floating_point<From> && std::integral<To>) || (std::is_pointer_v<From> && std::same_as<To, bool>);
+
+} // namespace detail
 
 /// Throws std::logic_error: an end that was made by itself belongs to no channel.
 [[noreturn]] void refuse_end_without_channel();
@@ -153,6 +188,9 @@ public:
     void output(T message, const SourceLocation& where = SourceLocation::current()) const {
         own().output(std::move(message), where);
     }
+    /// A REAL is no message of a CHAN OF INT.
+    template <detail::Loses<T> Other>
+    void output(Other, const SourceLocation& = SourceLocation::current()) const = delete;
     AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
 
@@ -199,11 +237,18 @@ private:
 /// occam's `CHAN OF T`.
 template <class T>
 class Channel final : public AnyChannel {
+    static_assert(Protocol<T>,
+                  "a message has a fixed size, or says by wire_form() const what it is on a wire; it is no "
+                  "pointer, reference or view: processes share no memory");
+
 public:
     using AnyChannel::AnyChannel;
 
-    Output<T> out() { return Output<T>(*this); }
-    Input<T> in() { return Input<T>(*this); }
+    Output<T> out() & { return Output<T>(*this); }
+    Input<T> in() & { return Input<T>(*this); }
+    /// The ends of a channel that is gone at the end of the statement.
+    Output<T> out() && = delete;
+    Input<T> in() && = delete;
     std::type_index protocol() const override { return typeid(T); }
 
 private:
@@ -218,6 +263,9 @@ private:
     }
     void move_message(void* from, void* to) override {
         static_cast<std::optional<T>*>(to)->emplace(std::move(*static_cast<T*>(from)));
+    }
+    std::optional<bool> are_same(const void* message, const void* other) const override {
+        return SameMessage<T>::of(*static_cast<const T*>(message), *static_cast<const T*>(other));
     }
 };
 

@@ -36,14 +36,25 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
 
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
+/// Who would have to act so that the process in output goes on: the inputter, or who holds up the message.
+void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
+    auto held_up_by = channel.held_up_by();
+    if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
+        partners.push_back(who_is(channel.last_inputter(), living));
+    for (const AnyChannel* other : held_up_by)
+        partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
+}
+
 /// The processes that this one waits for: one of them would have to act.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
         return partners;
     for (const AnyChannel* channel : process.awaited_channels())
-        partners.push_back(who_is(
-            process.activity() == Activity::outputting ? channel->last_inputter() : channel->last_outputter(), living));
+        if (process.activity() == Activity::outputting)
+            add_awaited_by_output(*channel, living, partners);
+        else
+            partners.push_back(who_is(channel->last_outputter(), living));
     if (process.activity() == Activity::joining)
         for (const Process* other : living)
             if (other->parent() == &process)
@@ -136,6 +147,35 @@ std::vector<StuckChannel> describe_channels(const Processes& stuck, const Proces
     return result;
 }
 
+std::string names_of(const std::vector<const AnyChannel*>& channels) {
+    std::vector<std::string> names;
+    for (const AnyChannel* channel : channels)
+        names.push_back(channel->name());
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Those that the same channels hold up are said together.
+std::vector<std::string> describe_held_up(const Processes& stuck) {
+    using Channels = std::vector<const AnyChannel*>;
+    std::vector<std::pair<Channels, Channels>> held_up; // by the second
+    for (const Process* process : stuck)
+        if (process->activity() == Activity::outputting)
+            for (const AnyChannel* channel : process->awaited_channels())
+                if (Channels by = channel->held_up_by(); !by.empty()) {
+                    auto known = std::ranges::find(held_up, by, [](const auto& each) { return each.second; });
+                    if (known == held_up.end())
+                        known = held_up.insert(known, {{}, by});
+                    known->first.push_back(channel);
+                }
+    std::vector<std::string> texts;
+    for (const auto& [channels, by] : held_up)
+        texts.push_back(fmt::format("{}: until {} {} {}, too: one message goes to all of them{}", names_of(channels),
+                                    names_of(by), by.size() == 1 ? "is" : "are",
+                                    by.front()->output_waits() ? "taken" : "output",
+                                    by.front()->output_waits() ? "" : ", which a program outputs in a PAR"));
+    return texts;
+}
+
 } // namespace
 
 const char* name_of(Activity activity) {
@@ -160,6 +200,7 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     Deadlock deadlock;
     for (const Process* process : CycleSearch(stuck, living).find())
         deadlock.cycle.push_back(process->path());
+    deadlock.held_up = describe_held_up(stuck);
     for (const Process* process : stuck)
         deadlock.processes.push_back(describe(*process));
     deadlock.channels = describe_channels(stuck, living);
@@ -173,10 +214,12 @@ bool lacks_partner(const Process& process, const AnyChannel& channel) {
     bool known = channel.last_outputter().process && channel.last_inputter().process;
     switch (process.activity()) {
     case Activity::outputting:
-        return known && (channel.output_is_lost() || (channel.output_waits() && !channel.input_waits()));
+        return known && (channel.output_is_lost() || (channel.output_waits() && !channel.input_waits()) ||
+                         !channel.held_up_by().empty());
     case Activity::inputting:
-        return known && channel.input_waits() && (!channel.output_waits() || channel.output_is_lost());
-    default: return known && !channel.output_waits();
+        return known && channel.input_waits() &&
+               (!channel.output_waits() || channel.output_is_lost() || !channel.held_up_by().empty());
+    default: return known && (!channel.output_waits() || !channel.held_up_by().empty());
     }
 }
 
@@ -234,19 +277,59 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
     return deadlock_of(stuck, living);
 }
 
+namespace {
+
+/// What stands in the last column of a row, or above it: nothing without a netlist.
+template <class Rows>
+std::string last_column(const Rows& rows, const typename Rows::value_type* row) {
+    if (std::ranges::all_of(rows, [](const auto& each) { return each.netlist.empty(); }))
+        return "";
+    return row ? row->netlist : "netlist";
+}
+
+/// A line of columns that end where the next begins; the last is not padded.
+std::string line_of(std::initializer_list<std::pair<std::string_view, int>> columns) {
+    std::string line;
+    for (const auto& [text, width] : columns)
+        line += fmt::format("{:<{}} ", text, width);
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + '\n';
+}
+
+std::string print(const std::vector<StuckProcess>& rows) {
+    auto line = [](std::string_view process, std::string_view operation, std::string_view channel,
+                   std::string_view program, std::string_view netlist) {
+        return line_of({{process, 28}, {operation, 26}, {channel, 44}, {program, 24}, {netlist, 0}});
+    };
+    std::string out = line("process", "operation", "channel", "program", last_column(rows, nullptr));
+    for (const StuckProcess& row : rows)
+        out += line(row.path, name_of(row.activity), fmt::format("{}", fmt::join(row.channels, ", ")), row.where,
+                    last_column(rows, &row));
+    return out;
+}
+
+std::string print(const std::vector<StuckChannel>& rows) {
+    auto line = [](std::string_view channel, std::string_view outputter, std::string_view inputter,
+                   std::string_view waiting, std::string_view netlist) {
+        return line_of({{channel, 44}, {outputter, 28}, {inputter, 28}, {waiting, 9}, {netlist, 0}});
+    };
+    std::string out = line("channel", "outputter", "inputter", "who waits", last_column(rows, nullptr));
+    for (const StuckChannel& row : rows)
+        out += line(row.name, row.outputter, row.inputter, row.waiting, last_column(rows, &row));
+    return out;
+}
+
+} // namespace
+
 std::string Deadlock::text() const {
     std::string out;
     if (!cycle.empty())
         out += fmt::format("wait cycle: {} -> {}\n", fmt::join(cycle, " -> "), cycle.front());
-    out += fmt::format("\n{:<28} {:<26} {:<44} {}\n", "process", "operation", "channel", "program");
-    for (const auto& process : processes)
-        out += fmt::format("{:<28} {:<26} {:<44} {}\n", process.path, name_of(process.activity),
-                           fmt::format("{}", fmt::join(process.channels, ", ")), process.where);
+    for (const auto& why : held_up)
+        out += fmt::format("held up: {}\n", why);
+    out += "\n" + print(processes);
     if (!channels.empty())
-        out += fmt::format("\n{:<44} {:<28} {:<28} {}\n", "channel", "outputter", "inputter", "who waits");
-    for (const auto& channel : channels)
-        out += fmt::format("{:<44} {:<28} {:<28} {}\n", channel.name, channel.outputter, channel.inputter,
-                           channel.waiting);
+        out += "\n" + print(channels);
     return out;
 }
 

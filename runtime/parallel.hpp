@@ -3,12 +3,17 @@
 #include "runtime/process.hpp"
 #include "runtime/source_location.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
 
 namespace placedpar {
+
+/// What a component of a PAR executes: a function that takes nothing.
+template <class Body>
+concept ComponentBody = std::constructible_from<Process::Body, Body>;
 
 /// One component of a PAR.
 struct Component {
@@ -26,7 +31,7 @@ Priority own_priority();
 
 /// The first component of a PAR. It is made from a body by the caller of `par`, so that it can record that place.
 struct FirstComponent {
-    template <class Body>
+    template <ComponentBody Body>
     FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())
         : body(std::forward<Body>(b)), where(here) {}
 
@@ -35,7 +40,7 @@ struct FirstComponent {
 };
 
 /// occam's PAR: `par([&] { ... }, [&] { ... })`.
-template <class... Bodies>
+template <ComponentBody... Bodies>
 void par(FirstComponent first, Bodies&&... others) {
     run_in_parallel(
         {Component{std::move(first.body), own_priority()}, Component{std::forward<Bodies>(others), own_priority()}...},
@@ -43,7 +48,7 @@ void par(FirstComponent first, Bodies&&... others) {
 }
 
 /// occam's replicated PAR, `PAR i = 0 FOR n`: `par_for(n, [&](std::size_t i) { ... })`.
-template <class Body>
+template <std::invocable<std::size_t> Body>
 void par_for(std::size_t n, Body body, const SourceLocation& where = SourceLocation::current()) {
     std::vector<Component> components;
     for (std::size_t i = 0; i < n; ++i)
@@ -52,7 +57,7 @@ void par_for(std::size_t n, Body body, const SourceLocation& where = SourceLocat
 }
 
 /// occam's PRI PAR of two: the first at high priority, the second at low priority.
-template <class High, class Low>
+template <ComponentBody High, ComponentBody Low>
 void pri_par(High&& high, Low&& low, const SourceLocation& where = SourceLocation::current()) {
     run_in_parallel({{std::forward<High>(high), Priority::high}, {std::forward<Low>(low), Priority::low}}, where);
 }

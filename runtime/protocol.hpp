@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -53,23 +54,48 @@ private:
     std::size_t parts_;
 };
 
+namespace detail {
+
+template <class T>
+inline constexpr bool has_wire_form = requires(const T& message) {
+    { message.wire_form() } -> std::same_as<WireForm>;
+};
+/// Its bytes are all that it is: no address of what the other process does not have.
+template <class T>
+inline constexpr bool is_plain =
+    std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_member_pointer_v<T> &&
+    !std::is_null_pointer_v<T> && !std::ranges::borrowed_range<T>;
+template <class T>
+inline constexpr bool is_message = has_wire_form<T> || is_plain<T>;
+template <class T>
+inline constexpr bool is_message<std::vector<T>> = is_plain<T>;
+template <class... Variants>
+inline constexpr bool is_message<std::variant<Variants...>> = (is_message<Variants> && ...);
+
+} // namespace detail
+
+/// What a channel can carry: values of a fixed size, counted arrays of them, variants, and types that say what they are
+/// on a wire. Processes share no memory: pointers, references, spans and views are none, nor is what varies in size
+/// without saying so, such as std::string.
+template <class T>
+concept Protocol =
+    std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> && detail::is_message<T>;
+
 /// The protocol of a channel is the C++ type of its messages, and the type determines the form on the wire: a type of
 /// fixed size needs nothing; others have a member `WireForm wire_form() const`.
 template <class T>
 WireForm wire_form(const T& message) {
-    if constexpr (requires {
-                      { message.wire_form() } -> std::same_as<WireForm>;
-                  })
+    if constexpr (detail::has_wire_form<T>)
         return message.wire_form();
     else {
-        static_assert(std::is_trivially_copyable_v<T>, "a message of varying size needs wire_form() const");
+        static_assert(detail::is_plain<T>, "a message of varying size needs wire_form() const");
         return WireForm(sizeof(T));
     }
 }
 
 /// occam's counted array `INT::[]T`.
 template <class T>
-requires std::is_trivially_copyable_v<T> WireForm wire_form(const std::vector<T>& message) {
+requires detail::is_plain<T> WireForm wire_form(const std::vector<T>& message) {
     return WireForm(4u, message.size() * sizeof(T));
 }
 

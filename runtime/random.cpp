@@ -29,17 +29,20 @@ void count_on(r123::Philox4x32::ctr_type& counter, std::uint32_t blocks) {
 }
 
 #ifdef __x86_64__
-/// Philox 4x32-10 of the blocks that follow one another, as many at once as a register has places of 64 bits. A word of
-/// 32 bits has such a place for itself; what stands in the upper half is carried along and never used.
+/// Philox 4x32-10 of the blocks that follow one another: of each word two registers, so that one is at work while the
+/// other waits for its product, with as many blocks each as a register has places of 64 bits. A word of 32 bits has
+/// such a place for itself; what stands in the upper half is carried along and never used.
 template <std::size_t width>
 class Blocks {
 public:
+    static constexpr std::size_t count = 2 * width;
+
     [[gnu::always_inline]] Blocks(const r123::Philox4x32::ctr_type& counter, std::size_t first) {
         std::uint64_t number = counter[0] + (std::uint64_t{counter[1]} << 32) + first;
-        std::array<std::array<std::uint64_t, width>, 4> words;
-        for (std::size_t i = 0; i < width; ++i)
+        std::array<std::array<std::uint64_t, count>, 4> words;
+        for (std::size_t i = 0; i < count; ++i)
             words[0][i] = number + i;
-        for (std::size_t i = 0; i < width; ++i)
+        for (std::size_t i = 0; i < count; ++i)
             words[1][i] = words[0][i] >> 32;
         words[2].fill(counter[2]);
         words[3].fill(counter[3]);
@@ -48,13 +51,8 @@ public:
 
     [[gnu::always_inline]] void mix(r123::Philox4x32::key_type key) {
         for (int round = 0; round < 10; ++round) {
-            Register first, third;
-            multiply(words_[0], PHILOX_M4x32_0, first);
-            multiply(words_[2], PHILOX_M4x32_1, third);
-            words_[0] = (third >> 32) ^ words_[1] ^ key[0];
-            words_[1] = third;
-            words_[2] = (first >> 32) ^ words_[3] ^ key[1];
-            words_[3] = first;
+            mix_one(key, 0);
+            mix_one(key, 1);
             key[0] += PHILOX_W32_0;
             key[1] += PHILOX_W32_1;
         }
@@ -62,8 +60,27 @@ public:
 
     /// Block after block, of each its four words.
     [[gnu::always_inline]] void store(std::uint32_t* numbers) const {
+        store_one(0, numbers);
+        store_one(1, numbers + 4 * width);
+    }
+
+private:
+    using Register = typename Registers<width>::Words;
+
+    [[gnu::always_inline]] void mix_one(const r123::Philox4x32::key_type& key, std::size_t half) {
+        Register first, third;
+        multiply(words_[0][half], PHILOX_M4x32_0, first);
+        multiply(words_[2][half], PHILOX_M4x32_1, third);
+        words_[0][half] = (third >> 32) ^ words_[1][half] ^ key[0];
+        words_[1][half] = third;
+        words_[2][half] = (first >> 32) ^ words_[3][half] ^ key[1];
+        words_[3][half] = first;
+    }
+
+    [[gnu::always_inline]] void store_one(std::size_t half, std::uint32_t* numbers) const {
         constexpr std::uint64_t lower = 0xffffffff;
-        Register pairs[2] = {(words_[0] & lower) | (words_[1] << 32), (words_[2] & lower) | (words_[3] << 32)};
+        Register pairs[2] = {(words_[0][half] & lower) | (words_[1][half] << 32),
+                             (words_[2][half] & lower) | (words_[3][half] << 32)};
         std::array<std::array<std::uint64_t, width>, 2> halves;
         std::memcpy(halves.data(), pairs, sizeof pairs);
         for (std::size_t i = 0; i < width; ++i) {
@@ -72,9 +89,9 @@ public:
         }
     }
 
-private:
-    using Register = typename Registers<width>::Words;
-
+    static void multiply(const Register& a, std::uint32_t b, Register& product) requires(width == 2) {
+        product = reinterpret_cast<Register>(_mm_mul_epu32(reinterpret_cast<__m128i>(a), _mm_set1_epi64x(b)));
+    }
     [[PLACEDPAR_AVX2]] static void multiply(const Register& a, std::uint32_t b,
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
@@ -86,7 +103,7 @@ private:
             _mm512_maskz_mul_epu32(0xff, reinterpret_cast<__m512i>(a), _mm512_set1_epi64(b)));
     }
 
-    alignas(sizeof(std::uint64_t) * width) Register words_[4];
+    alignas(sizeof(std::uint64_t) * width) Register words_[4][2];
 };
 #endif
 
@@ -95,20 +112,25 @@ template <std::size_t width>
 void compute(r123::Philox4x32::ctr_type counter, r123::Philox4x32::key_type key, std::size_t blocks,
              std::uint32_t* numbers) {
 #ifdef __x86_64__
-    if constexpr (width > 2) {
-        for (std::size_t first = 0; first < blocks; first += width) {
-            Blocks<width> several(counter, first);
-            several.mix(key);
-            several.store(numbers + 4 * first);
-        }
-        return;
+    for (std::size_t first = 0; first < blocks; first += Blocks<width>::count) {
+        Blocks<width> several(counter, first);
+        several.mix(key);
+        several.store(numbers + 4 * first);
     }
-#endif
+#else
     for (std::size_t i = 0; i < blocks; ++i) {
         auto block = r123::Philox4x32{}(counter, key);
         std::copy(block.begin(), block.end(), numbers + 4 * i);
         count_on(counter, 1);
     }
+#endif
+}
+
+/// Counts the counter on. REQUIRES: as many blocks as fill registers of any width.
+void compute_blocks(r123::Philox4x32::ctr_type& counter, const r123::Philox4x32::key_type& key, std::size_t blocks,
+                    std::uint32_t* numbers) {
+    in_vectors([&]<std::size_t width>() { compute<width>(counter, key, blocks, numbers); });
+    count_on(counter, static_cast<std::uint32_t>(blocks));
 }
 
 } // namespace
@@ -121,19 +143,26 @@ RandomStream::RandomStream(std::uint64_t seed, std::string_view path)
 }
 
 void RandomStream::compute_ahead() {
-    in_vectors([&]<std::size_t width>() { compute<width>(counter_, key_, ahead / 4, numbers_.data()); });
-    count_on(counter_, ahead / 4);
+    compute_blocks(counter_, key_, ahead / 4, numbers_.data());
     drawn_ = 0;
 }
 
 void RandomStream::fill(std::span<result_type> numbers) {
-    while (!numbers.empty()) {
-        if (drawn_ == ahead)
-            compute_ahead();
-        std::size_t count = std::min(numbers.size(), ahead - drawn_);
+    auto take = [&] {
+        const std::size_t count = std::min(numbers.size(), ahead - drawn_);
         std::copy_n(numbers_.data() + drawn_, count, numbers.data());
         drawn_ += count;
         numbers = numbers.subspan(count);
+    };
+    take();
+    // Where many are asked for, they are computed into their places, and wide registers are never short of work.
+    if (const std::size_t straight = numbers.size() / ahead * ahead; straight > 0) {
+        compute_blocks(counter_, key_, straight / 4, numbers.data());
+        numbers = numbers.subspan(straight);
+    }
+    if (!numbers.empty()) {
+        compute_ahead();
+        take();
     }
 }
 

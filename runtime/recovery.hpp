@@ -15,8 +15,9 @@ namespace placedpar {
 // OutputOrFail, with a time-out (.t) or with a channel whose message ends the attempt (.c), and Reinitialise; in C
 // ChanInTimeFail, ChanOutTimeFail, ChanInChanFail, ChanOutChanFail and ChanReset.
 //
-// 1. A channel may be soft, or hard and alone on its direction of a link. One that travels in packets throws
-//    std::logic_error, as the toolset has it of virtual channels.
+// 1. A channel may be soft, or hard and alone on its direction of a link, at whose end may be a link adapter. One that
+//    travels in packets throws std::logic_error, as the toolset has it of virtual channels; and so does one that is
+//    broadcast, or leads through the memory of a bus master.
 // 2. A message that is given up never comes. One that the sender gave up may have come all the same, when only the
 //    acknowledge of its last byte was lost.
 // 3. The end of a hard channel at which a message was given up must be reset before it is used again; else it throws

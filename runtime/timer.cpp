@@ -16,6 +16,12 @@ struct Alarm final : Event {
     Process& process;
 };
 
+/// The lowest bits of a number, the highest of them its sign.
+std::int32_t as_word(std::int64_t number, int bits) {
+    int above = 64 - bits;
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(static_cast<std::uint64_t>(number) << above) >> above);
+}
+
 } // namespace
 
 Time now() { return Kernel::here().now(); }
@@ -47,18 +53,28 @@ Time Timer::tick() const {
     return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
 }
 
+int Timer::bits() const {
+    const Process& self = Kernel::here().running();
+    return self.executive() ? static_cast<int>(8 * self.executive()->costs().bytes_in_a_word) : 32;
+}
+
 std::int32_t Timer::read() const {
     charge(Kernel::here().running(), &OperationCosts::timer_read);
-    return static_cast<std::int32_t>(now() / tick());
+    return as_word(now() / tick(), bits());
 }
+
+std::int32_t Timer::plus(std::int32_t a, std::int32_t b) const { return as_word(std::int64_t{a} + b, bits()); }
+
+std::int32_t Timer::minus(std::int32_t a, std::int32_t b) const { return as_word(std::int64_t{a} - b, bits()); }
 
 Time Timer::moment_after(std::int32_t ticks) const {
     std::int64_t since_start = now() / tick();
-    auto reading = static_cast<std::int32_t>(since_start);
+    std::int32_t reading = as_word(since_start, bits());
     if (is_after(reading, ticks))
         return times(since_start, tick());
-    std::int64_t to_come = static_cast<std::uint32_t>(minus(ticks, reading)); // half of a round at most
-    return times(since_start + to_come + 1, tick());
+    auto round = std::uint64_t{1} << bits();
+    auto to_come = static_cast<std::int64_t>(static_cast<std::uint64_t>(std::int64_t{ticks} - reading) % round);
+    return times(since_start + to_come + 1, tick()); // half of a round at most
 }
 
 void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {

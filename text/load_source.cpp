@@ -35,7 +35,7 @@ std::optional<Diagnostic> binary_problem(const File& file) {
     auto odd = std::ranges::find_if_not(text, is_text);
     if (odd == text.end())
         return std::nullopt;
-    auto line = static_cast<std::size_t>(std::count(text.begin(), odd, '\n')) + 1;
+    auto line = static_cast<std::size_t>(std::count(text.begin(), odd, '\n')) + file->first_line();
     auto start = std::find(std::make_reverse_iterator(odd), text.rend(), '\n').base();
     auto byte = fmt::format("0x{:02x}", static_cast<unsigned char>(*odd));
     return problem_at(file, line, static_cast<std::size_t>(odd - start) + 1,
@@ -47,7 +47,7 @@ std::optional<Diagnostic> binary_problem(const File& file) {
 /// The first line that is too long.
 std::optional<Diagnostic> long_line_problem(const File& file) {
     const std::string& text = file->text();
-    std::size_t number = 1;
+    std::size_t number = file->first_line();
     for (std::size_t start = 0; start < text.size(); ++number) {
         auto end = std::min(text.find('\n', start), text.size());
         if (auto bytes = file->line(number).size(); bytes > longest_source_line)
@@ -64,7 +64,8 @@ LoadedSource refused(std::string shown_path, std::string message) {
     return {file, {problem_at(file, 0, 0, std::move(message))}};
 }
 
-/// "" where the path can be opened as a file.
+} // namespace
+
 std::string why_not_a_file(const std::filesystem::path& path) {
     std::error_code error;
     auto status = std::filesystem::status(path, error);
@@ -79,9 +80,7 @@ std::string why_not_a_file(const std::filesystem::path& path) {
     return can_be_read ? "" : "this is neither a file nor a pipe";
 }
 
-} // namespace
-
-LoadedSource check_source(std::string shown_path, std::string text) {
+LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     constexpr char end_of_file_in_dos = '\x1a'; // Ctrl-Z, often with what was in the disk's block before
     if (text.starts_with(byte_order_mark))
@@ -91,7 +90,7 @@ LoadedSource check_source(std::string shown_path, std::string text) {
     if (text.size() > largest_source_bytes)
         return refused(std::move(shown_path),
                        fmt::format("the file is too large: it may have {} bytes", largest_source_bytes));
-    auto file = std::make_shared<const SourceFile>(std::move(shown_path), std::move(text));
+    auto file = std::make_shared<const SourceFile>(std::move(shown_path), std::move(text), first_line);
     auto problem = binary_problem(file);
     if (!problem)
         problem = long_line_problem(file);

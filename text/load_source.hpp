@@ -25,7 +25,9 @@ LoadedSource load_source(const std::filesystem::path& path);
 /// The same, but "-" is standard input (text/standard_streams.hpp), which is read once: who asks again gets the same
 /// text.
 LoadedSource load_input(const std::filesystem::path& path);
-/// The same checks of a text that is there already.
-LoadedSource check_source(std::string shown_path, std::string text);
+/// The same checks of a text that is there already, or of a piece of one.
+LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);
+/// "" where the path can be opened as a file or a pipe, else why not.
+std::string why_not_a_file(const std::filesystem::path& path);
 
 } // namespace placedpar

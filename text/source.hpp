@@ -11,17 +11,20 @@ namespace placedpar {
 /// A text that is read: of a file, or without one, such as what stands behind "--set".
 class SourceFile {
 public:
-    SourceFile(std::string shown_path, std::string text);
+    /// A piece of a longer text begins at a later line than the first.
+    SourceFile(std::string shown_path, std::string text, std::size_t first_line = 1);
 
     /// The path as people should see it in a message.
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }
-    /// The text of a line, counted from 1, without its line end; empty beyond the last.
+    std::size_t first_line() const { return first_line_; }
+    /// The text of a line, counted from 1, without its line end; empty before the first and beyond the last.
     std::string_view line(std::size_t number) const;
 
 private:
     std::string path_;
     std::string text_;
+    std::size_t first_line_;
     std::vector<std::size_t> line_starts_;
 };
 

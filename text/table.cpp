@@ -118,11 +118,16 @@ bool is_tiny(std::string_view number) {
 } // namespace
 
 TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults) {
-    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // as spreadsheets write it
-    if (text.starts_with(byte_order_mark))
-        text.remove_prefix(byte_order_mark.size());
     TextTable table;
-    for (std::size_t number = 1; !text.empty(); ++number) {
+    append_lines(table, text, 1, faults);
+    return table;
+}
+
+std::size_t append_lines(TextTable& table, std::string_view text, std::size_t number, std::vector<Diagnostic>& faults) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // as spreadsheets write it
+    if (number == 1 && text.starts_with(byte_order_mark))
+        text.remove_prefix(byte_order_mark.size());
+    for (; !text.empty(); ++number) {
         std::string_view line = take_line(text);
         bool above_header = table.header.cells.empty();
         if (line.starts_with('#') && above_header)
@@ -131,9 +136,9 @@ TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults) {
             add_line(table, line, number, faults);
         bool was_header = above_header && !table.header.cells.empty();
         if (was_header && has_errors(faults)) // then the rows cannot be told
-            return table;
+            break;
     }
-    return table;
+    return number;
 }
 
 double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults) {

@@ -33,6 +33,10 @@ struct TextTable {
 /// header no row is read. Appends to the faults; they must hold no error yet.
 TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults);
 
+/// The same, text by text, each of whole lines: appends the lines of the next one, which begins with line `number`, to
+/// the table, whose header may be above it, and gives the number of the line that would follow.
+std::size_t append_lines(TextTable& table, std::string_view text, std::size_t number, std::vector<Diagnostic>& faults);
+
 /// The cell as a finite number; a fault, and 0, when it is none.
 double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults);
 

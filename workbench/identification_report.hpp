@@ -9,14 +9,13 @@
 
 namespace placedpar {
 
-/// For people: a line for each link with its spread and references, then what is flagged.
+/// For people: a line for each link with its references, then what is flagged.
 std::string print_identified(const identification::Identified& identified,
                              const identification::ComplianceSearch& prepared,
                              const identification::IdentificationWay& way);
 
 /// For machines: everything, with the estimates sample by sample.
 boost::json::object identified_json(const identification::Identified& identified,
-                                    const identification::ComplianceSearch& prepared,
-                                    const identification::IdentificationWay& way);
+                                    const identification::ComplianceSearch& prepared);
 
 } // namespace placedpar

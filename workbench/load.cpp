@@ -1,6 +1,5 @@
 #include "workbench/load.hpp"
 
-#include "hydraulics/data/record_table.hpp"
 #include "text/diagnostic.hpp"
 #include "text/load_source.hpp"
 #include "text/user_error.hpp"
@@ -12,8 +11,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_shown = 20;
-
 using File = std::shared_ptr<const SourceFile>;
 
 std::string render_faults(const std::vector<Diagnostic>& faults, const File& file, Severity severity) {
@@ -21,7 +18,7 @@ std::string render_faults(const std::vector<Diagnostic>& faults, const File& fil
     for (const Diagnostic& fault : faults)
         if (fault.severity == severity)
             diagnostics.emplace_back(fault).location.file = file;
-    std::size_t more = diagnostics.size() - std::min(diagnostics.size(), most_shown);
+    std::size_t more = diagnostics.size() - std::min(diagnostics.size(), most_faults_shown);
     diagnostics.resize(diagnostics.size() - more);
     return render(diagnostics) + not_shown(more, severity);
 }
@@ -54,9 +51,10 @@ Network load_network(const std::filesystem::path& path, const Overrides& overrid
     return std::move(*read.network);
 }
 
-LoadedRecord load_record(const std::filesystem::path& path, const WarningSink& warn) {
+LoadedRecord load_record(const std::filesystem::path& path, const hydraulics::RecordNeeds& needs,
+                         const WarningSink& warn) {
     File file = load_text(path);
-    hydraulics::ReadRecord read = hydraulics::read_record(file->text());
+    hydraulics::ReadRecord read = hydraulics::read_record(file->text(), needs);
     report(read.faults, file, warn);
     return {std::move(*read.record), std::move(read.faults)};
 }

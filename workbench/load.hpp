@@ -2,10 +2,11 @@
 
 #include "gaprocs/problem_registry.hpp"
 #include "hydraulics/data/parameters.hpp"
-#include "hydraulics/data/record.hpp"
+#include "hydraulics/data/record_table.hpp"
 #include "netlist/read.hpp"
 #include "text/diagnostic.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,6 +16,9 @@ namespace placedpar {
 
 // Files of the user's. A file with errors is refused: RefusedInput shows each with file, line, column and a caret.
 // "-" is standard input.
+
+/// Of each kind, errors and warnings.
+inline constexpr std::size_t most_faults_shown = 20;
 
 /// Told a file's warnings, rendered: whole lines.
 using WarningSink = std::function<void(const std::string&)>;
@@ -29,7 +33,7 @@ struct LoadedRecord {
     std::vector<Diagnostic> warnings;
 };
 /// Throws RefusedInput.
-LoadedRecord load_record(const std::filesystem::path&, const WarningSink&);
+LoadedRecord load_record(const std::filesystem::path&, const hydraulics::RecordNeeds&, const WarningSink&);
 
 /// The excavator's constants, with those of the file in place of those of the same name; no file when the path
 /// is empty. Throws RefusedInput.

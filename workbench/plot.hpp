@@ -10,7 +10,12 @@ struct Point {
     double x, y;
 };
 
-enum class Stroke { line, dashes, points };
+enum class Stroke {
+    line,   ///< of the dashes that belong to its colour, unless dashes mean something in its panel
+    dashes, ///< of their own, where they mean something
+    points,
+    bar ///< a line without symbols or dashes, such as an interval's
+};
 
 /// Texts are plain: "in³/s", not "in^3/s".
 struct Series {
@@ -52,7 +57,8 @@ struct Axis {
     bool logarithmic = false;
 };
 
-/// One diagram. Its legend stands to the right of it.
+/// One diagram. Its legend stands to the right of it. A series that an axis cuts off has an arrow there, and says how
+/// far it goes: in the legend, or where it has no name beside the arrow.
 struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
@@ -76,5 +82,9 @@ struct NamedPlot {
 /// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series and
 /// a series or a band without points, UserError when gnuplot is not there, std::runtime_error when it refuses the plot.
 std::string draw_svg(const Plot&);
+
+/// The points of its curves and bands as comma-separated values, a point a row, with the labels of its axes, which have
+/// the units. All points, also those beyond the axes.
+std::string curves_csv(const Plot&);
 
 } // namespace placedpar

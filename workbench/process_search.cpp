@@ -120,19 +120,10 @@ Network load_with(const Settings& settings, const NetlistAsked& netlist, const P
     return std::move(*read.network);
 }
 
-/// The samples that the first search saw before its gate froze it. Throws where they are not one after the other.
-std::vector<Sample> searched_samples(const ComplianceSearch& prepared, const Identified& native) {
-    auto live = [](const TransientEstimate& estimate) { return !estimate.frozen; };
-    auto frozen = std::ranges::find(native.estimates, true, &TransientEstimate::frozen);
-    if (std::any_of(frozen, native.estimates.end(), live))
-        throw UserError(fmt::format("--on: the gate freezes the search for a while at {:.3f} s, and processes "
-                                    "know no gate; --samples, --rising or --way thesis search without pausing",
-                                    frozen->time_s));
-    std::size_t last = std::prev(frozen)->index;
+/// Throws where they are not one after the other.
+std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     std::vector<Sample> record;
     for (const hydraulics::CircuitSample& sample : prepared.samples) {
-        if (sample.index > last)
-            break;
         if (sample.stretch != prepared.samples.front().stretch)
             throw UserError(fmt::format("--on: the record has a gap before {:.3f} s, after which the search "
                                         "begins a new window; processes know no gaps. --samples {} ends before it",
@@ -162,9 +153,9 @@ std::vector<double> ProcessSearch::compliances(const RunReport& report) const {
 }
 
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const ComplianceSearch& prepared,
-                                  const IdentificationWay& way, const Identified& native, const WarningSink& warn) {
+                                  const IdentificationWay& way, const WarningSink& warn) {
     ProcessSearch search;
-    search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared, native));
+    search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared));
     search.network = load_with(settings_of(way), netlist, search.problems, warn);
     for (const std::string& included : search.network.included_paths)
         require_apart(std::span(&netlist.output, 1), included);

@@ -35,10 +35,8 @@ struct ProcessSearch {
 /// name for (population, elite), unless an override sets it. The processes know neither gaps nor a gate; they are sent
 /// the samples up to where the gate froze the search for good.
 /// Throws UserError for what cannot be the same search: another number of searching processes
-/// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap, a search frozen for
-/// a while.
+/// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
-                                  const identification::IdentificationWay& way,
-                                  const identification::Identified& native, const WarningSink&);
+                                  const identification::IdentificationWay& way, const WarningSink&);
 
 } // namespace placedpar

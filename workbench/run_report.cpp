@@ -108,6 +108,17 @@ std::string print_links(const RunReport& report) {
     return out;
 }
 
+std::string print_broadcasts(const std::vector<BroadcastUse>& rows) {
+    if (rows.empty())
+        return "";
+    std::size_t from = width_of(rows, &BroadcastUse::from, 9);
+    std::string out = painted(Paint::heading, fmt::format("{:<{}}  {:>8}  {:>9}  {:>9}\n", "broadcast", from,
+                                                          "adapters", "messages", "bytes"));
+    for (const BroadcastUse& b : rows)
+        out += fmt::format("{:<{}}  {:>8}  {:>9}  {:>9}\n", b.from, from, b.adapters, b.messages, b.bytes);
+    return out;
+}
+
 std::string print_buses(const RunReport& report) {
     std::string out;
     for (const BusUse& bus : report.buses) {
@@ -120,6 +131,7 @@ std::string print_buses(const RunReport& report) {
             out += fmt::format("{:<{}}  {:>5}  {:>9}  {:>9}  {:>9}  {:>7}  {:>12}  {:>6}\n", m.name, name, m.level,
                                m.words, m.bytes, m.grants, print_part(report, m.waited), print_time(m.longest_wait),
                                m.bus_errors);
+        out += print_broadcasts(bus.broadcasts);
     }
     return out;
 }
@@ -144,9 +156,21 @@ std::string print_processes(const RunReport& report) {
     return out;
 }
 
+using MessageStruck = hardware::FaultEffect::Hit::Message;
+
+const char* what_was_struck(MessageStruck message) {
+    switch (message) {
+    case MessageStruck::whole: return "a message on";
+    case MessageStruck::packet: return "a packet of";
+    case MessageStruck::acknowledging_packet: return "a packet that acknowledges one of";
+    }
+    return "";
+}
+
 std::string print_hit(const FaultUse::Hit& hit) {
-    return fmt::format("at {}: {}byte {} of a message on channel {}", to_string(hit.at),
-                       hit.acknowledge ? "the acknowledge of " : "", hit.byte, hit.channel);
+    return fmt::format("at {}: {}byte {} of {} channel {}", to_string(hit.at),
+                       hit.acknowledge ? "the acknowledge of " : "", hit.byte, what_was_struck(hit.message),
+                       hit.channel);
 }
 
 /// What of it was lost; the last loss is the one that nobody has recovered from, if there is such a one.
@@ -157,6 +181,9 @@ std::string print_effect(const FaultUse& fault) {
                                    counted(fault.acknowledges_lost, "acknowledge")));
     if (!fault.stopped.empty())
         said.push_back(fmt::format("stopped {}", fmt::join(fault.stopped, ", ")));
+    if (!fault.stopped_channels.empty())
+        said.push_back(fmt::format("stopped the {} {}", fault.stopped_channels.size() > 1 ? "channels" : "channel",
+                                   fmt::join(fault.stopped_channels, ", ")));
     if (fault.held_since)
         said.push_back(fmt::format("had the bus from {} on", to_string(*fault.held_since)));
     std::string out = said.empty() ? fault.had_effect() ? "slowed messages down" : "had no effect"
@@ -245,11 +272,18 @@ boost::json::object json_of(const RunReport&, const BusMasterUse& m) {
 template <class Rows>
 boost::json::array array_of(const RunReport& report, const Rows& rows);
 
+boost::json::object json_of(const RunReport&, const BroadcastUse& b) {
+    return {{"from", b.from}, {"adapters", b.adapters}, {"messages", b.messages}, {"bytes", b.bytes}};
+}
+
 boost::json::object json_of(const RunReport& report, const BusUse& b) {
-    return {{"name", b.name},
-            {"busy", part_json(report, b.busy)},
-            {"busy_ps", b.busy.count()},
-            {"masters", array_of(report, b.masters)}};
+    boost::json::object json{{"name", b.name},
+                             {"busy", part_json(report, b.busy)},
+                             {"busy_ps", b.busy.count()},
+                             {"masters", array_of(report, b.masters)}};
+    if (!b.broadcasts.empty())
+        json["broadcasts"] = array_of(report, b.broadcasts);
+    return json;
 }
 
 boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
@@ -262,13 +296,23 @@ boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
     return json;
 }
 
+const char* what_was_struck_json(MessageStruck message) {
+    switch (message) {
+    case MessageStruck::whole: return "message";
+    case MessageStruck::packet: return "packet";
+    case MessageStruck::acknowledging_packet: return "acknowledging_packet";
+    }
+    return "";
+}
+
 boost::json::value hit_json(const std::optional<FaultUse::Hit>& hit) {
     if (!hit)
         return nullptr;
     return {{"time_ps", hit->at.count()},
             {"channel", hit->channel},
             {"what", hit->acknowledge ? "acknowledge" : "byte"},
-            {"byte", hit->byte}};
+            {"byte", hit->byte},
+            {"of", what_was_struck_json(hit->message)}};
 }
 
 boost::json::object json_of(const RunReport&, const FaultUse& fault) {
@@ -279,6 +323,7 @@ boost::json::object json_of(const RunReport&, const FaultUse& fault) {
             {"first", hit_json(fault.first)},
             {"last_lost", hit_json(fault.last)},
             {"stopped", texts_of(fault.stopped)},
+            {"stopped_channels", texts_of(fault.stopped_channels)},
             {"held_since_ps", fault.held_since ? boost::json::value(fault.held_since->count()) : nullptr}};
 }
 
@@ -308,13 +353,24 @@ boost::json::array array_of(const RunReport& report, const Rows& rows) {
 }
 
 boost::json::object deadlock_json(const Deadlock& deadlock) {
-    boost::json::array processes;
+    boost::json::array processes, channels;
     for (const auto& process : deadlock.processes)
         processes.push_back(boost::json::object{{"process", process.path},
                                                 {"operation", name_of(process.activity)},
                                                 {"channels", texts_of(process.channels)},
-                                                {"program", process.where}});
-    return {{"cycle", texts_of(deadlock.cycle)}, {"processes", std::move(processes)}};
+                                                {"program", process.where},
+                                                {"netlist", process.netlist}});
+    for (const auto& channel : deadlock.channels)
+        channels.push_back(boost::json::object{{"channel", channel.name},
+                                               {"outputter", channel.outputter},
+                                               {"inputter", channel.inputter},
+                                               {"waiting", channel.waiting},
+                                               {"netlist", channel.netlist}});
+    boost::json::object json{
+        {"cycle", texts_of(deadlock.cycle)}, {"processes", std::move(processes)}, {"channels", std::move(channels)}};
+    if (!deadlock.held_up.empty())
+        json["held_up"] = texts_of(deadlock.held_up);
+    return json;
 }
 
 std::string print_ending(Ending ending) {

@@ -6,11 +6,14 @@
 #include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -18,7 +21,6 @@
 
 namespace placedpar::monitor {
 
-using namespace hydraulics;
 using namespace identification;
 
 namespace {
@@ -60,6 +62,12 @@ void add_limits(CLI::App& command, ServiceLimits& limits) {
     };
     add("--max-clients", limits.clients, "N", {1, 65536}, "connections at once");
     add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at once");
+    add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536}, "connections of one address");
+    add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6}, "machines that one address introduces");
+    add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
+        "of a machine's control, by one address in a minute");
+    add("--newcomer-timeout", limits.newcomer_s, "S", timeouts, "a machine without sample and connection is forgotten");
+    add("--history", limits.history, "N", {1, 1e6}, "estimates, and alarms, of a machine kept in the state file");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "length of a message");
     add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "waiting to be sent to one client");
     add("--hello-timeout", limits.hello_s, "S", timeouts, "from the connection to the hello");
@@ -78,45 +86,75 @@ void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
     add("--bits", diagnosis.bits, "N", {4, 16}, "of one compliance");
     add("--window", window.length, "N", {1, exact_fitness_terms}, "samples of the window");
     add("--trials", window.trials, "N", {1, 1000}, "generations a sample");
-    add("--gate", diagnosis.gate_psi_per_s, "PSI/S", {0, 1e6},
+    add("--gate", diagnosis.gate.slope_psi_per_s, "PSI/S", {0, 1e6},
         "rms slope of the pressure below which an estimate is frozen");
-    add("--doubled-at", diagnosis.doubled_at, "RATIO", {1.01, 100}, "alarm at this many times the baseline");
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
-        "alarm at this spread between population sets");
-    add("--off-by", diagnosis.off_by, "FRACTION", {0.01, 0.99}, "a link further from its baseline is off");
-    add("--transients", diagnosis.transients, "N", {1, kept_transients},
-        "settled transients before a link may be called off");
+        "estimates are flagged at this spread between population sets");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9}, "older estimates take no part in cross-checks");
 }
 
-void add_options(CLI::App& command, ServiceSettings& settings) {
+struct MonitorOptions {
+    ServiceSettings settings;
+    std::uint16_t port = 0, http = 0;
+};
+
+void add_options(CLI::App& command, MonitorOptions& options) {
+    ServiceSettings& settings = options.settings;
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Options", name, value, type, bounds, about);
     };
     command.add_option("--address", settings.address, "where to listen")->capture_default_str();
-    add("--port", settings.port, "N", {0, 65535}, "0: any free one, which is printed");
-    add_file(command, "--state", settings.state, "keeps what is known over a restart, with FILE.journal beside it");
+    add("--port", options.port, "N", {0, 65535}, "0: any free one, which is printed");
+    add("--http", options.http, "N", {0, 65535}, "a page for browsers, /metrics and /healthz there; none unless said");
+    add_file(command, "--unix", settings.unix_path, "listen on a socket there, and on a port only if that is given",
+             "PATH");
+    add_file(command, "--token-file", settings.token_file, "the word that clients have to say to be served");
+    add_file(command, "--state", settings.state, "keeps what is known over a restart: a database of SQLite");
     add_seed(command, settings.seed);
-    add("--sync", settings.sync_s, "S", {0.01, 3600}, "from a sample to its being on the disk, if power fails");
     add_limits(command, settings.limits);
     add_diagnosis(command, settings.diagnosis);
 }
 
+/// With the time, UTC. What cannot be written, as on a full disk, is left out: no reason to end.
+void say(const std::string& sentence) {
+    std::string line =
+        fmt::format("{:%Y-%m-%dT%H:%M:%S}Z placedpar monitor: {}\n", fmt::gmtime(std::time(nullptr)), sentence);
+    std::fputs(line.c_str(), stderr);
+}
+
+/// An address of IPv6 stands in brackets, and one of all interfaces is this computer's, too.
+std::string for_browsers(const std::string& address) {
+    return address.find(':') == address.npos ? address : fmt::format("[{}]", address);
+}
+
 ExitCode serve(const ServiceSettings& settings) {
-    auto say = [](const std::string& sentence) { fmt::print(stderr, "placedpar monitor: {}\n", sentence); };
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is like a full disk, no reason to end
     Service service(settings, say);
     service.stop_at_signals(); // before anybody can know of it
-    print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
+    if (settings.port)
+        print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
+    if (!settings.unix_path.empty())
+        print_out(fmt::format("placedpar monitor: listening on {}\n", settings.unix_path));
+    if (settings.http_port)
+        print_out(fmt::format("placedpar monitor: page at http://{}:{}/\n", for_browsers(settings.address),
+                              service.http_port()));
     service.run();
     say(settings.state.empty() ? "stopped" : fmt::format("stopped; {} is written", settings.state));
     return ExitCode::success;
 }
 
 Action declare(CLI::App& command, const std::string&) {
-    auto settings = std::make_shared<ServiceSettings>();
-    add_options(command, *settings);
-    return [settings] { return serve(*settings); };
+    auto options = std::make_shared<MonitorOptions>();
+    add_options(command, *options);
+    return [options, &command] {
+        ServiceSettings& settings = options->settings;
+        settings.port = options->port;
+        if (!settings.unix_path.empty() && command.count("--port") == 0)
+            settings.port.reset();
+        if (command.count("--http") > 0)
+            settings.http_port = options->http;
+        return serve(settings);
+    };
 }
 
 } // namespace

@@ -73,8 +73,10 @@ void write_plot(const std::filesystem::path& folder, const std::string& name, co
 void write_plots(const Replay& replay, const std::filesystem::path& folder) {
     if (replay.plots.empty() && replay.drawings.empty())
         print_out("this experiment has no plots\n");
-    for (const NamedPlot& plot : replay.plots)
+    for (const NamedPlot& plot : replay.plots) {
         write_plot(folder, plot.name, draw_svg(plot.plot));
+        write_whole(folder / (plot.name + ".csv"), curves_csv(plot.plot));
+    }
     for (const NamedDrawing& drawing : replay.drawings)
         write_plot(folder, drawing.name, drawing.svg);
 }
@@ -157,7 +159,7 @@ Action declare_replay(CLI::App& command, const std::string& typed) {
     command.add_option("EXPERIMENT", options->experiment, "one of those below")->required();
     add_seed(command, options->seed);
     add_file(command, "--json", options->json, "writes the cells for machines");
-    add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG", "FOLDER");
+    add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG, and their curves, CSV", "FOLDER");
     add_number(command, "--seeds", options->seeds, 1, most_seeds, "of a study, instead of its own number");
     add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
     command.footer("experiments:\n" + list_experiments());

@@ -27,8 +27,8 @@ void declare_question(CLI::App& command, IdentifyOptions& options) {
         ->type_name("FILE")
         ->required();
     add_links(command, options.links,
-              "whose compliance: bucket, boom, stick, swing; or of several that share a pump: bucket,boom")
-        ->capture_default_str();
+              "whose compliance: bucket, boom, stick, swing, or several with commas; all that the record has readings "
+              "of if not given, and with --way thesis boom");
     add_configuration(command, options.configuration, "of the main valve as the record was taken")
         ->capture_default_str();
     add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
@@ -39,24 +39,23 @@ void declare_question(CLI::App& command, IdentifyOptions& options) {
         {"areas", "spool", "servo"});
     command
         .add_option("--offset", options.offset,
-                    "by which the boom's spool reads too high; auto finds it in the record's steady motion")
-        ->type_name("auto|none|INCHES")
+                    "by which the boom's spool reads too high, in; none if not given. With --way thesis also auto, "
+                    "which finds it in the record's steady motion, as it does there if not given")
+        ->type_name("auto|none|INCHES");
+    add_choice(command, "--missing", options.missing,
+               "what to do with a row that lacks a reading: refuse the record, or leave the row out",
+               {"refuse", "skip"})
         ->capture_default_str();
-    add_number(command, "--samples", options.samples, 1, a_million,
-               "that are used, from the valve's opening on: 20 are the thesis's 0.4 s")
-        ->capture_default_str();
-    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on");
 }
 
 void declare_way(CLI::App& command, IdentifyOptions& options) {
     add_choice(command, "--way", options.way,
-               "thesis: one search, as chapter 3 describes it; service: 21 searches in Gray code with an elite, which "
-               "rest while the pressure hardly moves",
-               {"thesis", "service"})
+               "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
+               "search over the first transient, as chapter 3 describes it",
+               {"service", "thesis"})
         ->capture_default_str();
     // With fewer bits the compliance of a sound machine is within a step or so of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "of a compliance")->capture_default_str();
-    add_choice(command, "--coding", options.coding, "of the bits; the way's own if not given", {"natural", "gray"});
     add_number(command, "--elite", options.elite, 0, a_million,
                "best individuals that go over unchanged; the way's own if not given");
     add_number(command, "--population", options.population, 2, a_million, "individuals")->capture_default_str();
@@ -70,29 +69,48 @@ void declare_way(CLI::App& command, IdentifyOptions& options) {
     add_seed(command, options.seed);
 }
 
+/// The samples are given by the thesis's way alone, as are the simulated processes that search as it does.
+void declare_thesis_way(CLI::App& command, IdentifyOptions& options) {
+    const char* group = "With --way thesis";
+    auto check = [](const std::string& text) { return not_a_number_within(text, 1, a_million); };
+    command
+        .add_option("--samples", options.samples,
+                    "that are used, from the valve's opening on; 20 if not given, the thesis's 0.4 s")
+        ->check(CLI::Validator(check, ""))
+        ->type_name(fmt::format("1..{}", a_million))
+        ->group(group);
+    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on")->group(group);
+    add_choice(command, "--coding", options.coding, "of the bits; natural if not given", {"natural", "gray"})
+        ->group(group);
+    auto* netlist =
+        add_file(command, "--on", options.netlist,
+                 "searches as the processes of this netlist, too; exit code 3 if they do not find the same", "NETLIST");
+    netlist->group(group);
+    command.add_option("--set", options.set, "sets a val, an attribute or a parameter of that netlist")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false)
+        ->needs(netlist)
+        ->group(group);
+    for (auto* option : add_read_options(command, options.read))
+        option->needs(netlist)->group(group);
+}
+
 } // namespace
 
 void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
     declare_question(command, options);
     declare_way(command, options);
-    auto* netlist =
-        add_file(command, "--on", options.netlist,
-                 "searches as the processes of this netlist, too; exit code 3 if they do not find the same", "NETLIST");
-    command.add_option("--set", options.set, "sets a val, an attribute or a parameter of that netlist")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false)
-        ->needs(netlist);
-    for (auto* option : add_read_options(command, options.read))
-        option->needs(netlist);
+    declare_thesis_way(command, options);
     add_file(command, "--json", options.json, "writes the result for machines");
-    command.add_flag("--strict", options.strict, "exit code 3 where an answer should not be believed as it stands");
+    command.add_flag("--strict", options.strict,
+                     "exit code 3 where an answer should not be believed as it stands, or an alarm holds");
     command.footer(
-        "It prints the compliance of each link (the median of the searches) and the standard error that the record's "
-        "own noise leaves,\n"
-        "in both systems of units; the best of all codes on the last window, in in^3/psi, and how many codes the "
-        "searches end from it.\n"
-        "A line with ! says where that should not be believed as it stands. --json has where 90 % of the searches end, "
-        "too.\n"
+        "It prints, for each movement, the compliance of each link and the standard error that the record's own noise\n"
+        "leaves, in both systems of units, and at the end what is said of each link: sound, or what is off by how "
+        "much.\n"
+        "A line with ! says where a compliance should not be believed as it stands. A record may have any length, and "
+        "come\n"
+        "through a pipe (\"-\" is standard input).\n"
         "What a record looks like: docs/records.md. Records to try: examples/records.");
 }
 

@@ -14,17 +14,21 @@ class App;
 
 namespace placedpar {
 
-/// What the command line of `placedpar identify` may say.
+/// What the command line of `placedpar identify` may say. What stands for one way only is empty where it was not typed.
 struct IdentifyOptions {
-    std::string record, links = "boom", configuration = "a", way = "thesis", offset = "auto", areas, coding, machine,
-                        netlist, json;
-    std::vector<std::string> set;
-    ReadOptionsTyped read; ///< of the netlist
+    std::string record, links, configuration = "a", way = "service", offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;
-    std::size_t bits = 10, population = 120, trials = 5, window = 10, samples = 20;
+    std::size_t bits = 10, population = 120, trials = 5, window = 10;
     double bias = 400;
     std::optional<std::size_t> elite;
-    bool rising = false, strict = false;
+    bool strict = false;
+
+    // Of --way thesis
+    std::string coding, netlist;
+    std::vector<std::string> set;
+    ReadOptionsTyped read; ///< of the netlist
+    std::optional<std::size_t> samples;
+    bool rising = false;
 };
 
 void declare_identify_options(CLI::App& command, IdentifyOptions& options);

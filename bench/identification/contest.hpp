@@ -51,13 +51,14 @@ struct Transient {
 };
 
 struct Answer {
-    double compliance;               // of the best individual of the last generation
-    std::uint64_t error_evaluations; // one individual at one sample
+    double compliance;               // of the best individual of the last generation; the service's: its median
+    std::uint64_t error_evaluations; // one individual at one sample; 0: not counted
 };
 
 struct Contestant {
     std::string name;
     Answer (*identify)(const Transient&);
+    int way = -1; // those of one algorithm and one stream of random numbers must give the same bits
 };
 
 std::vector<Contestant> ours();

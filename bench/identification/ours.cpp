@@ -3,9 +3,12 @@
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
+#include "identification/on_line/population_set.hpp"
+#include "runtime/vector_width.hpp"
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace placedpar {
 
@@ -117,20 +120,59 @@ Answer with(const Transient& transient, const SearchSettings& settings, Coding c
 
 Answer thesis_way(const Transient& transient) { return with(transient, {}, Coding::natural); }
 
-Answer service_way(const Transient& transient) {
+Answer universal(const Transient& transient) {
     SearchSettings settings;
     settings.elite = 1;
     settings.reproduction = UniversalReproduction{};
     return with(transient, settings, Coding::gray);
 }
 
+/// What the monitor and the command do with a link's samples, all of it: the gate, the medians and the standard errors
+/// as well as the search.
+Answer serve(const Transient& transient, std::size_t width, Mutation mutation) {
+    identification::DiagnosisSettings settings;
+    settings.search.mutation = mutation;
+    const LinkSet boom{Link::boom};
+    const identification::SetProblem problem(Configuration::a, boom, transient.flow, settings.bits);
+    use_vector_width(width);
+    identification::PopulationSet set(boom, settings, transient.seed, stream);
+    double time_s = 0;
+    for (const LinkSample& sample : transient.record)
+        set.take(problem, {sample}, time_s += 0.02);
+    use_vector_width(widest_vector_width());
+    if (set.state().generations != transient.windows() * Transient::trials)
+        throw std::logic_error("the service has made another number of generations");
+    return {set.state().estimates.front().compliance_in3_per_psi().value(), 0};
+}
+
+template <std::size_t width>
+Answer service(const Transient& transient) {
+    return serve(transient, width, BitMutation{});
+}
+template <std::size_t width>
+Answer distances(const Transient& transient) {
+    return serve(transient, width, DistanceMutation{});
+}
+
 } // namespace
 
 std::vector<Contestant> ours() {
-    return {{"plain scalar loop", [](const Transient& transient) { return PlainLoop(transient).identify(); }},
-            {"PlacedPar, one by one", one_by_one},
-            {"PlacedPar, vectorised", thesis_way},
-            {"... Gray, elite, universal", service_way}};
+    std::vector<Contestant> all{
+        {"plain scalar loop", [](const Transient& transient) { return PlainLoop(transient).identify(); }, 0},
+        {"PlacedPar, one by one", one_by_one, 0},
+        {"PlacedPar, vectorised", thesis_way, 0},
+        {"... Gray, elite, universal", universal, 1},
+        {"the service, 2 doubles", service<2>, 2}};
+    if (widest_vector_width() >= 4)
+        all.push_back({"the service, 4 doubles", service<4>, 2});
+    if (widest_vector_width() >= 8)
+        all.push_back({"the service, 8 doubles", service<8>, 2});
+    all.push_back({"... distance, 2 doubles", distances<2>, 3});
+    if (widest_vector_width() >= 4)
+        all.push_back({"... distance, 4 doubles", distances<4>, 3});
+    if (widest_vector_width() >= 8)
+        all.push_back({"... distance, 8 doubles", distances<8>, 3});
+    return all;
 }
 
 } // namespace placedpar

@@ -21,14 +21,16 @@ import sys
 import time
 
 SYMBOLS = {"bucket": "BU", "boom": "BO", "stick": "ST", "swing": "SW"}
+SYMBOLS |= {symbol: symbol for symbol in SYMBOLS.values()}
 
 # Field of the message, and factors into its unit.
-PRESSURE = {"psi": 1, "kPa": 1 / 6.894757, "MPa": 1000 / 6.894757, "bar": 100 / 6.894757}
-AREA = {"in^2": 1, "cm^2": 1 / 6.4516, "mm^2": 1 / 645.16}
+PRESSURE = {"psi": 1, "Pa": 1 / 6894.757, "kPa": 1 / 6.894757, "MPa": 1000 / 6.894757, "bar": 100 / 6.894757}
+LENGTH = {"in": 1, "mm": 1 / 25.4, "cm": 1 / 2.54, "m": 1 / 0.0254}
+AREA = {"in^2": 1, "cm^2": 1 / 6.4516, "mm^2": 1 / 645.16, "m^2": 1 / 0.00064516}
 SENSORS = {
     "inlet_pressure": ("inlet_psi", PRESSURE),
     "angle": ("angle_deg", {"deg": 1, "rad": 180 / math.pi}),
-    "spool": ("spool_in", {"in": 1, "mm": 1 / 25.4, "cm": 1 / 2.54}),
+    "spool": ("spool_in", LENGTH),
     "servo": ("servo_V", {"V": 1, "mV": 1e-3}),
     "inlet_area": ("inlet_in2", AREA),
     "bypass_area": ("bypass_in2", AREA),
@@ -78,7 +80,7 @@ def valve_of(fields):
 
 def read_record(path):
     """The samples as messages, and the links they are about."""
-    with open(path, newline="", encoding="utf-8") as file:
+    with open(path, newline="", encoding="utf-8-sig") as file:
         rows = [row for row in csv.reader(line for line in file if not line.startswith("#")) if row]
     if not rows:
         raise Refused(f"{path}: there is no header")
@@ -180,10 +182,11 @@ def replay(monitor, samples, offset_s, options):
 
 
 def print_status(status):
-    for symbol, link in status["links"].items():
-        for each in link["estimates"]:
-            print(f"{symbol} by {each['set']}: {each['compliance_in3_per_psi']:.5f} in^3/psi, "
-                  f"baseline {link['baseline_in3_per_psi'] or float('nan'):.5f}, spread {100 * link['spread']:.0f} %")
+    for symbol in status["active"]:
+        link = status["links"][symbol]
+        off = link["off"]
+        sure = f", {min(100 * off['probability'], 99):.0f} % sure" if off["movements"] else ""
+        print(f"{symbol}: {off['verdict']}{sure}; compliance in health {link['baseline_in3_per_psi']:.5f} in^3/psi")
     print("alarms:", ", ".join(f"{each['alarm']} {'+'.join(each['links'])}" for each in status["alarms"]) or "none")
 
 

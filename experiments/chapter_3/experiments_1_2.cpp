@@ -1,3 +1,4 @@
+#include "experiments/chapter_3/kit/block_diagrams.hpp"
 #include "experiments/chapter_3/kit/boom_plots.hpp"
 #include "experiments/chapter_3/kit/boom_search.hpp"
 #include "experiments/chapter_3/kit/spool_lag.hpp"
@@ -113,7 +114,7 @@ void add_clean_errors(Comparison& comparison, const Way& way, const BoomData& cl
 }
 
 /// How far an experiment's compliance may be from the true one, as a share of it: for one record, for the median of
-/// many.
+/// many. Of 3,000 records as many as one in a thousand are farther off than a record may be.
 struct Allowed {
     double record, median;
 };
@@ -137,7 +138,7 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
     Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     for (const Way& way : ways)
-        add_found(comparison, way, motions, seeds, {0.1, 0.03});
+        add_found(comparison, way, motions, seeds, {0.12, 0.03});
     for (const Way& way : ways) {
         add_errors(comparison, way, motions.front(), seeds.front());
         add_clean_errors(comparison, way, clean);
@@ -262,8 +263,10 @@ Replay replay_experiments_1_2(const ReplayContext& context) {
     auto measured_motions = measure(motion_of(measured, by_voltage_in3_per_psi), seeds);
     Comparison of_measured = measured_comparison(measured_motions, seeds);
     context.progress("another a_0");
-    return replay_of({of_simple, of_measured, lag_comparison(motions, seeds), both_comparison(seeds)},
-                     plots_of(measured_motions.front(), seeds.front()));
+    Replay replay = replay_of({of_simple, of_measured, lag_comparison(motions, seeds), both_comparison(seeds)},
+                              plots_of(measured_motions.front(), seeds.front()));
+    replay.drawings = {{"figure-3-4", draw_figure_3_4()}};
+    return replay;
 }
 
 } // namespace

@@ -144,7 +144,7 @@ constexpr std::array<KnownScatter, 3> known_scatters{
     {{"low noise", low_noise, 0.00004}, {"mid noise", mid_noise, 0.00008}, {"high noise", high_noise, 0.00015}}};
 
 void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds& seeds) {
-    constexpr double true_in = 0.01;
+    constexpr double true_in = 0.01, bias_in = 0.00001; // ours: a tenth of what the calibration is said to reach
     std::vector<double> found, stated;
     for (const BoomData& motion : motions_with(true_in, known.noise, seeds)) {
         SpoolOffset offset = calibrate(motion, motion.flow);
@@ -154,7 +154,7 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
     auto add = [&](const char* row, double figure, double value, double tolerance) {
         comparison.add(judged_cell(row, known.name, "in", figure, value, tolerance, 5));
     };
-    add("offset found, mean of 50", true_in, mean(found), 0.00005);
+    add("offset found, mean of 50", true_in, mean(found), mean_tolerance(known.known_in, seeds.size(), bias_in));
     add("  its scatter", known.known_in, deviation(found), deviation_tolerance(known.known_in, seeds.size(), 0.000005));
     comparison.add(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
 }

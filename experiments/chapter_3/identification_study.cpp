@@ -40,7 +40,7 @@ constexpr NoiseLevel noise_levels[]{
     {.name = "no noise",
      .noise = no_noise,
      .median_percent = {.known = 0.07, .most = 1.5},
-     .ninetieth_percent = {.known = 2.2, .most = 4},
+     .ninetieth_percent = {.known = 2.2, .most = 6},
      .within_ten_percent = 100,
      .rising_median_percent = {.known = 1.06, .most = 2.3}},
     {.name = "low",
@@ -77,7 +77,8 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
         comparison.cells.back().at_least = too_much_percent;
     comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
-    add("codes from the best of all, 90th percentile", "", {0, 3}, quantile(all.codes_from_optimum, 0.9), 0);
+    // One search in thirty is 5 codes off or more: in one of 400 studies so are a tenth of its 50.
+    add("codes from the best of all, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
     add("codes from that to the best in SI, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     Study rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
     add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);

@@ -80,9 +80,8 @@ Panel crossing_panel(const Comparison& shares) {
         auto colour = static_cast<int>(i);
         double x = figure("generation"), y = figure("followed");
         panel.series.push_back({row, {{x, y}}, Stroke::points, colour});
-        panel.series.push_back({"", {{x, figure("followed >=")}, {x, figure("followed <=")}}, Stroke::line, colour});
-        panel.series.push_back(
-            {"", {{figure("generation >="), y}, {figure("generation <="), y}}, Stroke::line, colour});
+        panel.series.push_back({"", {{x, figure("followed >=")}, {x, figure("followed <=")}}, Stroke::bar, colour});
+        panel.series.push_back({"", {{figure("generation >="), y}, {figure("generation <="), y}}, Stroke::bar, colour});
     }
     return panel;
 }

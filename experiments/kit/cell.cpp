@@ -71,11 +71,15 @@ Cell at_most(double bound, Cell cell) {
 double share_tolerance(double known_percent, std::size_t records) {
     auto n = static_cast<double>(records);
     double share = (0.01 * known_percent * n + 2) / (n + 4);
-    return 300 * std::sqrt(2 * share * (1 - share) / n);
+    return 100 * deviations_allowed * std::sqrt(2 * share * (1 - share) / n);
 }
 
 double deviation_tolerance(double known, std::size_t records, double rounding) {
-    return 3 * known / std::sqrt(static_cast<double>(records - 1)) + rounding;
+    return deviations_allowed * known / std::sqrt(static_cast<double>(records - 1)) + rounding;
+}
+
+double mean_tolerance(double deviation, std::size_t records, double bias) {
+    return deviations_allowed * deviation / std::sqrt(static_cast<double>(records)) + bias;
 }
 
 } // namespace placedpar

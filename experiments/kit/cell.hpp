@@ -27,6 +27,7 @@ struct Cell {
     /// Bounds from one side, in the cell's unit. With either of them the tolerances play no part.
     std::optional<double> at_least = {}, at_most = {};
     std::optional<double> reference_to = {}; ///< of a claim with two bounds, which is printed only: the upper one
+    std::string source = {};                 ///< of the known figure, where those of a comparison have several
 
     /// How far the simulated figure is from the reference, in percent of it; 0 where both are 0. None without a
     /// reference.
@@ -49,12 +50,19 @@ Cell cell_of(std::string row, std::string column, std::string unit, std::optiona
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
 
-/// Three standard deviations, in percent, of the difference of two shares (n records each): sqrt(2 p (1 - p) / n); p
-/// by Agresti and Coull's two successes and two failures more, so that a share of 0 or 100 % scatters too. A known
-/// share from 50 to 300 seeds counts as n.
+/// Tolerances of figures that scatter with the seed are four of their standard deviations. A replay judges some ten of
+/// them by known figures that are samples, too, and off by up to two deviations of their own: what is left makes it
+/// miss in less than one of a hundred seeds (docs/hydraulics.md has what was counted).
+inline constexpr double deviations_allowed = 4;
+
+/// Of the difference of two shares, in percent (n records each): deviations of sqrt(2 p (1 - p) / n); p by Agresti and
+/// Coull's two successes and two failures more, so that a share of 0 or 100 % scatters too. A known share from 50 to
+/// 300 seeds counts as n.
 double share_tolerance(double known_percent, std::size_t records);
 /// How far the standard deviation of n Gaussian values may be from a known one that was rounded by up to `rounding`:
-/// three times known / sqrt(n - 1), and the rounding.
+/// deviations of known / sqrt(n - 1), and the rounding.
 double deviation_tolerance(double known, std::size_t records, double rounding);
+/// How far the mean of n values of that standard deviation may be from the truth, where `bias` may be systematic.
+double mean_tolerance(double deviation, std::size_t records, double bias);
 
 } // namespace placedpar

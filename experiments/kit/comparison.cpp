@@ -143,6 +143,10 @@ bool has_tolerances(const Table& table) {
     return std::ranges::any_of(table.rows, [](const Cells& row) { return !print_tolerances(row).empty(); });
 }
 
+bool has_sources(const Table& table) {
+    return std::ranges::any_of(table.rows, [](const Cells& row) { return !row.front().source.empty(); });
+}
+
 /// Room for a figure that may be missing.
 void widen(std::size_t& width, const std::string& figure) {
     if (!figure.empty())
@@ -178,7 +182,8 @@ std::string print_row(const Cells& row, const Table& table, const std::string& a
         out += fmt::format("  {:>{}}", cell == row.end() ? "" : print_cell(*cell, column, against), column.width());
     }
     if (has_tolerances(table))
-        out += "  " + print_tolerances(row);
+        out += fmt::format("  {:<9}", print_tolerances(row));
+    out += "  " + row.front().source;
     out.erase(out.find_last_not_of(' ') + 1);
     return out;
 }
@@ -192,8 +197,8 @@ std::string print_head(const Table& table, const std::string& against, std::size
                            in_width("error", column.error);
         figures += fmt::format("  {:>{}}", each, column.width());
     }
-    return fmt::format("\n{:<{}}{}\n{:<{}}{}{}", "", width, names, "", width, figures,
-                       has_tolerances(table) ? "  tolerance" : "");
+    return fmt::format("\n{:<{}}{}\n{:<{}}{}{}{}", "", width, names, "", width, figures,
+                       has_tolerances(table) ? "  tolerance" : "", has_sources(table) ? "  source" : "");
 }
 
 std::string print_table(const Table& table, const std::string& against, std::size_t width) {

@@ -2,6 +2,7 @@
 
 #include "experiments/kit/comparison.hpp"
 #include "experiments/kit/kept_runs.hpp"
+#include "runtime/hardware/constants.hpp"
 #include "workbench/load.hpp"
 #include "workbench/netlist_run.hpp"
 #include "workbench/plot.hpp"
@@ -24,6 +25,7 @@ struct NamedDrawing {
 struct Replay {
     std::vector<Comparison> comparisons; ///< judged by the first of them, and by the others that are `judged`
     std::string constants = {};          ///< for people: which were published, stated as workload, calibrated
+    std::vector<hardware::Constant> constant_table = {}; ///< one by one
     std::uint64_t fingerprint = 0;
     std::vector<NamedPlot> plots = {};       ///< --plots draws them,
     std::vector<NamedDrawing> drawings = {}; ///< and writes these

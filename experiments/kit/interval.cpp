@@ -76,7 +76,7 @@ Interval difference_interval(std::size_t first, std::size_t first_runs, std::siz
 }
 
 Series interval_bar(double x, Interval interval, int colour) {
-    return {.name = "", .points = {{x, interval.low}, {x, interval.high}}, .colour = colour};
+    return {.name = "", .points = {{x, interval.low}, {x, interval.high}}, .stroke = Stroke::bar, .colour = colour};
 }
 
 } // namespace placedpar

@@ -37,7 +37,21 @@ boost::json::object cell_json(const Cell& cell, const std::string& against) {
     add_if(json, "tolerance", cell.tolerance); // in the cell's unit
     add_if(json, "at_least", cell.at_least);
     add_if(json, "at_most", cell.at_most);
+    if (!cell.source.empty())
+        json["source"] = cell.source;
     return json;
+}
+
+boost::json::object constant_json(const hardware::Constant& constant) {
+    return {{"group", constant.group}, {"name", constant.name},          {"value", constant.value},
+            {"unit", constant.unit},   {"mark", name_of(constant.mark)}, {"source", constant.source}};
+}
+
+boost::json::array constants_json(const std::vector<hardware::Constant>& constants) {
+    boost::json::array all;
+    for (const hardware::Constant& each : constants)
+        all.push_back(constant_json(each));
+    return all;
 }
 
 boost::json::array cells_json(const Comparison& comparison) {
@@ -69,27 +83,51 @@ boost::json::array others_json(const Replay& replay) {
     return others;
 }
 
+std::string constant_row(std::string_view name, std::string_view value, std::string_view unit, std::string_view mark,
+                         std::string_view source) {
+    return fmt::format("{:<46}  {:>6} {:<7}  {:<10}  {}\n", name, value, unit, mark, source);
+}
+
+/// Below the name of each group.
+std::string print_constants(const std::vector<hardware::Constant>& constants) {
+    if (constants.empty())
+        return "";
+    std::string out = constant_row("constants", "value", "", "mark", "source");
+    std::string_view group;
+    for (const hardware::Constant& each : constants) {
+        if (each.group != group)
+            out += fmt::format("{}\n", group = each.group);
+        out += constant_row(fmt::format("  {}", each.name), fmt::format("{:.6g}", each.value), each.unit,
+                            name_of(each.mark), each.source);
+    }
+    return out;
+}
+
 } // namespace
 
 std::string print_replay(const Replay& replay) {
     std::string out;
     for (const Comparison& comparison : replay.comparisons)
         out += print_comparison(comparison) + "\n";
-    return out + fmt::format("{}fingerprint: {:016x}\n{}", replay.constants, replay.fingerprint, print_verdict(replay));
+    return out + print_constants(replay.constant_table) + replay.constants +
+           fmt::format("fingerprint: {:016x}\n{}", replay.fingerprint, print_verdict(replay));
 }
 
 boost::json::object replay_json(const Replay& replay, std::string_view experiment, std::uint64_t seed,
                                 const std::string& command) {
-    return {{"experiment", experiment},
-            {"version", version},
-            {"commit", commit},
-            {"seed", seed},
-            {"fingerprint", hex(replay.fingerprint)},
-            {"command", command},
-            {"reading", replay.comparisons.front().name},
-            {"cells", cells_json(replay.comparisons.front())},
-            {"within_tolerance", replay.within_tolerance()},
-            {"other_readings", others_json(replay)}};
+    boost::json::object json{{"experiment", experiment},
+                             {"version", version},
+                             {"commit", commit},
+                             {"seed", seed},
+                             {"fingerprint", hex(replay.fingerprint)},
+                             {"command", command},
+                             {"reading", replay.comparisons.front().name},
+                             {"cells", cells_json(replay.comparisons.front())},
+                             {"within_tolerance", replay.within_tolerance()},
+                             {"other_readings", others_json(replay)}};
+    if (!replay.constant_table.empty())
+        json["constants"] = constants_json(replay.constant_table);
+    return json;
 }
 
 } // namespace placedpar

@@ -12,6 +12,7 @@ namespace {
 
 /// A published rate of a link, in Kbyte/s of 1000 bytes; of both directions the sum.
 struct LinkRate {
+    const char* source;
     const char* name;
     Overrides link;
     double kbytes_per_s;
@@ -19,26 +20,27 @@ struct LinkRate {
     std::optional<double> tolerance_kbytes_per_s = {};
 };
 
-/// The databook, table 8.1.
 const std::vector<LinkRate>& databook_rates() {
+    constexpr const char* table = "databook, table 8.1";
     static const std::vector<LinkRate> rates{
-        {"5 Mbit/s, one way", {{"speed", "5M"}}, 450, 3},
-        {"5 Mbit/s, both ways", {{"speed", "5M"}, {"both_ways", "1"}}, 670, 3},
-        {"10 Mbit/s, one way", {{"speed", "10M"}}, 910, 3},
-        {"10 Mbit/s, both ways", {{"speed", "10M"}, {"both_ways", "1"}}, 1250, 3},
-        {"20 Mbit/s, one way", {}, 1740, 3},
-        {"20 Mbit/s, both ways", {{"both_ways", "1"}}, 2350, 3},
-        {"no overlapped acknowledges", {{"overlapped", "0"}}, 800, 0, 50}, // "about .8 Mbyte/s": one digit
+        {table, "5 Mbit/s, one way", {{"speed", "5M"}}, 450, 3},
+        {table, "5 Mbit/s, both ways", {{"speed", "5M"}, {"both_ways", "1"}}, 670, 3},
+        {table, "10 Mbit/s, one way", {{"speed", "10M"}}, 910, 3},
+        {table, "10 Mbit/s, both ways", {{"speed", "10M"}, {"both_ways", "1"}}, 1250, 3},
+        {table, "20 Mbit/s, one way", {}, 1740, 3},
+        {table, "20 Mbit/s, both ways", {{"both_ways", "1"}}, 2350, 3},
+        {"databook: \"about .8 Mbyte/s\"", "no overlapped acknowledges", {{"overlapped", "0"}}, 800, 0, 50},
     };
     return rates;
 }
 
-/// Measured on machines of 20 Mbit/s: K. Koontz, comp.sys.transputer, January 1991; Poznan, 2008, 923 to 930.
+/// On machines of 20 Mbit/s.
 const std::vector<LinkRate>& measured_rates() {
+    constexpr const char* koontz = "K. Koontz, comp.sys.transputer, January 1991";
     static const std::vector<LinkRate> rates{
-        {"direct (Koontz)", {}, 1750, 3},
-        {"through one C004 (Koontz)", {{"switches", "1"}}, 1330, 3},
-        {"through three C004 (Poznan)", {{"switches", "3"}}, 926.5, 1},
+        {koontz, "direct", {}, 1750, 3},
+        {koontz, "through one C004", {{"switches", "1"}}, 1330, 3},
+        {"Poznan, 2008: 923 to 930", "through three C004", {{"switches", "3"}}, 926.5, 1},
     };
     return rates;
 }
@@ -57,7 +59,8 @@ public:
                             .simulated = simulated(rate),
                             .tolerance_percent = rate.tolerance_percent,
                             .tolerance = rate.tolerance_kbytes_per_s,
-                            .decimals = 0});
+                            .decimals = 0,
+                            .source = rate.source});
         return comparison;
     }
 

@@ -52,11 +52,13 @@ Replay replay_poznan(const ReplayContext& context) {
     Comparison comparison{
         .name = "half a round trip of n words between two T805s", .against = "Poznan", .judged = true};
     auto cell = [](const char* row, double known, double simulated, double tolerance) {
-        return judged_cell(row, "half", "us", known, simulated, tolerance, 2);
+        Cell judged = judged_cell(row, "half", "us", known, simulated, tolerance, 2);
+        judged.source = "Poznan, 2008 (sarevok/pr)";
+        return judged;
     };
-    comparison.add(cell("to start", 11.0, direct.start_us, 0.2));
-    comparison.add(cell("a word", 2.25, direct.word_us, 0.01 * 2.25));
-    comparison.add(cell("a word, through three C004", 4.30, switched.word_us, 0.01 * 4.30));
+    comparison.add(cell("half a round trip, to start", 11.0, direct.start_us, 0.2));
+    comparison.add(cell("half a round trip, a word", 2.25, direct.word_us, 0.01 * 2.25));
+    comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30));
     comparison.notes = "that the slower pairs had three switches between them was inferred from their rate\n";
     Replay replay{.comparisons = {comparison}};
     replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to the start\n"

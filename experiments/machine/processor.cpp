@@ -150,37 +150,61 @@ private:
     Fingerprint fingerprint_;
 };
 
-Cell figure(const std::string& name, const char* unit, double published, double simulated, double tolerance,
-            int decimals) {
-    return judged_cell(name, "value", unit, published, simulated, tolerance, decimals);
+struct Published {
+    const char* source;
+    const char* unit;
+    double figure;
+    double tolerance;
+    int decimals;
+};
+
+Cell compare(const std::string& name, const Published& published, double simulated) {
+    Cell cell = judged_cell(name, "value", published.unit, published.figure, simulated, published.tolerance,
+                            published.decimals);
+    cell.source = published.source;
+    return cell;
 }
 
+constexpr const char* ticks = "INMOS ticks.inc";
+constexpr const char* slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
+constexpr const char* waits = "databook, 1.3: 2n - 2 periods beside n - 1";
+constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
+
 /// The bounds are those of waits that a program cannot foresee; the simulation must come near to them.
+void compare_turns(OneProcessor& t800, Comparison& comparison) {
+    auto [shortest, longest] = t800.shortest_and_longest_turn();
+    comparison.add(compare("turn beside another, shortest", {slices, "periods", 1, 0.05, 2}, shortest));
+    comparison.add(compare("turn beside another, longest", {slices, "periods", 2, 0.05, 2}, longest));
+    for (int others : {1, 3, 7})
+        comparison.add(compare(fmt::format("wait beside {} other{}, longest", others, others == 1 ? "" : "s"),
+                               {waits, "periods", 2.0 * others, 0.2, 2}, t800.longest_wait(others)));
+}
+
+void compare_interrupts(OneProcessor& t800, Comparison& comparison) {
+    auto add = [&](const char* name, const Published& published, Cycles instruction) {
+        comparison.add(compare(name, published, static_cast<double>(t800.longest_latency(instruction))));
+    };
+    add("interrupt, typical", {cycles_table, "cycles", 19, 0, 0}, Cycles{1});
+    add("interrupt of divisions, longest", {cycles_table, "cycles", 58, 1, 0}, Cycles{39});
+    add("interrupt of floating point, longest", {"commonly stated", "cycles", 78, 1, 0}, Cycles{78 - 19});
+}
+
 Comparison compare_scheduler(OneProcessor& t800) {
     Comparison comparison{.name = "the scheduler", .against = "publ.", .judged = true};
-    comparison.add(figure("clock of high priority", "us", 1, t800.tick(Priority::high), 0.001, 2));
-    comparison.add(figure("clock of low priority", "us", 64, t800.tick(Priority::low), 0.064, 2));
-    auto [shortest, longest] = t800.shortest_and_longest_turn();
-    comparison.add(figure("turn beside another, shortest", "periods", 1, shortest, 0.05, 2));
-    comparison.add(figure("turn beside another, longest", "periods", 2, longest, 0.05, 2));
-    for (int others : {1, 3, 7})
-        comparison.add(figure(fmt::format("wait beside {} other{}, longest", others, others == 1 ? "" : "s"), "periods",
-                              2 * others, t800.longest_wait(others), 0.2, 2));
-    comparison.add(
-        figure("interrupt, typical", "cycles", 19, static_cast<double>(t800.longest_latency(Cycles{1})), 0, 0));
-    comparison.add(figure("interrupt of divisions, longest", "cycles", 58,
-                          static_cast<double>(t800.longest_latency(Cycles{39})), 1, 0));
-    comparison.add(figure("interrupt of floating point, longest", "cycles", 78,
-                          static_cast<double>(t800.longest_latency(Cycles{78 - 19})), 1, 0));
-    comparison.notes = "a turn is 1 to 2 periods of 1.024 ms, a wait beside n - 1 others at most 2n - 2\n";
+    comparison.add(compare("clock of high priority", {ticks, "us", 1, 0.001, 2}, t800.tick(Priority::high)));
+    comparison.add(compare("clock of low priority", {ticks, "us", 64, 0.064, 2}, t800.tick(Priority::low)));
+    compare_turns(t800, comparison);
+    compare_interrupts(t800, comparison);
     return comparison;
 }
 
 Comparison compare_memory(OneProcessor& t800) {
     Comparison comparison{.name = "memory and switches", .against = "publ.", .judged = true};
-    comparison.add(figure("copy outside of the chip", "Mbyte/s", 13.3, t800.copying(Cycles{3}), 0.1, 2));
-    comparison.add(figure("copy on the chip", "Mbyte/s", 40, t800.copying(Cycles{1}), 0.1, 2));
-    comparison.add(figure("crossbar switch, one way", "bits", 1.75, t800.crossbar_delay(), 0.02, 2));
+    comparison.add(compare("copy outside of the chip", {"T800 databook, block move", "Mbyte/s", 13.3, 0.1, 2},
+                           t800.copying(Memory::outside)));
+    comparison.add(compare("copy on the chip", {"T4 notebook (pahihu/t4): 2 cycles a word", "Mbyte/s", 40, 0.1, 2},
+                           t800.copying(Memory::on_chip)));
+    comparison.add(compare("crossbar switch, one way", {"C004 manual", "bits", 1.75, 0.02, 2}, t800.crossbar_delay()));
     return comparison;
 }
 
@@ -188,10 +212,7 @@ Replay replay_processor(const ReplayContext& context) {
     context.progress("processor");
     OneProcessor t800(context);
     Replay replay{.comparisons = {compare_scheduler(t800), compare_memory(t800)}};
-    replay.constants =
-        "   published:  clocks, periods, an interrupt's 19 cycles and a division's 39, accesses of 1 and 3 cycles, of\n"
-        "               which a copied word takes two, and a switch's delay; an instruction of floating point is\n"
-        "               taken to be 78 - 19; all else is an outcome\n";
+    replay.constants = "an instruction of floating point is taken to be of 78 - 19 cycles, a division has 39\n";
     replay.fingerprint = t800.fingerprint();
     return replay;
 }

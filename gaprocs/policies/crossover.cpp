@@ -75,7 +75,8 @@ void cross_pair(const Way& cross, Genome& a, Genome& b, const Representation& re
 } // namespace
 
 void OnePointCrossover::operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit) const {
-    swap_leading(a, b, unit * (1 + random.below(static_cast<std::uint32_t>(a.size() / unit - 1))));
+    const std::size_t characters = unit == 1 ? a.size() : a.size() / unit; // a quotient takes long
+    swap_leading(a, b, unit * (1 + random.below(static_cast<std::uint32_t>(characters - 1))));
 }
 
 void TwoPointCrossover::operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit) const {

@@ -1,12 +1,16 @@
 #include "gaprocs/policies/mutation.hpp"
 
 #include "runtime/random.hpp"
+#include "runtime/vector_width.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -23,6 +27,30 @@ std::size_t another_place(std::size_t place, std::size_t places, RandomStream& r
     return (place + 1 + random.below(static_cast<std::uint32_t>(places - 1))) % places;
 }
 
+using Drawn = std::array<std::uint32_t, 1024>;
+
+/// Calls `take` with the index of each of the first `count` numbers that is below the limit. These are few, as a rule:
+/// all are compared side by side, and where none of eight is, the eight are passed over.
+template <class Take>
+void for_each_below(std::uint64_t limit, const Drawn& drawn, std::size_t count, const Take& take) {
+    if (limit == 0)
+        return;
+    in_vectors([&drawn, count, most = static_cast<std::uint32_t>(limit - 1), &take]<std::size_t width>() {
+        std::array<std::uint8_t, std::tuple_size_v<Drawn>> below;
+        for (std::size_t i = 0; i < below.size(); ++i)
+            below[i] = drawn[i] <= most;
+        for (std::size_t first = 0; first < count; first += sizeof(std::uint64_t)) {
+            std::uint64_t any;
+            std::memcpy(&any, &below[first], sizeof any);
+            if constexpr (std::endian::native == std::endian::big)
+                any = __builtin_bswap64(any);
+            for (; any != 0; any &= any - 1)
+                if (const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(any)) / 8; i < count)
+                    take(i);
+        }
+    });
+}
+
 void swap_places(Genome& genome, std::size_t a, std::size_t b) {
     std::uint64_t at_a = genome.words()[a];
     genome.set_word(a, genome.words()[b]);
@@ -34,22 +62,14 @@ void swap_places(Genome& genome, std::size_t a, std::size_t b) {
 void BitMutation::operator()(std::span<Genome> population, RandomStream& random) const {
     // number * 2^-32 < probability, in whole numbers: RandomStream::chance without its conversion to double.
     const auto limit = static_cast<std::uint64_t>(std::ceil(probability * 0x1p32));
-    std::size_t to_draw = 0;
-    for (const Genome& genome : population)
-        to_draw += genome.size();
-    std::array<std::uint32_t, 256> numbers;
-    std::size_t drawn = 0, used = 0;
-    for (Genome& genome : population)
-        for (std::size_t bit = 0, bits = genome.size(); bit < bits; ++bit) {
-            if (used == drawn) {
-                drawn = std::min(numbers.size(), to_draw);
-                to_draw -= drawn;
-                used = 0;
-                random.fill(std::span(numbers).first(drawn));
-            }
-            if (numbers[used++] < limit)
-                genome.flip(bit);
-        }
+    const std::size_t length = population.empty() ? 0 : population.front().size();
+    Drawn drawn;
+    for (std::size_t first = 0, bits = population.size() * length; first < bits; first += drawn.size()) {
+        const std::size_t count = std::min(drawn.size(), bits - first);
+        random.fill(std::span(drawn).first(count));
+        for_each_below(limit, drawn, count,
+                       [&](std::size_t i) { population[(first + i) / length].flip((first + i) % length); });
+    }
 }
 
 void DistanceMutation::operator()(std::span<Genome> population, RandomStream& random) const {

@@ -16,7 +16,8 @@ class RandomStream;
 // Each way changes a place of a string (a bit, a number, a place of a permutation) and says how many numbers of the
 // stream it draws for it.
 
-/// Every bit is flipped with the given probability. One number of the stream a bit, and no other.
+/// Every bit is flipped with the given probability. One number of the stream a bit, and no other. REQUIRES: all strings
+/// of one length.
 struct BitMutation {
     static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }

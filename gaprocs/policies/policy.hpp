@@ -122,6 +122,10 @@ public:
         };
         return std::visit(print, policy_);
     }
+    bool has_numbers() const {
+        auto any = [](const auto& policy) { return std::tuple_size_v<decltype(policy.numbers())> > 0; };
+        return std::visit(any, policy_);
+    }
     static std::vector<PolicyDescription> descriptions() { return {describe_policy<Policies>()...}; }
 
     /// Of steps whose policies say what they can work on: whether this one can, and the names of those that can.

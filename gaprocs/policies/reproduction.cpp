@@ -59,10 +59,9 @@ Parents RouletteReproduction::operator()(std::span<const double> fitness, std::s
     RouletteWheel wheel(fitness);
     if (wheel.empty())
         return std::nullopt;
-    std::vector<std::size_t> parents(count);
-    for (std::size_t& parent : parents)
-        parent = wheel.sector(random.uniform());
-    return parents;
+    std::vector<double> turns(count);
+    std::ranges::generate(turns, [&] { return random.uniform(); });
+    return wheel.sectors(std::move(turns));
 }
 
 Parents UniversalReproduction::operator()(std::span<const double> fitness, std::size_t count,

@@ -18,18 +18,23 @@ RouletteWheel::RouletteWheel(std::span<const double> fitness) : ends_(fitness.si
 
 bool RouletteWheel::empty() const { return ends_.empty() || ends_.back() < std::numeric_limits<double>::min(); }
 
-std::size_t RouletteWheel::sector(double turn) const {
+std::size_t RouletteWheel::sector(double turn) const { return sectors({turn}).front(); }
+
+std::vector<std::size_t> RouletteWheel::sectors(std::vector<double> balls) const {
     // The first sector that ends beyond the ball is not an empty one. There is one: with turn <= 1 - 2^-32
     // the product is below the last end even when rounded.
-    double ball = turn * ends_.back();
-    // std::upper_bound, but without a jump at each halving: it would go either way as often.
-    const double* first = ends_.data();
+    for (double& ball : balls)
+        ball *= ends_.back();
+    // std::upper_bound, but of all balls by turns, since each halving of one waits for the one before; and without a
+    // jump, which would go either way as often.
+    std::vector<std::size_t> found(balls.size());
     for (std::size_t length = ends_.size(); length > 1;) {
-        std::size_t half = length / 2;
-        first += half * static_cast<std::size_t>(first[half - 1] <= ball);
+        const std::size_t half = length / 2;
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            found[i] += half * static_cast<std::size_t>(ends_[found[i] + half - 1] <= balls[i]);
         length -= half;
     }
-    return static_cast<std::size_t>(first - ends_.data());
+    return found;
 }
 
 std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) const {

@@ -30,8 +30,7 @@ std::vector<double> Farm::evaluate(std::span<const Genome> population) {
 }
 
 void Farm::evaluate_dealt_out(std::span<const Genome> population, std::vector<double>& fitness) {
-    // The master is the last evaluator: where the work does not divide, it has the smaller share.
-    auto shares = deal(population.size(), window_->size(), settings_.slaves + 1, settings_.split);
+    auto shares = deal(population.size(), window_->size(), settings_.slaves, settings_.split, settings_.own_share);
     send_to_all(Task::Kind::evaluate, shares, population, measurements_are_new_);
     own_evaluation.start();
     evaluate_own(shares.back(), population, fitness);
@@ -43,7 +42,7 @@ void Farm::rehearse(std::span<const Genome> population) {
     std::vector<double> fitness(population.size());
     if (settings_.split == Split::demand)
         return rehearse_on_demand(population, fitness);
-    auto shares = deal(population.size(), window_->size(), settings_.slaves + 1, settings_.split);
+    auto shares = deal(population.size(), window_->size(), settings_.slaves, settings_.split, settings_.own_share);
     send_to_all(Task::Kind::rehearse, shares, population, true);
     take_from_all(fitness);
 }

@@ -295,8 +295,9 @@ private:
             refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, the "
                                          "master being an evaluator too",
                                          slaves, population, population - 1, population == 2 ? "" : "s"));
-        std::size_t individuals = most_individuals(static_cast<std::size_t>(population),
-                                                   static_cast<std::size_t>(slaves) + 1, split_named(text("split")));
+        std::size_t individuals =
+            most_individuals(static_cast<std::size_t>(population), static_cast<std::size_t>(slaves),
+                             split_named(text("split")), number("own_share"));
         if (coded_problem_)
             check_message(process_, individuals, "string_bytes", string_bytes(integer("string_bytes"), *coded_problem_),
                           integer("measurement_bytes"));
@@ -305,6 +306,9 @@ private:
                    fmt::format("tasks_under_way = {}, but with the split \"{}\" each slave is sent one task",
                                integer("tasks_under_way"), text("split")),
                    "split = \"demand\" sends several");
+        if (given("own_share") && text("split") == "demand")
+            refuse("own_share", "with the split \"demand\" the master evaluates whenever it is idle",
+                   "own_share is for the splits \"individuals\" and \"evaluations\"");
         for (std::size_t slave : tree.slaves) {
             check_problem(slave, process_);
             check_message(slave, individuals, "fitness_bytes", integer_of(slave, "fitness_bytes"), 0);

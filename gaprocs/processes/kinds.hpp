@@ -16,6 +16,7 @@ void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems, Se
 
 ProcessKind host_kind(const ProblemRegistry& problems);                         ///< ga.host, in host.cpp
 ProcessKind slave_kind(const ProblemRegistry& problems);                        ///< ga.slave, in slave.cpp
+ProcessKind pipeline_kind(const ProblemRegistry& problems);                     ///< ga.pipeline, in pipeline.cpp
 ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver*); ///< ga.traditional, in traditional.cpp
 ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.master, in master.cpp
 ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.island, in island.cpp

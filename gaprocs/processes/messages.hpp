@@ -29,6 +29,9 @@ struct Parcel {
 struct HostMessage : Parcel {
     bool end = false;
     Sample sample;
+    bool operator==(const HostMessage& other) const {
+        return bytes == other.bytes && end == other.end && sample == other.sample;
+    }
 };
 
 using Window = std::shared_ptr<const std::vector<Sample>>;
@@ -37,6 +40,7 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 struct Task : Parcel {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
     std::size_t slave = 0;   ///< the addressee, counted from the master
+    std::size_t master = 0;  ///< whose it is, of those that share the slaves
     std::size_t address = 0; ///< 0: the slave that receives it; else one beyond, in the order of SlaveRoutes
     Share share;
     std::vector<Genome> strings; ///< the individuals that the share touches
@@ -49,9 +53,9 @@ struct Task : Parcel {
 
 /// From a slave to its master: what the share adds to the fitness of each individual that it touches.
 struct Fitnesses : Parcel {
-    bool end = false; ///< the answer to Task::Kind::end
-    std::size_t slave = 0;
-    std::size_t hops = 0; ///< slaves that have passed it on
+    bool end = false;                  ///< the answer to Task::Kind::end
+    std::size_t slave = 0, master = 0; ///< of the task
+    std::size_t hops = 0;              ///< slaves that have passed it on
     Share share;
     std::vector<double> terms;
 };

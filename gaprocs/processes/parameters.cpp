@@ -117,6 +117,7 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.slaves = size(environment, "slaves");
     settings.routes = read_routes(environment);
     settings.split = split_named(environment.text("split"));
+    settings.own_share = environment.real("own_share");
     settings.sending = environment.text("sending") == "at once" ? Sending::at_once : Sending::in_turn;
     settings.tasks_under_way = size(environment, "tasks_under_way");
     settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";

@@ -151,6 +151,10 @@ Parameters farm_parameters() {
                       "how the evaluations are dealt out: whole individuals, individuals one by one to the next idle "
                       "evaluator, or single error evaluations")),
         deciding("farm",
+                 real("own_share", {.by_default = 1, .least = 0, .most = 1},
+                      "what the master evaluates itself, as a part of a slave's share: 1 as much as each slave, "
+                      "0 nothing; on demand it evaluates whenever it is idle")),
+        deciding("farm",
                  text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
                       "when the slaves are sent the measurements: with each new sample, or in every generation")),
         deciding(

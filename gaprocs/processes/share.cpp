@@ -4,24 +4,38 @@
 
 namespace placedpar {
 
-std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t evaluators, Split split) {
-    // In whole individuals, or in single evaluations: the first `rest` evaluators get one unit more.
+namespace {
+
+/// Of so many units of work.
+std::size_t master_units(std::size_t units, std::size_t slaves, double own_share) {
+    if (slaves == 0)
+        return units;
+    return static_cast<std::size_t>(static_cast<double>(units) * own_share / (static_cast<double>(slaves) + own_share));
+}
+
+} // namespace
+
+std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split split, double own_share) {
+    // In whole individuals, or in single evaluations: the first slaves get one unit more where they do not divide.
     std::size_t unit = split == Split::evaluations ? 1 : window;
     std::size_t units = population * window / unit;
+    std::size_t dealt = units - master_units(units, slaves, own_share);
     std::vector<Share> shares;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < evaluators; ++i) {
-        std::size_t end = next + units / evaluators + (i < units % evaluators);
+    for (std::size_t i = 0; i < slaves; ++i) {
+        std::size_t end = next + dealt / slaves + (i < dealt % slaves);
         shares.push_back({next * unit, end * unit, window});
         next = end;
     }
+    shares.push_back({next * unit, units * unit, window});
     return shares;
 }
 
-std::size_t most_individuals(std::size_t population, std::size_t evaluators, Split split) {
+std::size_t most_individuals(std::size_t population, std::size_t slaves, Split split, double own_share) {
     if (split == Split::demand)
         return 1;
-    return (population + evaluators - 1) / evaluators + (split == Split::evaluations ? 1 : 0);
+    std::size_t dealt = population - master_units(population, slaves, own_share);
+    return (dealt + slaves - 1) / slaves + (split == Split::evaluations ? 1 : 0);
 }
 
 std::vector<double> evaluate_share(const SearchProblem& problem, const Share& share, std::span<const Genome> strings,

@@ -28,12 +28,13 @@ enum class Split {
     evaluations  ///< single error evaluations, dealt out equally
 };
 
-/// Equal shares, in order. REQUIRES: evaluators > 0, window > 0. Split::demand deals as Split::individuals.
-std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t evaluators, Split);
+/// The slaves' shares, which are equal, and after them the master's: `own_share` of a slave's, rounded down.
+/// REQUIRES: window > 0, 0 <= own_share <= 1. Split::demand deals as Split::individuals.
+std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split, double own_share = 1);
 
-/// The most individuals that one message can be about, for any window: of the shares that deal() makes (for
-/// Split::evaluations sometimes one too high); one on demand. REQUIRES: evaluators > 0.
-std::size_t most_individuals(std::size_t population, std::size_t evaluators, Split);
+/// The most individuals that one message can be about, for any window: of the slaves' shares that deal() makes (for
+/// Split::evaluations sometimes one too high); one on demand. REQUIRES: slaves > 0.
+std::size_t most_individuals(std::size_t population, std::size_t slaves, Split, double own_share = 1);
 
 /// The contribution of the share to the fitness of each individual that it touches. `strings` are those individuals.
 std::vector<double> evaluate_share(const SearchProblem&, const Share&, std::span<const Genome> strings,

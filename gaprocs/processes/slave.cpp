@@ -13,6 +13,7 @@
 #include "runtime/parallel.hpp"
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -159,16 +160,18 @@ private:
 
     Fitnesses answer(const Task& task) {
         compute(block_move(task.bytes)); // unpack
+        Window& window = windows_[task.master];
         if (task.window)
-            window_ = task.window;
+            window = task.window;
         Fitnesses result;
         result.slave = task.slave;
+        result.master = task.master;
         result.share = task.share;
         if (task.kind == Task::Kind::evaluate) {
             compute(static_cast<std::int64_t>(task.share.evaluations()) * workload_.error_evaluation);
             if (task.coding != problem_->coding())
                 problem_ = problem_->coded(task.coding);
-            result.terms = evaluate_share(*problem_, task.share, task.strings, *window_, task.bias);
+            result.terms = evaluate_share(*problem_, task.share, task.strings, *window, task.bias);
         }
         result.bytes = message_bytes(task.strings.size(), workload_.fitness_bytes);
         compute(block_move(result.bytes)); // pack
@@ -186,7 +189,7 @@ private:
     Channel<InPlace<Task>> own_tasks_, kept_tasks_;
     Channel<NextTask> next_task_;
     Channel<InPlace<Fitnesses>> own_results_;
-    Window window_;
+    std::map<std::size_t, Window> windows_; ///< by master
 };
 
 void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace placedpar {
@@ -18,9 +19,11 @@ std::string shown(const Network& network, const ChannelEnd& end) {
     return end.at_edge() ? end.port : network.processes[end.process].name + "." + end.port;
 }
 
-bool is_slave(const Network& network, const ChannelEnd& end) {
-    return !end.at_edge() && network.processes[end.process].kind == "ga.slave";
+bool is_of_kind(const Network& network, const ChannelEnd& end, std::string_view kind) {
+    return !end.at_edge() && network.processes[end.process].kind == kind;
 }
+
+bool is_slave(const Network& network, const ChannelEnd& end) { return is_of_kind(network, end, "ga.slave"); }
 
 /// Follows tasks from one process on.
 class Follower {
@@ -44,6 +47,8 @@ public:
 
     void follow(std::size_t process, const PortBinding& tasks, const std::vector<PortBinding>& from) {
         const ChannelEnd& to = end_beyond(n_, tasks);
+        if (is_of_kind(n_, to, "ga.pipeline"))
+            return follow(to.process); // whose own check says where results return
         if (!is_slave(n_, to)) {
             ++tree.others;
             return;

@@ -16,13 +16,13 @@ struct SlaveTree {
     std::vector<Complaint> complaints;
 };
 
-/// Follows the tasks from the master on. Complains of channels that are not numbered from 0 on, of a slave that is
-/// reached twice or whose results do not return the way that its tasks come, and of results from where no tasks go;
-/// what is beyond is not followed.
+/// Follows the tasks from the master on, through a ga.pipeline to the slaves that it shares. Complains of channels that
+/// are not numbered from 0 on, of a slave that is reached twice or whose results do not return the way that its tasks
+/// come, and of results from where no tasks go; what is beyond is not followed.
 SlaveTree follow_slaves(const Network&, std::size_t master);
 
-/// How many slaves a master or a slave has behind each of its channels to slaves but the last. What is no ga.slave
-/// counts as one. REQUIRES: follow_slaves complains of nothing.
+/// How many slaves a master or a slave has behind each of its channels to slaves but the last. What is neither
+/// slave nor pipeline counts as one. REQUIRES: follow_slaves complains of nothing.
 std::vector<std::size_t> count_slaves_behind(const Network&, std::size_t process);
 
 /// The slaves that pass their tasks on in a circle with this one, which no master reaches; none where it is in none.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 #include <utility>
@@ -28,6 +29,13 @@ Genome Genome::random(std::size_t size, RandomStream& random) {
     if (size % 64 != 0)
         genome.words_.back() &= ~std::uint64_t{0} << (64 - size % 64);
     return genome;
+}
+
+void Genome::assign_words(const Genome& other) {
+    if (words_.size() == other.words_.size())
+        std::ranges::copy(other.words_, words_.begin());
+    else
+        words_ = other.words_;
 }
 
 void Genome::set(std::size_t position, bool value) {

@@ -32,12 +32,10 @@ public:
     Genome& operator=(Genome&&) = default;
     /// Into the memory that is there, where the length stays.
     Genome& operator=(const Genome& other) {
-        if (words_.size() != other.words_.size())
-            words_ = other.words_;
-        else if (words_.size() == 1) // most strings
+        if (words_.size() == 1 && other.words_.size() == 1) // most strings
             words_.front() = other.words_.front();
         else
-            std::copy(other.words_.begin(), other.words_.end(), words_.begin());
+            assign_words(other);
         size_ = other.size_;
         return *this;
     }
@@ -83,6 +81,7 @@ public:
     friend bool operator==(const Genome&, const Genome&) = default;
 
 private:
+    void assign_words(const Genome& other);
     static std::uint64_t mask(std::size_t position) { return 0x8000000000000000u >> (position % 64); }
 
     // Strings of up to 64 bits need no memory of their own.

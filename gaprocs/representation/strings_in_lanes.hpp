@@ -23,15 +23,13 @@ public:
     /// The strings from `first` on; lanes past the end repeat the last.
     /// REQUIRES: first < population.size(); strings of one size, of up to most_words words.
     [[gnu::always_inline]] StringsInLanes(std::span<const Genome> population, std::size_t first) {
-        std::uint64_t words[most_words][count];
         const std::size_t used = population[first].words().size();
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            const Genome& genome = population[std::min(first + lane, population.size() - 1)];
-            for (std::size_t word = 0; word < used; ++word)
-                words[word][lane] = genome.words()[word];
+        for (std::size_t word = 0; word < used; ++word) {
+            std::uint64_t words[count];
+            for (std::size_t lane = 0; lane < count; ++lane)
+                words[lane] = population[std::min(first + lane, population.size() - 1)].words()[word];
+            std::memcpy(words_[word], words, sizeof words);
         }
-        for (std::size_t word = 0; word < used; ++word)
-            std::memcpy(words_[word], words[word], sizeof words_[word]);
     }
 
     /// As Genome::field(). REQUIRES also: 1 <= bits <= 52, so that a double holds the number.
@@ -44,7 +42,7 @@ public:
                 codes[i] |= words_[word + 1][i] >> (64 - offset);
             codes[i] >>= 64 - bits;
             if constexpr (gray)
-                for (unsigned shift = 1; shift < 64; shift *= 2)
+                for (std::size_t shift = 1; shift < bits; shift *= 2)
                     codes[i] ^= codes[i] >> shift;
         }
         return Lanes<width>::of_whole_numbers(codes);

@@ -4,6 +4,8 @@
 #include "hydraulics/circuit/flow_constants.hpp"
 #include "hydraulics/circuit/link_sample.hpp"
 
+#include <boost/container/static_vector.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,53 +22,115 @@ inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }
 
+/// A LinkSample as the equations below take it: what does not depend on a compliance is worked out.
+struct LinkTerms {
+    double inlet_psi;
+    double inlet_slope_psi_per_s;
+    double piston_flow_in3_per_s;
+    double inlet_resistance;   ///< root psi per in^3/s
+    double bypass_conductance; ///< in^3/s per root psi
+};
+
+inline LinkTerms terms_of(const LinkSample& sample, const FlowConstants& flow) {
+    return {sample.inlet_psi, sample.inlet_slope_psi_per_s, sample.piston_flow_in3_per_s,
+            1 / flow.conductance(sample.inlet_in2), flow.conductance(sample.bypass_in2)};
+}
+
+/// One for each junction of a circuit, in its order.
+using CircuitTerms = boost::container::static_vector<LinkTerms, all_links.size()>;
+
+/// REQUIRES: at most 4 samples.
+inline CircuitTerms terms_of(std::span<const LinkSample> samples, const FlowConstants& flow) {
+    CircuitTerms terms;
+    for (const LinkSample& sample : samples)
+        terms.push_back(terms_of(sample, flow));
+    return terms;
+}
+
 /// One number for each junction of a circuit, in its order; entries past the last junction mean nothing.
 template <typename T>
 using PerJunction = std::array<T, all_links.size()>;
+
+/// 3.5, 3.6: the flow into the cylinder, and the pressure that it makes at the junction.
+template <typename T>
+T inlet_flow(const LinkTerms& link, const T& compliance_in3_per_psi) {
+    return cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance_in3_per_psi);
+}
+template <typename T>
+T junction_psi(const LinkTerms& link, const T& inlet) {
+    return resisted_drop(link.inlet_resistance, inlet) + link.inlet_psi;
+}
+
+/// What the pumps of a junction deliver and the cylinder does not take.
+template <typename T>
+T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow, InletFlow form) {
+    using std::abs;
+    T taken = form == InletFlow::absolute ? T(abs(inlet)) : inlet;
+    return junction.pumps * flow.pump_in3_per_s - taken;
+}
 
 /// By how much the flows at each junction of a circuit fail to balance, in in^3/s: inflow, less the flow into the
 /// cylinder, less the flow through the bypass. Pressures at the junctions are not measured but estimated from the flows
 /// into the cylinders (3.6). Where the next junction's estimate is higher, nothing flows through the bypass.
 ///
-/// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `samples` have one entry for
-/// each junction, in the circuit's order. REQUIRES: at most 4 junctions, samples[j].inlet_in2 > 0.
+/// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `terms` have one entry for
+/// each junction, in the circuit's order. REQUIRES: at most 4 junctions, terms of samples with inlet_in2 > 0.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
-                                       std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
-    using std::abs;
-    PerJunction<T> junction_psi, missing;
+                                       const CircuitTerms& terms, const FlowConstants& flow, InletFlow form) {
+    PerJunction<T> psi, missing;
     for (std::size_t j = 0; j < circuit.size(); ++j) {
-        const LinkSample& sample = samples[j];
-        T inlet = cylinder_flow(sample.piston_flow_in3_per_s, sample.inlet_slope_psi_per_s, compliance_in3_per_psi[j]);
-        junction_psi[j] = junction_pressure(flow.conductance(sample.inlet_in2), sample.inlet_psi, inlet);
-        T taken = form == InletFlow::absolute ? T(abs(inlet)) : inlet;
-        missing[j] = circuit[j].pumps * flow.pump_in3_per_s - taken;
+        T inlet = inlet_flow(terms[j], compliance_in3_per_psi[j]);
+        psi[j] = junction_psi(terms[j], inlet);
+        missing[j] = flow_left(circuit[j], inlet, flow, form);
     }
     for (std::size_t j = 0; j < circuit.size(); ++j) {
         if (circuit[j].through == Through::nowhere)
             continue;
         bool on = circuit[j].through == Through::junction;
-        T drop = on ? T(junction_psi[j] - junction_psi[circuit[j].next]) : T(junction_psi[j] - flow.tank_psi);
-        T past = bypass_flow(flow.conductance(samples[j].bypass_in2), drop);
+        T drop = on ? T(psi[j] - psi[circuit[j].next]) : T(psi[j] - flow.tank_psi);
+        T past = bypass_flow(terms[j].bypass_conductance, drop);
         missing[j] -= past;
         if (on)
             missing[circuit[j].next] += past;
     }
     return missing;
 }
+template <typename T>
+PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
+                                       std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
+    return missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms_of(samples, flow), flow, form);
+}
+
+/// The same of a junction that is alone, as whole circuits have it.
+template <typename T>
+T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_psi, const LinkTerms& link,
+                         const FlowConstants& flow, InletFlow form) {
+    T inlet = inlet_flow(link, compliance_in3_per_psi), left = flow_left(junction, inlet, flow, form);
+    if (junction.through == Through::nowhere)
+        return left;
+    return left - bypass_flow(link.bypass_conductance, T(junction_psi(link, inlet) - flow.tank_psi));
+}
 
 /// The sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
 /// 3.8, with two in series the error of 3.10 and 3.11; the other circuits extend these in the same way.
 /// REQUIRES: as missing_flows_in3_per_s().
 template <typename T>
-T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
-                          std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
+T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi, const CircuitTerms& terms,
+                          const FlowConstants& flow, InletFlow form) {
     using std::abs;
-    auto missing = missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, samples, flow, form);
+    if (circuit.size() == 1) // soonest, and most searches are for one
+        return abs(missing_flow_in3_per_s<T>(circuit[0], compliance_in3_per_psi[0], terms[0], flow, form));
+    auto missing = missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms, flow, form);
     T error = abs(missing[0]);
     for (std::size_t j = 1; j < circuit.size(); ++j)
         error += abs(missing[j]);
     return error;
+}
+template <typename T>
+T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
+                          std::span<const LinkSample> samples, const FlowConstants& flow, InletFlow form) {
+    return circuit_error_in3_per_s<T>(circuit, compliance_in3_per_psi, terms_of(samples, flow), flow, form);
 }
 
 } // namespace placedpar::hydraulics

@@ -5,34 +5,14 @@
 #include "hydraulics/circuit/line_fit.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace placedpar::hydraulics {
 
 namespace {
 
-std::string list_channels(const Record& record) {
-    std::string channels;
-    for (Link link : all_links)
-        for (Sensor sensor : all_sensors)
-            if (record.has(link, sensor))
-                channels += fmt::format("{}{}.{}", channels.empty() ? "" : ", ", name_of(link), name_of(sensor));
-    return channels;
-}
-
-void require(const Record& record, Link link, Sensor sensor) {
-    if (!record.has(link, sensor))
-        throw UnfitRecord(fmt::format("the record has no channel {}.{}; it has {}", name_of(link), name_of(sensor),
-                                      list_channels(record)));
-}
-
 std::vector<OrificeAreas> areas_as_read(const Record& record, Link link) {
-    require(record, link, Sensor::inlet_area);
-    require(record, link, Sensor::bypass_area);
     std::vector<OrificeAreas> areas;
     for (std::size_t i = 0; i < record.size(); ++i)
         areas.push_back({record.of(link, Sensor::inlet_area)[i], record.of(link, Sensor::bypass_area)[i], 0});
@@ -40,17 +20,14 @@ std::vector<OrificeAreas> areas_as_read(const Record& record, Link link) {
 }
 
 std::vector<double> spool_by_voltage(const Record& record, Link link, double spool_lag_per_s) {
-    require(record, link, Sensor::servo);
     return spool_from_volts(record.of(link, Sensor::servo), record.time_s, spool_lag_per_s, record.period_s);
 }
 
 /// The areas of one link at every instant, as far as identification needs them.
 std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCalibration& calibration) {
-    AreasFrom from = areas_from(record, link, calibration);
+    AreasFrom from = areas_from(record.channels(), link, calibration.from);
     if (from == AreasFrom::areas)
         return areas_as_read(record, link);
-    if (from == AreasFrom::spool)
-        require(record, link, Sensor::spool);
     std::vector<double> spool = from == AreasFrom::spool
                                     ? record.of(link, Sensor::spool)
                                     : spool_by_voltage(record, link, calibration.constants.spool_lag_per_s);
@@ -68,8 +45,7 @@ struct LinkChannels {
 };
 
 LinkChannels channels_of(const Record& record, Link link, const LinkCalibration& calibration) {
-    require(record, link, Sensor::inlet_pressure);
-    require(record, link, Sensor::angle);
+    require_channels(record, link, areas_from(record.channels(), link, calibration.from));
     return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
             areas_of(record, link, calibration), calibration.constants.piston_in3_per_deg()};
 }

@@ -23,12 +23,49 @@ LinkCalibrations link_calibrations(const Parameters& parameters) {
     return calibrations;
 }
 
-AreasFrom areas_from(const Record& record, Link link, const LinkCalibration& calibration) {
-    if (calibration.from)
-        return *calibration.from;
-    if (record.has(link, Sensor::inlet_area) && record.has(link, Sensor::bypass_area))
+AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked) {
+    if (asked)
+        return *asked;
+    if (there.contains(link, Sensor::inlet_area) && there.contains(link, Sensor::bypass_area))
         return AreasFrom::areas;
-    return record.has(link, Sensor::spool) || !record.has(link, Sensor::servo) ? AreasFrom::spool : AreasFrom::servo;
+    return there.contains(link, Sensor::spool) || !there.contains(link, Sensor::servo) ? AreasFrom::spool
+                                                                                       : AreasFrom::servo;
+}
+
+ChannelSet channels_needed(Link link, AreasFrom from) {
+    ChannelSet needed;
+    needed.insert(link, Sensor::inlet_pressure);
+    needed.insert(link, Sensor::angle);
+    switch (from) {
+    case AreasFrom::areas:
+        needed.insert(link, Sensor::inlet_area);
+        needed.insert(link, Sensor::bypass_area);
+        break;
+    case AreasFrom::spool: needed.insert(link, Sensor::spool); break;
+    case AreasFrom::servo: needed.insert(link, Sensor::servo); break;
+    }
+    return needed;
+}
+
+namespace {
+
+std::string list_channels(const Record& record) {
+    std::string channels;
+    for (Link link : all_links)
+        for (Sensor sensor : all_sensors)
+            if (record.has(link, sensor))
+                channels += fmt::format("{}{}.{}", channels.empty() ? "" : ", ", name_of(link), name_of(sensor));
+    return channels;
+}
+
+} // namespace
+
+void require_channels(const Record& record, Link link, AreasFrom from) {
+    const ChannelSet needed = channels_needed(link, from);
+    for (Sensor sensor : all_sensors)
+        if (needed.contains(link, sensor) && !record.has(link, sensor))
+            throw UnfitRecord(fmt::format("the record has no channel {}.{}; it has {}", name_of(link), name_of(sensor),
+                                          list_channels(record)));
 }
 
 } // namespace placedpar::hydraulics

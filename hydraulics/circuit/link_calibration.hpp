@@ -44,7 +44,12 @@ using LinkCalibrations = PerLink<LinkCalibration>;
 /// By link_constants(), without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
 
-/// The source that the calibration asks for, or the first of the three that the record has of the link.
-AreasFrom areas_from(const Record& record, Link link, const LinkCalibration& calibration);
+/// The source that is asked for, or the first of the three that is there of the link.
+AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked);
+
+/// What flows and areas of a link come from: inlet pressure, angle, and what its areas are found by.
+ChannelSet channels_needed(Link link, AreasFrom from);
+/// Throws UnfitRecord, naming the first of those that is missing and the channels there are.
+void require_channels(const Record& record, Link link, AreasFrom from);
 
 } // namespace placedpar::hydraulics

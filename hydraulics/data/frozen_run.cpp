@@ -4,13 +4,13 @@
 
 namespace placedpar::hydraulics {
 
-std::optional<FrozenRun> frozen_run(std::span<const double> psi, std::size_t fewest, double least_jump_psi) {
+std::optional<FrozenRun> frozen_run(std::span<const double> readings, double least_jump) {
     std::size_t first = 0;
-    for (std::size_t i = 1; i + 1 < psi.size(); ++i) {
-        if (psi[i] == psi[first])
+    for (std::size_t i = 1; i + 1 < readings.size(); ++i) {
+        if (readings[i] == readings[first])
             continue;
-        double jump = psi[i] - psi[first], next = psi[i + 1] - psi[i];
-        if (i - first >= fewest && std::abs(jump) >= least_jump_psi && std::abs(jump) > std::abs(next))
+        double jump = readings[i] - readings[first], next = readings[i + 1] - readings[i];
+        if (i - first >= fewest_frozen && std::abs(jump) >= least_jump && std::abs(jump) > std::abs(next))
             return FrozenRun{first, i, jump};
         first = i;
     }

@@ -9,15 +9,19 @@ namespace placedpar::hydraulics {
 /// A gauge that reads less has no pressure to read: at sea level (the row oil.atmospheric_pressure) nothing is left.
 inline constexpr double vacuum_psi = -14.7;
 
-/// Samples in which a sensor repeats one reading, and after which it jumps to where the pressure has gone meanwhile.
+/// Samples in which a sensor repeats one reading, and after which it jumps to where what it reads has gone meanwhile.
 struct FrozenRun {
     std::size_t first, last; ///< past the end
-    double jump_psi;         ///< at its end
+    double jump;             ///< at its end
 };
 
-/// The first of them. All ours: five equal readings, for a pressure that moves passes a converter's code in less; a
-/// jump of 40 psi that is greater than the step after it, for one that has rested begins to move slowly and gathers
-/// speed.
-std::optional<FrozenRun> frozen_run(std::span<const double> psi, std::size_t fewest = 5, double least_jump_psi = 40);
+/// All ours: five equal readings, for a pressure or a joint that moves passes a converter's code in less; a jump of 40
+/// psi, or of half a degree, that is greater than the step after it, for what has rested begins to move slowly and
+/// gathers speed.
+inline constexpr std::size_t fewest_frozen = 5;
+inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
+
+/// The first of them.
+std::optional<FrozenRun> frozen_run(std::span<const double> readings, double least_jump);
 
 } // namespace placedpar::hydraulics

@@ -43,6 +43,22 @@ LinkSet Record::links() const {
     return measured;
 }
 
+ChannelSet Record::channels() const {
+    ChannelSet there;
+    for (Link link : all_links)
+        for (Sensor sensor : all_sensors)
+            if (has(link, sensor))
+                there.insert(link, sensor);
+    return there;
+}
+
+bool ChannelSet::contains(const ChannelSet& all) const {
+    return std::ranges::all_of(all_links, [&](Link link) {
+        return std::ranges::all_of(
+            all_sensors, [&](Sensor sensor) { return contains(link, sensor) || !all.contains(link, sensor); });
+    });
+}
+
 std::vector<Stretch> Record::stretches() const {
     std::vector<Stretch> stretches;
     for (std::size_t i = 0; i < size(); ++i)

@@ -33,6 +33,17 @@ std::string_view name_of(Sensor);
 Quantity quantity_of(Sensor);
 std::optional<Sensor> sensor_named(std::string_view);
 
+/// Which sensors of which links.
+class ChannelSet {
+public:
+    bool contains(Link link, Sensor sensor) const { return there_[index_of(link)][static_cast<std::size_t>(sensor)]; }
+    bool contains(const ChannelSet& all) const;
+    void insert(Link link, Sensor sensor) { there_[index_of(link)][static_cast<std::size_t>(sensor)] = true; }
+
+private:
+    PerLink<std::array<bool, all_sensors.size()>> there_{};
+};
+
 /// Consecutive samples, [first, last).
 struct Stretch {
     std::size_t first, last;
@@ -58,6 +69,7 @@ public:
     bool has(Link link, Sensor sensor) const { return !of(link, sensor).empty(); }
     /// The links with at least one sensor in the record.
     LinkSet links() const;
+    ChannelSet channels() const;
 
     /// The stretches between its gaps.
     std::vector<Stretch> stretches() const;

@@ -95,28 +95,33 @@ bool jitters(const Record& record) {
 
 } // namespace
 
-void drop_repeated_rows(TextTable& table, std::vector<Diagnostic>& faults) {
+void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before, std::vector<Diagnostic>& faults) {
     std::vector<TextRow> kept;
     for (TextRow& row : table.rows) {
-        if (!kept.empty() && same_text(kept.back(), row))
-            faults.push_back(warning_at(row.line, 1, fmt::format("repeats line {}", kept.back().line), "used once"));
+        const TextRow* last = !kept.empty() ? &kept.back() : before ? &before->row : nullptr;
+        if (last && same_text(*last, row))
+            faults.push_back(warning_at(row.line, 1, fmt::format("repeats line {}", last->line), "used once"));
         else
             kept.push_back(std::move(row));
     }
     table.rows = std::move(kept);
 }
 
-void check_times(Record& record, const TextTable& table, const TimeColumn& time, std::vector<Diagnostic>& faults) {
-    record.period_s = median_step(record.time_s);
+void check_times(Record& record, const TextTable& table, const TimeColumn& time, const std::optional<RowBefore>& before,
+                 std::vector<Diagnostic>& faults) {
+    const bool goes_on = record.period_s > 0;
+    record.period_s = goes_on ? record.period_s : median_step(record.time_s);
     if (!(record.period_s > 0)) {
         faults.push_back(error_at(table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",
                                   "rows must be in order of time"));
         return;
     }
-    for (std::size_t i = 1; i < record.size(); ++i)
-        if (auto fault = fault_of_step(record.time_s[i] - record.time_s[i - 1], record.period_s,
-                                       table.rows[i].cells[time.index], table.rows[i].line, table.rows[i - 1].line))
+    for (std::size_t i = before ? 0 : 1; i < record.size(); ++i) {
+        const double since_s = record.time_s[i] - (i == 0 ? before->time_s : record.time_s[i - 1]);
+        if (auto fault = fault_of_step(since_s, record.period_s, table.rows[i].cells[time.index], table.rows[i].line,
+                                       i == 0 ? before->row.line : table.rows[i - 1].line))
             faults.push_back(std::move(*fault));
+    }
     if (!has_errors(faults) && jitters(record)) {
         if (auto worst_s = resample(record))
             faults.push_back(warning_at(time.place.line, time.place.column,
@@ -129,19 +134,18 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
                                       "the period changes: the times leave whole periods by more than half of one",
                                       "a record of each rate by itself"));
     }
-    if (double number = record.period_s / time.unit.factor; !within(record.period_s, ordinary_period_s))
+    if (double number = record.period_s / time.unit.factor; !goes_on && !within(record.period_s, ordinary_period_s))
         faults.push_back(
             warning_at(time.place.line, time.place.column,
                        fmt::format("samples are {:.6g} {} apart, which is unusual", number, time.unit.name),
                        likely_units(Quantity::time, number, ordinary_period_s)));
 }
 
-void check_channel(std::string_view name, Sensor sensor, const Unit& unit, std::span<const double> values,
-                   HeaderPlace place, std::vector<Diagnostic>& faults) {
+void check_channel(std::string_view name, Sensor sensor, const Unit& unit, double least, double most, HeaderPlace place,
+                   std::vector<Diagnostic>& faults) {
     auto warn = [&](std::string message, std::string hint) {
         faults.push_back(warning_at(place.line, place.column, std::move(message), std::move(hint)));
     };
-    auto [least, most] = std::ranges::minmax(values);
     if (least == most)
         warn(fmt::format("{} is {:.6g} {} in every sample", name, least / unit.factor, unit.name),
              "a sensor that is not connected, or a link that was not moved");
@@ -164,12 +168,19 @@ void check_pressure(std::string_view name, const Unit& unit, std::span<const dou
              fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name, *first / unit.factor, unit.name,
                          std::ranges::count_if(psi, below), psi.size()),
              "pressures are above the air's: has the sensor's sign been turned?");
-    if (auto frozen = frozen_run(psi))
-        warn(frozen->first,
-             fmt::format("{} stands at {:.6g} {} up to line {}, and then jumps by {:.4g} {}", name,
-                         psi[frozen->first] / unit.factor, unit.name, table.rows[frozen->last - 1].line,
-                         frozen->jump_psi / unit.factor, unit.name),
-             "a sensor or a logger that froze: leave these rows out");
+}
+
+void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,
+                  const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults) {
+    const auto frozen = frozen_run(readings, least_jump);
+    if (!frozen)
+        return;
+    const TextRow& row = table.rows[frozen->first];
+    faults.push_back(warning_at(row.line, row.cells[index].column,
+                                fmt::format("{} stands at {:.6g} {} up to line {}, and then jumps by {:.4g} {}", name,
+                                            readings[frozen->first] / unit.factor, unit.name,
+                                            table.rows[frozen->last - 1].line, frozen->jump / unit.factor, unit.name),
+                                "a sensor or a logger that froze: leave these rows out"));
 }
 
 } // namespace placedpar::hydraulics

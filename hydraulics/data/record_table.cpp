@@ -1,25 +1,19 @@
 #include "hydraulics/data/record_table.hpp"
 
-#include "hydraulics/data/record_faults.hpp"
+#include "hydraulics/data/frozen_run.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace placedpar::hydraulics {
 
 namespace {
-
-/// What a column of the file holds.
-struct Column {
-    std::size_t index;
-    std::size_t at; ///< column of its name in the header's line
-    std::string name;
-    const Unit* unit;
-    std::vector<double>* values;  ///< in the record
-    std::optional<Sensor> sensor; ///< none: the time
-};
 
 /// "boom.spool [in]" in its two parts; the unit is empty where there are no brackets.
 std::pair<std::string, std::string> name_and_unit(const std::string& header) {
@@ -31,82 +25,31 @@ std::pair<std::string, std::string> name_and_unit(const std::string& header) {
     return {name, header.substr(open + 1, header.size() - open - 2)};
 }
 
-/// Where a column's values go and what they measure; no values when there is no such column.
-struct Destination {
-    std::vector<double>* values = nullptr;
-    std::optional<Sensor> sensor = std::nullopt;
+/// What a column is called; none when there is no such column.
+struct Channel {
+    Link link{};
+    std::optional<Sensor> sensor = std::nullopt; ///< none: the time
 
     Quantity quantity() const { return sensor ? quantity_of(*sensor) : Quantity::time; }
 };
 
-Destination destination_of(const std::string& name, Record& record) {
+std::optional<Channel> channel_named(const std::string& name) {
     if (name == "time")
-        return {&record.time_s};
+        return Channel{};
     std::size_t dot = name.find('.');
     auto link = link_named(name.substr(0, dot));
     auto sensor = dot == std::string::npos ? std::nullopt : sensor_named(std::string_view(name).substr(dot + 1));
     if (!link || !sensor)
-        return {};
-    return {&record.of(*link, *sensor), sensor};
+        return std::nullopt;
+    return Channel{*link, sensor};
 }
 
-std::vector<Column> read_header(const TextRow& header, Record& record, std::vector<Diagnostic>& faults) {
-    std::vector<Column> columns;
-    for (std::size_t i = 0; i < header.cells.size(); ++i) {
-        const TextCell& cell = header.cells[i];
-        auto [name, unit_name] = name_and_unit(cell.text);
-        auto refuse = [&](std::string message, std::string hint) {
-            faults.push_back(error_at(header.line, cell.column, std::move(message), std::move(hint)));
-        };
-        Destination destination = destination_of(name, record);
-        const Unit* unit = unit_named(unit_name);
-        if (!destination.values)
-            faults.push_back(
-                warning_at(header.line, cell.column, fmt::format("column \"{}\" is not used", name),
-                           "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"));
-        else if (!unit || unit->quantity != destination.quantity())
-            refuse(unit_name.empty()
-                       ? fmt::format("column \"{}\" has no unit", name)
-                       : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(destination.quantity())),
-                   fmt::format("{} [UNIT] with {}", name, list_units(destination.quantity())));
-        else if (auto before = std::ranges::find(columns, destination.values, &Column::values); before != columns.end())
-            refuse(fmt::format("column \"{}\" is there twice", name),
-                   fmt::format("the first is column {} of the table", before->index + 1));
-        else
-            columns.push_back({i, cell.column, name, unit, destination.values, destination.sensor});
-    }
-    if (has_errors(faults))
-        return columns;
-    if (std::ranges::find(columns, "time", &Column::name) == columns.end())
-        faults.push_back(
-            error_at(header.line, 1, "there is no column \"time\"", "the first column is mostly time [s]"));
-    else if (columns.size() == 1)
-        faults.push_back(
-            error_at(header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"));
-    return columns;
-}
-
-/// In this room's unit.
-double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
-    const TextCell& cell = row.cells[column.index];
-    double value = number_in(cell, row.line, faults) * column.unit->factor;
-    if (std::abs(value) <= largest_reading)
-        return value;
-    faults.push_back(error_at(row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
-                              "leave a row out where a reading is missing"));
-    return 0;
-}
-
-void check(Record& record, const TextTable& table, const std::vector<Column>& columns,
-           std::vector<Diagnostic>& faults) {
-    for (const Column& column : columns)
-        if (HeaderPlace place{table.header.line, column.at}; column.sensor) {
-            check_channel(column.name, *column.sensor, *column.unit, *column.values, place, faults);
-            if (quantity_of(*column.sensor) == Quantity::pressure)
-                check_pressure(column.name, *column.unit, *column.values, table, column.index, faults);
-        } else {
-            check_times(record, table, {column.index, place, *column.unit}, faults);
-        }
+/// As loggers write that there is no reading.
+bool is_missing(const TextCell& cell) {
+    constexpr std::array<std::string_view, 5> words{"", "-", "nan", "na", "null"};
+    std::string text = cell.text;
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::ranges::find(words, text) != words.end();
 }
 
 /// Decimals that tell all times apart, as far as they were given.
@@ -129,40 +72,209 @@ std::string print_number(double value, int decimals) {
 
 } // namespace
 
-ReadRecord read_record(std::string_view text) {
-    ReadRecord read;
-    TextTable table = split_table(text, read.faults);
-    if (table.rows.empty() && has_errors(read.faults))
-        return read;
-    if (table.header.cells.empty()) {
-        read.faults.push_back(error_at(0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"));
-        return read;
+void RecordReader::read_header(std::vector<Diagnostic>& faults) {
+    const TextRow& header = table_.header;
+    for (std::size_t i = 0; i < header.cells.size(); ++i) {
+        const TextCell& cell = header.cells[i];
+        auto [name, unit_name] = name_and_unit(cell.text);
+        auto refuse = [&](std::string message, std::string hint) {
+            faults.push_back(error_at(header.line, cell.column, std::move(message), std::move(hint)));
+        };
+        const auto channel = channel_named(name);
+        const Unit* unit = unit_named(unit_name);
+        auto same = [&](const Column& column) {
+            return column.sensor == channel->sensor && (!column.sensor || column.link == channel->link);
+        };
+        if (!channel)
+            faults.push_back(
+                warning_at(header.line, cell.column, fmt::format("column \"{}\" is not used", name),
+                           "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"));
+        else if (!unit || unit->quantity != channel->quantity())
+            refuse(unit_name.empty()
+                       ? fmt::format("column \"{}\" has no unit", name)
+                       : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(channel->quantity())),
+                   fmt::format("{} [UNIT] with {}", name, list_units(channel->quantity())));
+        else if (auto before = std::ranges::find_if(columns_, same); before != columns_.end())
+            refuse(fmt::format("column \"{}\" is there twice", name),
+                   fmt::format("the first is column {} of the table", before->index + 1));
+        else
+            columns_.push_back({i, cell.column, name, unit, channel->link, channel->sensor});
     }
-    if (table.rows.empty()) { // a header, or a file whose line ends were lost
-        read.faults.push_back(error_at(0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
-                                       "below the header, a line for each instant; lines end in LF or in CR LF"));
-        return read;
+    if (has_errors(faults))
+        return;
+    if (std::ranges::find(columns_, "time", &Column::name) == columns_.end())
+        faults.push_back(
+            error_at(header.line, 1, "there is no column \"time\"", "the first column is mostly time [s]"));
+    else if (columns_.size() == 1)
+        faults.push_back(
+            error_at(header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"));
+}
+
+void RecordReader::find_needs() {
+    ChannelSet there;
+    for (const Column& column : columns_)
+        if (column.sensor)
+            there.insert(column.link, *column.sensor);
+    const ChannelSet needed = needs_.of ? needs_.of(there) : there;
+    for (Column& column : columns_)
+        column.needed = !column.sensor || needed.contains(column.link, *column.sensor);
+}
+
+void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
+    auto lacks = [&](const TextRow& row) {
+        return std::ranges::any_of(
+            columns_, [&](const Column& column) { return column.needed && is_missing(row.cells[column.index]); });
+    };
+    auto first = std::ranges::find_if(table_.rows, lacks);
+    if (first == table_.rows.end())
+        return;
+    const std::size_t line = first->line, skipped = std::erase_if(table_.rows, lacks);
+    faults.push_back(warning_at(line, 1, skipped == 1 ? "a reading is missing" : "readings are missing",
+                                fmt::format("{} left out, this the first of them", counted(skipped, "row"))));
+}
+
+/// In this room's unit.
+double RecordReader::value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) const {
+    const TextCell& cell = row.cells[column.index];
+    if (is_missing(cell)) {
+        faults.push_back(error_at(row.line, cell.column,
+                                  cell.text.empty() ? "no value" : fmt::format("\"{}\" is no reading", cell.text),
+                                  "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such "
+                                  "rows out"));
+        return 0;
     }
-    Record record;
-    record.description = table.description;
+    double value = number_in(cell, row.line, faults) * column.unit->factor;
+    if (std::abs(value) <= largest_reading)
+        return value;
+    faults.push_back(error_at(row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
+                              "leave a row out where a reading is missing"));
+    return 0;
+}
+
+void RecordReader::read_rows(Record& record, std::vector<Diagnostic>& faults) {
+    auto lacks = [](const Column& column) {
+        return [&column](const TextRow& row) { return is_missing(row.cells[column.index]); };
+    };
+    for (Column& column : columns_) {
+        if (!column.needed && std::ranges::any_of(table_.rows, lacks(column)))
+            continue;
+        std::vector<double>& values = column.of(record);
+        for (const TextRow& row : table_.rows)
+            values.push_back(value_in(row, column, faults));
+        auto [least, greatest] = std::ranges::minmax_element(values);
+        column.least = std::min(column.least, *least);
+        column.greatest = std::max(column.greatest, *greatest);
+    }
+}
+
+void RecordReader::check_readings(const Column& column, Record& record, std::vector<Diagnostic>& faults) const {
+    const std::vector<double>& readings = column.of(record);
+    if (quantity_of(*column.sensor) == Quantity::pressure) {
+        check_pressure(column.name, *column.unit, readings, table_, column.index, faults);
+        check_frozen(column.name, *column.unit, readings, least_jump_psi, table_, column.index, faults);
+    }
+    if (*column.sensor == Sensor::angle)
+        check_frozen(column.name, *column.unit, readings, least_jump_deg, table_, column.index, faults);
+}
+
+void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
+    RowBefore last{table_.rows.back(), record.time_s.back()}; // before its times are resampled
+    for (const Column& column : columns_)
+        if (!column.sensor)
+            check_times(record, table_, {column.index, {table_.header.line, column.at}, *column.unit}, before_, faults);
+        else if (record.has(column.link, *column.sensor))
+            check_readings(column, record, faults);
+    if (has_errors(faults)) // what may be why
+        std::ranges::move(finish(), std::back_inserter(faults));
+    before_ = std::move(last);
+    period_s_ = record.period_s;
+}
+
+/// Warnings of the header that an earlier piece gave.
+void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
+    std::set<std::size_t> now = told_;
+    std::erase_if(faults, [&](const Diagnostic& fault) {
+        bool of_header = fault.severity == Severity::warning && fault.location.line == table_.header.line;
+        if (of_header)
+            now.insert(fault.location.column);
+        return of_header && told_.contains(fault.location.column);
+    });
+    told_ = std::move(now);
+}
+
+/// Are there rows to be looked at, or was there something before that goes on?
+bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& faults) {
+    table_.rows.clear();
+    line_ = append_lines(table_, lines, line_, faults);
+    if (table_.rows.empty() && has_errors(faults))
+        return false;
+    if (table_.header.cells.empty()) {
+        faults.push_back(error_at(0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"));
+        return false;
+    }
+    if (table_.rows.empty() && !before_) { // a header, or a file whose line ends were lost
+        faults.push_back(error_at(0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
+                                  "below the header, a line for each instant; lines end in LF or in CR LF"));
+        return false;
+    }
+    if (!columns_.empty())
+        return true;
     std::vector<Diagnostic> of_header;
-    std::vector<Column> columns = read_header(table.header, record, of_header);
-    read.faults.insert(read.faults.end(), of_header.begin(), of_header.end());
-    if (has_errors(of_header))
-        return read;
-    drop_repeated_rows(table, read.faults);
-    for (const TextRow& row : table.rows)
-        for (const Column& column : columns)
-            column.values->push_back(value_in(row, column, read.faults));
-    bool whole = !has_errors(read.faults);
-    if (whole && record.size() < fewest_samples)
-        read.faults.push_back(
+    read_header(of_header);
+    faults.insert(faults.end(), of_header.begin(), of_header.end());
+    if (!has_errors(of_header))
+        find_needs();
+    return !has_errors(of_header);
+}
+
+Record RecordReader::read_piece(std::vector<Diagnostic>& faults) {
+    Record record;
+    record.description = table_.description;
+    record.period_s = period_s_.value_or(0);
+    if (!table_.rows.empty())
+        read_rows(record, faults);
+    if (has_errors(faults))
+        return record;
+    if (!before_ && record.size() < fewest_samples)
+        faults.push_back(
             error_at(0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""));
-    else if (whole)
-        check(record, table, columns, read.faults);
+    else if (record.size() > 0)
+        check(record, faults);
+    return record;
+}
+
+ReadRecord RecordReader::read(std::string_view lines) {
+    ReadRecord read;
+    if (!read_table(lines, read.faults))
+        return read;
+    drop_repeated_rows(table_, before_, read.faults);
+    if (needs_.skip_missing)
+        skip_missing(read.faults);
+    Record record = read_piece(read.faults);
+    forget_told(read.faults);
     std::ranges::stable_sort(read.faults, {}, [](const Diagnostic& fault) { return fault.location.line; });
     if (!has_errors(read.faults))
         read.record = std::move(record);
+    return read;
+}
+
+std::vector<Diagnostic> RecordReader::finish() const {
+    std::vector<Diagnostic> faults;
+    for (const Column& column : columns_)
+        if (column.sensor && column.least <= column.greatest)
+            check_channel(column.name, *column.sensor, *column.unit, column.least, column.greatest,
+                          {table_.header.line, column.at}, faults);
+    return faults;
+}
+
+ReadRecord read_record(std::string_view text, const RecordNeeds& needs) {
+    RecordReader reader(needs);
+    ReadRecord read = reader.read(text);
+    if (!read.record)
+        return read;
+    for (Diagnostic& fault : reader.finish())
+        read.faults.push_back(std::move(fault));
+    std::ranges::stable_sort(read.faults, {}, [](const Diagnostic& fault) { return fault.location.line; });
     return read;
 }
 

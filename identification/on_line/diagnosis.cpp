@@ -1,11 +1,13 @@
 #include "identification/on_line/diagnosis.hpp"
 
+#include "hydraulics/data/frozen_run.hpp"
 #include "identification/on_line/refused_sample.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace placedpar::identification {
 
@@ -25,10 +27,17 @@ std::vector<Alarm> without(const std::vector<Alarm>& a, const std::vector<Alarm>
     return rest;
 }
 
+AreasFrom areas_from(const std::variant<SpoolPosition, ServoVoltage, ValveAreas>& valve) {
+    if (std::holds_alternative<ServoVoltage>(valve))
+        return AreasFrom::servo;
+    return std::holds_alternative<SpoolPosition>(valve) ? AreasFrom::spool : AreasFrom::areas;
+}
+
 Diagnosis::State first_state_of(std::string name, const ExcavatorParameters& parameters) {
     Diagnosis::State state;
     state.name = std::move(name);
     state.parameters = parameters;
+    state.health_in3_per_psi = parameters.compliance_in3_per_psi;
     return state;
 }
 
@@ -86,9 +95,15 @@ void Diagnosis::change(const ConfigurationChange& change) {
 void Diagnosis::restart_windows() {
     for (LinkTrack& track : state_.tracks)
         track.restart();
-    for (LinkSet set : sets_in_use())
+    for (FrozenWatch& pressure : state_.pressures)
+        pressure.restart();
+    for (FrozenWatch& angle : state_.angles)
+        angle.restart();
+    for (LinkSet set : sets_in_use()) {
+        end_movement(set);
         if (auto found = sets_.find(set); found != sets_.end())
             found->second.restart_window();
+    }
 }
 
 void Diagnosis::require_acceptable(const ExcavatorSample& sample) const {
@@ -124,27 +139,126 @@ SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
         restart_windows();
     }
     push(sample, elapsed);
+    watch_readings(sample);
     double centre_s = sample.time_s - static_cast<double>(line_fit_points / 2) * period_s;
     for (LinkSet set : sets_in_use())
-        outcome.generations += search(set, centre_s);
-    settle_baselines();
-    update_alarms(outcome);
+        outcome.generations += search(set, sample, centre_s);
+    judge(outcome);
     return outcome;
 }
 
-std::size_t Diagnosis::search(LinkSet set, double centre_s) {
+SampleOutcome Diagnosis::end_movements() {
+    SampleOutcome outcome;
+    restart_windows();
+    judge(outcome);
+    return outcome;
+}
+
+const Movement::State* Diagnosis::movement(LinkSet set) const {
+    auto found = state_.watches.find(set);
+    bool moves = found != state_.watches.end() && !found->second.movement.samples.moving.empty();
+    return moves ? &found->second.movement : nullptr;
+}
+
+void Diagnosis::judge(SampleOutcome& outcome) {
+    outcome.judged = std::exchange(judged_, {});
+    if (std::exchange(state_.judged, false))
+        update_alarms(outcome);
+}
+
+std::size_t Diagnosis::search(LinkSet set, const ExcavatorSample& sample, double centre_s) {
     SetSample samples;
     for (Link link : links_of(set)) {
-        auto sample = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
-        if (!sample)
+        auto centre = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
+        if (!centre)
             return 0;
-        samples.push_back(*sample);
+        samples.push_back(*centre);
     }
+    watch(set, samples, sample);
     return population(set).take(problem(set), samples, centre_s);
 }
 
+SetWatch::State& Diagnosis::watch_of(LinkSet set) {
+    return state_.watches.try_emplace(set, SetWatch(set).state()).first->second;
+}
+
+std::vector<double> Diagnosis::health_in3_per_psi(LinkSet set) const {
+    std::vector<double> health;
+    for (Link link : links_of(set))
+        health.push_back(state_.health_in3_per_psi[index_of(link)]);
+    return health;
+}
+
+void Diagnosis::watch(LinkSet set, const SetSample& centre, const ExcavatorSample& newest) {
+    std::vector<AreasFrom> valves;
+    for (Link link : links_of(set))
+        valves.push_back(areas_from(newest.links[index_of(link)]->valve));
+    SetWatch::State& state = watch_of(set);
+    SetWatch watch(std::move(state));
+    if (watch.note_moving_shut(centre, health_in3_per_psi(set)))
+        state_.judged = true;
+    note(set, watch.take(problem(set), centre, valves, health_in3_per_psi(set)));
+    state = watch.state();
+}
+
+void Diagnosis::end_movement(LinkSet set) {
+    SetWatch::State& state = watch_of(set);
+    SetWatch watch(std::move(state));
+    note(set, watch.end_movement(problem(set), health_in3_per_psi(set)));
+    state = watch.state();
+}
+
+void Diagnosis::note(LinkSet set, SetWatch::Judged judged) {
+    if (!judged)
+        return;
+    state_.judged = true;
+    judged_.push_back({set, std::move(*judged)});
+}
+
+void Diagnosis::watch_readings(const ExcavatorSample& sample) {
+    for (LinkSet set : sets_in_use())
+        for (Link link : links_of(set)) {
+            const Reading& reading = *sample.links[index_of(link)];
+            const bool pressure_froze = state_.pressures[index_of(link)].take(reading.inlet_psi, least_jump_psi);
+            const bool angle_froze = state_.angles[index_of(link)].take(reading.angle_deg, least_jump_deg);
+            if (pressure_froze || angle_froze || reading.inlet_psi < vacuum_psi)
+                note_impossible(set, link);
+        }
+}
+
+void Diagnosis::note_impossible(LinkSet set, Link link) {
+    SetWatch::State& state = watch_of(set);
+    SetWatch watch(std::move(state));
+    watch.note_impossible(position_in(set, link));
+    state = watch.state();
+    state_.judged = true;
+}
+
+LinkVerdict Diagnosis::verdict(Link link) const {
+    auto weight = [](const Verdict& verdict) {
+        bool fault = verdict.kind != VerdictKind::sound && verdict.kind != VerdictKind::not_enough_evidence;
+        return std::pair(fault, verdict.movements);
+    };
+    Verdict most;
+    for (const auto& [set, state] : state_.watches)
+        if (set.contains(link))
+            if (Verdict verdict = LinkJudge(state.judges[position_in(set, link)]).verdict();
+                weight(verdict) > weight(most))
+                most = verdict;
+    return {most, WayUnits::of(state_.health_in3_per_psi[index_of(link)])};
+}
+
+double Diagnosis::baseline_in3_per_psi(Link link) const {
+    const double health = state_.health_in3_per_psi[index_of(link)];
+    for (const auto& [set, state] : state_.watches)
+        if (set.contains(link))
+            if (auto own = LinkJudge(state.judges[position_in(set, link)]).baseline())
+                return health + WayUnits::of(health).compliance_in3_per_psi * own->by[0];
+    return health;
+}
+
 LinkCheck Diagnosis::check(Link link) const {
-    LinkCheck check{state_.baseline_in3_per_psi[index_of(link)], {}};
+    LinkCheck check;
     for (LinkSet set : all_population_sets()) {
         auto found = sets_.find(set);
         if (!set.contains(link) || found == sets_.end())
@@ -156,39 +270,27 @@ LinkCheck Diagnosis::check(Link link) const {
         check.estimates.push_back({set, *estimate.settled_in3_per_psi(), *estimate.lasting_in3_per_psi(),
                                    estimate.state().settled_in3_per_psi.size(), settled_s});
     }
-    if (!check.estimates.empty())
-        check.at_lower_bound = at_lower_bound(check.newest().compliance_in3_per_psi, settings_.step_in3_per_psi());
     return check;
-}
-
-void Diagnosis::settle_baselines() {
-    for (const auto& [set, population] : sets_) {
-        std::vector<Link> links = links_of(set);
-        for (std::size_t i = 0; i < links.size(); ++i) {
-            // The first settled value whose transient is over, so that it moves no more.
-            const LinkEstimate& estimate = population.state().estimates[i];
-            auto& baseline = state_.baseline_in3_per_psi[index_of(links[i])];
-            if (!baseline && !estimate.excited() && estimate.settled_in3_per_psi() &&
-                !at_lower_bound(*estimate.settled_in3_per_psi(), settings_.step_in3_per_psi()))
-                baseline = estimate.settled_in3_per_psi();
-        }
-    }
 }
 
 SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
     for (Link link : all_links)
-        if (const auto& compliance = baseline.compliance_in3_per_psi[index_of(link)])
-            state_.baseline_in3_per_psi[index_of(link)] = *compliance;
+        if (const auto& compliance = baseline.compliance_in3_per_psi[index_of(link)]) {
+            state_.health_in3_per_psi[index_of(link)] = *compliance;
+            for (auto& [set, state] : state_.watches)
+                if (set.contains(link))
+                    state.judges[position_in(set, link)] = {};
+        }
     SampleOutcome outcome;
     update_alarms(outcome);
     return outcome;
 }
 
 void Diagnosis::update_alarms(SampleOutcome& outcome) {
-    PerLink<LinkCheck> checks;
+    PerLink<LinkVerdict> verdicts;
     for (Link link : all_links)
-        checks[index_of(link)] = check(link);
-    std::vector<Alarm> now = find_alarms(checks, settings_);
+        verdicts[index_of(link)] = verdict(link);
+    std::vector<Alarm> now = find_alarms(verdicts);
     outcome.raised = without(now, state_.alarms);
     outcome.cleared = without(state_.alarms, now);
     state_.alarms = std::move(now);

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "hydraulics/circuit/line_fit.hpp"
+#include "identification/on_line/alarm.hpp"
 #include "identification/on_line/cross_check.hpp"
 #include "identification/on_line/excavator_parameters.hpp"
+#include "identification/on_line/frozen_watch.hpp"
 #include "identification/on_line/inputs.hpp"
 #include "identification/on_line/link_track.hpp"
 #include "identification/on_line/population_set.hpp"
 #include "identification/on_line/population_sets.hpp"
+#include "identification/on_line/set_watch.hpp"
 
 #include <cstdint>
 #include <map>
@@ -17,10 +20,17 @@
 
 namespace placedpar::identification {
 
+/// By how much the links of a set are off, by one movement alone, in the order of links_of().
+struct JudgedMovement {
+    hydraulics::LinkSet set;
+    std::vector<Deviation> links; ///< from the links' compliances in health, no leak, no offset
+};
+
 /// What a sample led to.
 struct SampleOutcome {
     std::size_t generations = 0;
-    bool window_restarted = false; ///< after a gap in time, or because time began anew
+    bool window_restarted = false;      ///< after a gap in time, or because time began anew
+    std::vector<JudgedMovement> judged; ///< that are over with it
     std::vector<Alarm> raised, cleared;
 };
 
@@ -41,8 +51,11 @@ public:
         std::uint64_t samples = 0;
         hydraulics::PerLink<LinkTrack> tracks;
         std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< those ever used
-        hydraulics::PerLink<std::optional<double>> baseline_in3_per_psi;
-        std::vector<Alarm> alarms; ///< that hold
+        hydraulics::PerLink<double> health_in3_per_psi{}; ///< compliances, of its kind unless the control system told
+        hydraulics::PerLink<FrozenWatch> pressures, angles;
+        std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< of the sets ever used
+        bool judged = false;                                    ///< something, since the alarms were found last
+        std::vector<Alarm> alarms;                              ///< that hold
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -61,19 +74,31 @@ public:
     std::optional<double> time_s() const { return state_.time_s; }
     std::uint64_t samples() const { return state_.samples; }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
+    /// The compliance of the link in health, of its kind unless the control system told.
+    double health_in3_per_psi(hydraulics::Link link) const {
+        return state_.health_in3_per_psi[hydraulics::index_of(link)];
+    }
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
+    /// By the set that says most: a fault before none, then the one that has judged most movements.
+    LinkVerdict verdict(hydraulics::Link link) const;
+    /// The compliance that the link is compared with: its own over its first movements, or that of its kind.
+    double baseline_in3_per_psi(hydraulics::Link link) const;
 
     /// A control system has connected: the time of its samples may begin anew.
     void connected() { state_.time_may_restart = true; }
     /// The same configuration with the same links again changes nothing; any other restarts the windows.
     void change(const ConfigurationChange& change);
-    /// Gives the alarms that this raises or clears.
+    /// The links' compliances in health; they are judged anew. Gives the alarms that this raises or clears.
     SampleOutcome set_baseline(const Baseline& baseline);
     /// Throws RefusedSample when there is no configuration yet, a reading of an active link is missing, or the sample
     /// is not later than the last one.
     SampleOutcome take(const ExcavatorSample& sample);
+    /// No sample follows this one for a while: judges what there is of movements.
+    SampleOutcome end_movements();
+    /// The movement that the set is in, or none.
+    const Movement::State* movement(hydraulics::LinkSet set) const;
 
 private:
     void require_acceptable(const ExcavatorSample& sample) const;
@@ -81,15 +106,24 @@ private:
     std::optional<double> elapsed_s(double time_s) const;
     void push(const ExcavatorSample& sample, std::optional<double> elapsed_s);
     void restart_windows();
-    std::size_t search(hydraulics::LinkSet set, double centre_s);
+    std::size_t search(hydraulics::LinkSet set, const ExcavatorSample& sample, double centre_s);
+    void watch(hydraulics::LinkSet set, const SetSample& centre, const ExcavatorSample& newest);
+    void end_movement(hydraulics::LinkSet set);
+    void watch_readings(const ExcavatorSample& sample);
+    /// Of the link, what no machine gives.
+    void note_impossible(hydraulics::LinkSet set, hydraulics::Link link);
+    std::vector<double> health_in3_per_psi(hydraulics::LinkSet set) const;
+    void note(hydraulics::LinkSet set, SetWatch::Judged judged);
+    SetWatch::State& watch_of(hydraulics::LinkSet set);
     const SetProblem& problem(hydraulics::LinkSet set);
     PopulationSet& population(hydraulics::LinkSet set);
-    void settle_baselines();
+    void judge(SampleOutcome& outcome);
     void update_alarms(SampleOutcome& outcome);
 
     DiagnosisSettings settings_;
     std::uint64_t seed_;
-    State state_; ///< without its sets
+    State state_;                        ///< without its sets
+    std::vector<JudgedMovement> judged_; ///< since the last outcome
     hydraulics::CentredLineFit fit_;
     std::map<hydraulics::LinkSet, PopulationSet> sets_;
     std::map<std::pair<hydraulics::Configuration, hydraulics::LinkSet>, SetProblem> problems_;

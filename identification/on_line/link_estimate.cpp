@@ -1,13 +1,12 @@
 #include "identification/on_line/link_estimate.hpp"
 
-#include "identification/circuit_problem.hpp"
 #include "identification/statistics.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace placedpar::identification {
-
-using namespace hydraulics;
 
 namespace {
 
@@ -18,26 +17,30 @@ void push_bounded(std::vector<double>& values, double value, std::size_t limit) 
     values.push_back(value);
 }
 
-bool agree(const std::vector<double>& values, double step, double within) {
+bool agree(const std::vector<double>& values, double their_median, double step, double within) {
     auto [least, greatest] = std::ranges::minmax(values);
     // A difference of the search's resolution is no disagreement.
-    return greatest - least <= std::max(within * median(values), 2 * step);
+    return greatest - least <= std::max(within * their_median, 2 * step);
+}
+
+std::vector<Flag> flags_of(double compliance, double standard_error, const DiagnosisSettings& settings) {
+    if (at_lower_bound(compliance, settings.step_in3_per_psi()))
+        return {lower_bound_flag()};
+    if (at_upper_bound(compliance, settings.step_in3_per_psi()))
+        return {upper_bound_flag()};
+    if (standard_error > uncertain_share * compliance)
+        return {uncertain_flag(compliance, standard_error)};
+    return {};
 }
 
 } // namespace
 
-bool at_lower_bound(double compliance, double step) { return compliance <= 2 * step; }
-
-bool at_upper_bound(double compliance, double step) {
-    return compliance >= CircuitProblem::largest_in3_per_psi - 3 * step;
-}
-
 void LinkEstimate::excite(double rms_psi_per_s, const DiagnosisSettings& settings) {
     state_.excitation_psi_per_s = rms_psi_per_s;
-    if (rms_psi_per_s < settings.gate_psi_per_s)
-        end_transient();
-    else
+    if (settings.gate.opens(rms_psi_per_s, compliance_in3_per_psi()))
         state_.excited = true;
+    else
+        end_transient();
 }
 
 void LinkEstimate::end_transient() {
@@ -51,10 +54,11 @@ void LinkEstimate::add(double compliance, double time_s, double step, const Diag
     state_.time_s = time_s;
     push_bounded(state_.recent_in3_per_psi, compliance, settings.median_over);
     ++state_.generations_in_transient;
-    if (state_.generations_in_transient < settings.median_over ||
-        !agree(state_.recent_in3_per_psi, step, settings.settled_within))
+    if (state_.generations_in_transient < settings.median_over)
         return;
-    double value = median(state_.recent_in3_per_psi);
+    const double value = median(state_.recent_in3_per_psi);
+    if (!agree(state_.recent_in3_per_psi, value, step, settings.settled_within))
+        return;
     // Excitation that keeps crossing the gate makes no new transient.
     double since_s = time_s - state_.settled_time_s;
     bool same = !state_.settled_in3_per_psi.empty() && since_s >= 0 && since_s < transients_apart_s;
@@ -64,6 +68,38 @@ void LinkEstimate::add(double compliance, double time_s, double step, const Diag
         push_bounded(state_.settled_in3_per_psi, value, kept_transients);
     state_.settled = true;
     state_.settled_time_s = time_s;
+}
+
+void LinkEstimate::add_error(double standard_error) {
+    state_.standard_error_in3_per_psi = standard_error;
+    if (state_.settled)
+        state_.settled_error_in3_per_psi = standard_error;
+}
+
+std::pair<double, double> LinkEstimate::spread_in3_per_psi() const {
+    auto [least, greatest] = std::ranges::minmax(state_.recent_in3_per_psi);
+    return {least, greatest};
+}
+
+std::vector<Flag> LinkEstimate::flags(const DiagnosisSettings& settings) const {
+    const auto compliance = compliance_in3_per_psi();
+    if (!compliance)
+        return {};
+    std::vector<Flag> flags = flags_of(*compliance, state_.standard_error_in3_per_psi, settings);
+    if (!state_.fits)
+        flags.push_back({FlagKind::misfit,
+                         "no individual explains the flow: are the areas, the machine's constants and "
+                         "the configuration right?"});
+    if (auto [least, greatest] = spread_in3_per_psi();
+        !agree(state_.recent_in3_per_psi, *compliance, settings.step_in3_per_psi(), settings.settled_within))
+        flags.push_back({FlagKind::unsettled, fmt::format("not settled: the best of the last generations lie between "
+                                                          "{:.5f} and {:.5f} in^3/psi",
+                                                          least, greatest)});
+    return flags;
+}
+
+std::vector<Flag> LinkEstimate::settled_flags(const DiagnosisSettings& settings) const {
+    return flags_of(*settled_in3_per_psi(), state_.settled_error_in3_per_psi, settings);
 }
 
 std::optional<double> LinkEstimate::compliance_in3_per_psi() const {

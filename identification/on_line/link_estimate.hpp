@@ -1,9 +1,11 @@
 #pragma once
 
+#include "identification/flag.hpp"
 #include "identification/on_line/settings.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace placedpar::identification {
@@ -19,6 +21,8 @@ public:
     struct State {
         std::vector<double> recent_in3_per_psi;  ///< of the best individuals, oldest first
         std::vector<double> settled_in3_per_psi; ///< one for each of the last transients that settled
+        double standard_error_in3_per_psi = 0;   ///< of the newest, by least squares on its window; 0: none yet
+        double settled_error_in3_per_psi = 0;    ///< of the newest settled value
         double time_s = 0;                       ///< of the sample that moved the estimate last
         double settled_time_s = 0;               ///< of the sample that moved the newest settled value
         double excitation_psi_per_s = 0;         ///< rms slope of the inlet pressure over the window
@@ -44,12 +48,20 @@ public:
     void end_transient();
     /// The best individual of a generation; `step` is the resolution of the search.
     void add(double compliance_in3_per_psi, double time_s, double step_in3_per_psi, const DiagnosisSettings& settings);
+    /// What the noise of the window leaves uncertain, by least squares, after its generations.
+    void add_error(double standard_error_in3_per_psi);
     /// No individual explains the window: nothing is added.
     void nothing_fits() { state_.fits = false; }
 
     bool excited() const { return state_.excited; }
     /// Median of the recent best; none before the first generation.
     std::optional<double> compliance_in3_per_psi() const;
+    /// Of those: the least and the greatest. REQUIRES: a compliance.
+    std::pair<double, double> spread_in3_per_psi() const;
+    /// Why the newest should not be believed as it stands; nothing before there is one.
+    std::vector<Flag> flags(const DiagnosisSettings& settings) const;
+    /// Why the newest settled value should not be. REQUIRES: there is one.
+    std::vector<Flag> settled_flags(const DiagnosisSettings& settings) const;
     /// The newest settled value.
     std::optional<double> settled_in3_per_psi() const;
     /// Median over the last transients.
@@ -58,10 +70,5 @@ public:
 private:
     State state_;
 };
-
-/// A spool offset can make the data ask for a negative compliance, or one beyond the range of the search, which then
-/// stays at the end of its range.
-bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
-bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 
 } // namespace placedpar::identification

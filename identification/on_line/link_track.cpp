@@ -17,6 +17,10 @@ void push_bounded(std::vector<double>& values, double value) {
     values.push_back(value);
 }
 
+/// After so many of the spool's time constants without a sample nobody knows what the voltage was meanwhile: the spool
+/// is where the newest asks for, as at the first. Ours.
+constexpr double known_for_lags = 5;
+
 ValveAreas areas_at(double spool_in) {
     OrificeAreas areas = boom_orifices(spool_in);
     return {areas.inlet_in2, areas.bypass_in2};
@@ -32,7 +36,7 @@ void LinkTrack::restart() {
 
 double LinkTrack::follow_spool_in(double servo_V, const LinkConstants& constants, std::optional<double> elapsed_s) {
     double desired = desired_spool_in(servo_V);
-    if (state_.spool_in && elapsed_s) {
+    if (state_.spool_in && elapsed_s && *elapsed_s * constants.spool_lag_per_s < known_for_lags) {
         SpoolLag spool(constants.spool_lag_per_s, *elapsed_s, *state_.spool_in);
         spool.hold(*state_.desired_in);
         state_.spool_in = spool.spool_in();

@@ -1,6 +1,7 @@
 #include "identification/on_line/population_set.hpp"
 
 #include "gaprocs/representation/genome.hpp"
+#include "identification/on_line/window_fitness.hpp"
 
 #include <fmt/format.h>
 
@@ -77,16 +78,30 @@ void PopulationSet::push(const SetSample& sample) {
 
 void PopulationSet::evolve(const SetProblem& problem, double time_s) {
     const WindowSettings& window = settings_.search.window;
-    std::vector<Genome> former = state_.population;
+    const bool frozen = !std::ranges::all_of(state_.estimates, &LinkEstimate::excited);
+    std::vector<Genome> former = frozen ? state_.population : std::vector<Genome>();
     Search search(std::move(state_.population), settings_.search,
                   RandomStream(seed_, fmt::format("{}/{}", name_, state_.samples)));
+    WindowFitness fitness(problem, state_.window, window.bias);
     for (std::size_t trial = 0; trial < window.trials; ++trial) {
-        search.next_generation(problem.fitness(search.population(), state_.window, window.bias));
+        search.next_generation(fitness(search.population()));
         ++state_.generations;
         record(problem, search.best(), time_s);
     }
-    state_.population = search.population();
-    keep_frozen_columns(former);
+    state_.population = std::move(search).take_population();
+    if (frozen)
+        keep_frozen_columns(former);
+    add_errors(problem);
+}
+
+void PopulationSet::add_errors(const SetProblem& problem) {
+    std::vector<double> answer(state_.estimates.size());
+    for (std::size_t i = 0; i < answer.size(); ++i)
+        answer[i] = state_.estimates[i].compliance_in3_per_psi().value_or(0);
+    const std::vector<double> errors = problem.standard_errors_in3_per_psi(state_.window, answer);
+    for (std::size_t i = 0; i < answer.size(); ++i)
+        if (state_.estimates[i].excited())
+            state_.estimates[i].add_error(errors[i]);
 }
 
 void PopulationSet::record(const SetProblem& problem, const Individual& best, double time_s) {

@@ -52,6 +52,7 @@ private:
     void evolve(const SetProblem& problem, double time_s);
     /// Restores the columns of links that are not excited from the former population: their bits would only drift.
     void keep_frozen_columns(const std::vector<Genome>& former);
+    void add_errors(const SetProblem& problem);
     void record(const SetProblem& problem, const Individual& best, double time_s);
 
     hydraulics::LinkSet links_;

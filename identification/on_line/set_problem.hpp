@@ -25,6 +25,12 @@ public:
     /// Of the whole string.
     std::size_t bits() const { return bits_ * circuit_.size(); }
 
+    const hydraulics::Circuit& circuit() const { return circuit_; }
+    const hydraulics::FlowConstants& flow() const { return flow_; }
+    /// The place in the set of the link of each junction.
+    const std::vector<std::size_t>& positions() const { return positions_; }
+    std::vector<hydraulics::LinkSample> by_junction(const SetSample& sample) const;
+
     /// Of link number `position` of the set.
     double compliance_in3_per_psi(const Genome& genome, std::size_t position) const;
     double step_in3_per_psi() const;
@@ -32,16 +38,22 @@ public:
     /// Does flow enter every cylinder, by the steady flow of the circuit? Otherwise equation 3.6 does not hold.
     bool open(const SetSample& sample) const;
 
+    /// What the window's noise leaves uncertain of each compliance, by least squares from an answer; both in the set's
+    /// order. Infinite where the window does not determine it.
+    std::vector<double> standard_errors_in3_per_psi(std::span<const SetSample> window,
+                                                    std::span<const double> answer_in3_per_psi) const;
+
+    /// What fitness() takes of a window.
+    std::vector<hydraulics::CircuitTerms> prepared(std::span<const SetSample> window) const;
     /// The sum of fitness_term over the window, for each string (eq. 3.9).
-    std::vector<double> fitness(std::span<const Genome> strings, std::span<const SetSample> window, double bias) const;
+    std::vector<double> fitness(std::span<const Genome> strings, std::span<const hydraulics::CircuitTerms> window,
+                                double bias) const;
 
 private:
-    std::vector<hydraulics::LinkSample> by_junction(const SetSample& sample) const;
-
     hydraulics::Circuit circuit_;
     hydraulics::FlowConstants flow_;
     std::size_t bits_;
-    std::vector<std::size_t> positions_; ///< in the set, of the link of each junction
+    std::vector<std::size_t> positions_;
 };
 
 } // namespace placedpar::identification

@@ -31,14 +31,10 @@ double DiagnosisSettings::step_in3_per_psi() const {
 void DiagnosisSettings::validate() const {
     search.validate();
     require(bits >= 4 && bits <= 16, "the number of bits of a compliance", static_cast<double>(bits), "4 to 16");
-    require(gate_psi_per_s >= 0, "the gate on excitation", gate_psi_per_s, "0 psi/s or more");
+    require(gate.slope_psi_per_s >= 0, "the gate on excitation", gate.slope_psi_per_s, "0 psi/s or more");
     require(median_over >= 1, "the number of generations of the median", static_cast<double>(median_over), "1 or more");
     require(settled_within > 0, "the width of a settled estimate", settled_within, "more than 0");
-    require(doubled_at > 1, "the ratio to the baseline of a doubled compliance", doubled_at, "more than 1");
     require(inconsistent_over > 0, "the spread of inconsistent estimates", inconsistent_over, "more than 0");
-    require(off_by > 0 && off_by < 1, "the fraction by which a link is off", off_by, "between 0 and 1");
-    require(transients >= 1 && transients <= kept_transients, "the number of transients",
-            static_cast<double>(transients), "1 to 5");
     require(stale_after_s > 0, "the age of a stale estimate", stale_after_s, "more than 0 s");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gaprocs/settings.hpp"
+#include "identification/excitation_gate.hpp"
 
 #include <cstddef>
 
@@ -12,19 +13,16 @@ inline constexpr std::size_t kept_transients = 5;
 /// The thesis's numbers, with one elite individual.
 SearchSettings service_search();
 
-/// How the on-line diagnosis searches and when it raises alarms. The search is the thesis's with what an engineer would
+/// How the on-line diagnosis searches. The search is the thesis's with what an engineer would
 /// add: one elite individual, Gray code, signed flow into the cylinder, a gate on excitation.
 struct DiagnosisSettings {
     SearchSettings search = service_search(); ///< window 10, bias 400, 5 trials, population 120, 1 elite
     std::size_t bits = 10;                    ///< of one compliance; the thesis does not print it
-    double gate_psi_per_s = 800;              ///< rms slope over the window below which an estimate is frozen; ours
+    ExcitationGate gate;                      ///< below which an estimate is frozen
     std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder opened; ours
     std::size_t median_over = 25;             ///< generations whose best individuals' median is the estimate; ours
     double settled_within = 0.2;    ///< (greatest - least) / median of those, at which it counts as settled; ours
-    double doubled_at = 1.8;        ///< times the baseline; ours: a doubled compliance is found as 2.01 +- 4.5 %
     double inconsistent_over = 0.3; ///< (greatest - least) / median between population sets; ours
-    double off_by = 0.12;           ///< |C / baseline - 1| of a link that is off; ours: a leak of 5 % makes +13 %
-    std::size_t transients = 3;     ///< settled transients before a link may be called off; ours
     double stale_after_s = 600;     ///< estimates older than this take no part in cross-checks; ours
 
     /// The resolution of a compliance.

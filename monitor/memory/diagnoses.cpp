@@ -44,10 +44,6 @@ void Diagnoses::add(Diagnosis::State state) {
 
 void Diagnoses::replay(const std::string& machine, std::string_view text) {
     Message message = parse_message(text);
-    if (const auto* hello = std::get_if<Hello>(&message)) {
-        greet(*hello);
-        return;
-    }
     auto found = diagnoses_.find(machine);
     if (found == diagnoses_.end())
         throw BadMessage("machine", fmt::format("there is no machine \"{}\"", machine), "a hello before");

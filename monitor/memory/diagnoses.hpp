@@ -30,8 +30,13 @@ public:
     /// From the state file.
     void add(identification::Diagnosis::State state);
 
-    /// Takes a message of the journal again: a hello, or a message about a known machine. Throws BadMessage or
-    /// identification::RefusedSample.
+    bool knows(const std::string& machine) const { return diagnoses_.contains(machine); }
+    bool full() const { return diagnoses_.size() >= most_; }
+    /// REQUIRES: nobody holds on to its diagnosis.
+    void forget(const std::string& machine) { diagnoses_.erase(machine); }
+
+    /// Takes a message of the state file again: a configuration, a sample or a baseline of a known machine. Throws
+    /// BadMessage or identification::RefusedSample.
     void replay(const std::string& machine, std::string_view message);
 
 private:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace placedpar::monitor {
@@ -56,16 +57,18 @@ json::string parameters_json(const ExcavatorParameters& p) {
                                 p.flow.tank_psi, p.flow.relief_psi};
     for (const LinkConstants& link : p.links)
         numbers.insert(numbers.end(), {link.piston_in3_per_rad, link.spool_lag_per_s});
+    numbers.insert(numbers.end(), p.compliance_in3_per_psi.begin(), p.compliance_in3_per_psi.end());
     return json::string(exact_text(numbers));
 }
 
 ExcavatorParameters parameters_from(const json::value& value) {
     std::vector<double> n = numbers_from(text(value));
-    if (n.size() != 5 + 2 * all_links.size())
+    if (n.size() != 5 + 3 * all_links.size())
         throw std::runtime_error(fmt::format("{} parameters of a machine", n.size()));
-    ExcavatorParameters p{n[0], {n[1], n[2], n[3], n[4]}, {}};
+    ExcavatorParameters p{n[0], {n[1], n[2], n[3], n[4]}, {}, {}};
     for (std::size_t i = 0; i < p.links.size(); ++i)
         p.links[i] = {n[5 + 2 * i], n[6 + 2 * i]};
+    std::copy_n(n.begin() + 5 + 2 * all_links.size(), all_links.size(), p.compliance_in3_per_psi.begin());
     return p;
 }
 
@@ -90,6 +93,7 @@ json::object estimate_json(const LinkEstimate::State& e) {
     return {{"recent", exact_text(e.recent_in3_per_psi)},
             {"settled", exact_text(e.settled_in3_per_psi)},
             {"times", exact_text(std::array{e.time_s, e.settled_time_s, e.excitation_psi_per_s})},
+            {"errors", exact_text(std::array{e.standard_error_in3_per_psi, e.settled_error_in3_per_psi})},
             {"excited", e.excited},
             {"fits", e.fits},
             {"settled_now", e.settled},
@@ -98,11 +102,13 @@ json::object estimate_json(const LinkEstimate::State& e) {
 
 LinkEstimate estimate_from(const json::value& value) {
     std::vector<double> times = numbers_from(text(value.at("times")));
-    if (times.size() != 3)
-        throw std::runtime_error("an estimate without its times");
-    return LinkEstimate({numbers_from(text(value.at("recent"))), numbers_from(text(value.at("settled"))), times[0],
-                         times[1], times[2], value.at("excited").as_bool(), value.at("fits").as_bool(),
-                         value.at("settled_now").as_bool(), value.at("generations").to_number<std::size_t>()});
+    std::vector<double> errors = numbers_from(text(value.at("errors")));
+    if (times.size() != 3 || errors.size() != 2)
+        throw std::runtime_error("an estimate without its times or its errors");
+    return LinkEstimate({numbers_from(text(value.at("recent"))), numbers_from(text(value.at("settled"))), errors[0],
+                         errors[1], times[0], times[1], times[2], value.at("excited").as_bool(),
+                         value.at("fits").as_bool(), value.at("settled_now").as_bool(),
+                         value.at("generations").to_number<std::size_t>()});
 }
 
 json::string sample_json(const SetSample& sample) {
@@ -154,6 +160,168 @@ PopulationSet::State set_from(const json::value& value, LinkSet links, const Dia
     return set;
 }
 
+json::array samples_json(const std::vector<JunctionSamples>& samples) {
+    json::array array;
+    for (const JunctionSamples& each : samples)
+        array.push_back(sample_json(each));
+    return array;
+}
+
+std::vector<JunctionSamples> samples_from(const json::value& value, std::size_t links) {
+    std::vector<JunctionSamples> samples;
+    for (const json::value& each : value.as_array())
+        samples.push_back(sample_from(each, links));
+    return samples;
+}
+
+json::object movement_json(const Movement::State& movement) {
+    return {{"at_rest", samples_json(movement.samples.at_rest)},
+            {"moving", samples_json(movement.samples.moving)},
+            {"shut", samples_json(movement.shut)},
+            {"opened", movement.opened},
+            {"closed", movement.closed}};
+}
+
+Movement::State movement_from(const json::value& value, std::size_t links) {
+    Movement::State movement{{samples_from(value.at("at_rest"), links), samples_from(value.at("moving"), links)},
+                             samples_from(value.at("shut"), links),
+                             value.at("opened").to_number<std::size_t>(),
+                             value.at("closed").to_number<std::size_t>()};
+    if (movement.samples.moving.size() >= Movement::most_moving ||
+        movement.samples.at_rest.size() > Movement::most_at_rest || movement.shut.size() > Movement::slope_reach)
+        throw std::runtime_error("the parts of a movement do not belong together");
+    return movement;
+}
+
+constexpr std::size_t numbers_of_deviation = 12;
+
+json::string deviation_json(const Deviation& deviation) {
+    std::vector<double> numbers(deviation.by.data(), deviation.by.data() + deviation.by.size());
+    numbers.insert(numbers.end(), deviation.covariance.data(),
+                   deviation.covariance.data() + deviation.covariance.size());
+    return json::string(exact_text(numbers));
+}
+
+Deviation deviation_from(const json::value& value) {
+    std::vector<double> numbers = numbers_from(text(value));
+    if (numbers.size() != numbers_of_deviation)
+        throw std::runtime_error(fmt::format("a deviation of {} numbers", numbers.size()));
+    Deviation deviation;
+    std::copy_n(numbers.begin(), deviation.by.size(), deviation.by.data());
+    std::copy_n(numbers.begin() + deviation.by.size(), deviation.covariance.size(), deviation.covariance.data());
+    return deviation;
+}
+
+json::object test_json(const SequentialTest::State& test) {
+    return {{"sums", exact_text(test.sums)},
+            {"informations", exact_text(test.informations)},
+            {"raised", test.raised},
+            {"total", deviation_json(test.total)},
+            {"movements", test.movements}};
+}
+
+using OfSuspicions = std::array<double, SequentialTest::suspicions.size()>;
+
+OfSuspicions of_suspicions_from(const json::value& value) {
+    const std::vector<double> numbers = numbers_from(text(value));
+    OfSuspicions each{};
+    if (numbers.size() != each.size())
+        throw std::runtime_error(fmt::format("{} numbers of {} suspicions", numbers.size(), each.size()));
+    std::ranges::copy(numbers, each.begin());
+    return each;
+}
+
+SequentialTest::State test_from(const json::value& value) {
+    SequentialTest::State test;
+    test.sums = of_suspicions_from(value.at("sums"));
+    test.informations = of_suspicions_from(value.at("informations"));
+    test.raised = value.at("raised").as_bool();
+    test.total = deviation_from(value.at("total"));
+    test.movements = value.at("movements").to_number<std::size_t>();
+    return test;
+}
+
+json::string valve_json(AreasFrom valve) {
+    constexpr std::array<const char*, 3> names{"areas", "spool", "servo"};
+    return names[static_cast<std::size_t>(valve)];
+}
+
+AreasFrom valve_from(const json::value& value) {
+    for (AreasFrom valve : {AreasFrom::areas, AreasFrom::spool, AreasFrom::servo})
+        if (value == valve_json(valve))
+            return valve;
+    throw std::runtime_error("a valve that is known by nothing");
+}
+
+json::object judge_json(const LinkJudge::State& judge) {
+    json::array first;
+    for (const Deviation& each : judge.first)
+        first.push_back(deviation_json(each));
+    return {{"first", std::move(first)},
+            {"from_itself", test_json(judge.from_itself)},
+            {"from_kind", test_json(judge.from_kind)},
+            {"valve", valve_json(judge.valve)},
+            {"impossible_now", judge.impossible_now},
+            {"impossible", judge.impossible}};
+}
+
+LinkJudge::State judge_from(const json::value& value) {
+    LinkJudge::State judge;
+    for (const json::value& each : value.at("first").as_array())
+        judge.first.push_back(deviation_from(each));
+    if (judge.first.size() > LinkJudge::movements_of_baseline)
+        throw std::runtime_error("a baseline of too many movements");
+    judge.from_itself = test_from(value.at("from_itself"));
+    judge.from_kind = test_from(value.at("from_kind"));
+    judge.valve = valve_from(value.at("valve"));
+    judge.impossible_now = value.at("impossible_now").as_bool();
+    judge.impossible = value.at("impossible").as_bool();
+    return judge;
+}
+
+json::object watch_json(LinkSet links, const SetWatch::State& watch) {
+    json::array valves, judges;
+    for (AreasFrom valve : watch.valves)
+        valves.push_back(valve_json(valve));
+    for (const LinkJudge::State& judge : watch.judges)
+        judges.push_back(judge_json(judge));
+    return {{"set", name_of_set(links)},
+            {"movement", movement_json(watch.movement)},
+            {"valves", std::move(valves)},
+            {"judges", std::move(judges)},
+            {"moving_shut", json::value_from(watch.moving_shut)}};
+}
+
+SetWatch::State watch_from(const json::value& value, LinkSet links) {
+    SetWatch::State watch{movement_from(value.at("movement"), links.size()), {}, {}, {}};
+    for (const json::value& valve : value.at("valves").as_array())
+        watch.valves.push_back(valve_from(valve));
+    for (const json::value& judge : value.at("judges").as_array())
+        watch.judges.push_back(judge_from(judge));
+    for (const json::value& count : value.at("moving_shut").as_array())
+        watch.moving_shut.push_back(count.to_number<std::size_t>());
+    if (watch.valves.size() != links.size() || watch.judges.size() != links.size() ||
+        watch.moving_shut.size() != links.size())
+        throw std::runtime_error("the parts of a watched set do not belong together");
+    return watch;
+}
+
+json::object frozen_json(const FrozenWatch::State& watch) {
+    return {{"last", optional_json(watch.last)}, {"equal", watch.equal}, {"jump", optional_json(watch.jump)}};
+}
+
+FrozenWatch frozen_from(const json::value& value) {
+    return FrozenWatch(
+        {optional_from(value.at("last")), value.at("equal").to_number<std::size_t>(), number_from(value.at("jump"))});
+}
+
+LinkSet set_of(const json::value& value) {
+    auto links = set_named(text(value.at("set")));
+    if (!links)
+        throw std::runtime_error(fmt::format("there is no population set \"{}\"", text(value.at("set"))));
+    return *links;
+}
+
 json::array alarms_json(const std::vector<Alarm>& alarms) {
     json::array array;
     for (const Alarm& alarm : alarms)
@@ -173,13 +341,17 @@ Alarm alarm_from(const json::value& value) {
 } // namespace
 
 json::object state_json(const Diagnosis::State& state) {
-    json::array tracks, sets, baselines;
+    json::array tracks, sets, watches, pressures, angles;
     for (const LinkTrack& track : state.tracks)
         tracks.push_back(track_json(track.state()));
     for (const auto& [links, set] : state.sets)
         sets.push_back(set_json(links, set));
-    for (const auto& baseline : state.baseline_in3_per_psi)
-        baselines.push_back(optional_json(baseline));
+    for (const auto& [links, watch] : state.watches)
+        watches.push_back(watch_json(links, watch));
+    for (const FrozenWatch& pressure : state.pressures)
+        pressures.push_back(frozen_json(pressure.state()));
+    for (const FrozenWatch& angle : state.angles)
+        angles.push_back(frozen_json(angle.state()));
     return {{"machine", state.name},
             {"parameters", parameters_json(state.parameters)},
             {"configuration", state.configuration ? std::string(1, name_of(*state.configuration)) : ""},
@@ -189,7 +361,11 @@ json::object state_json(const Diagnosis::State& state) {
             {"samples", state.samples},
             {"tracks", std::move(tracks)},
             {"sets", std::move(sets)},
-            {"baselines", std::move(baselines)},
+            {"health", exact_text(state.health_in3_per_psi)},
+            {"watches", std::move(watches)},
+            {"pressures", std::move(pressures)},
+            {"angles", std::move(angles)},
+            {"judged", state.judged},
             {"alarms", alarms_json(state.alarms)}};
 }
 
@@ -204,14 +380,22 @@ Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& s
     state.samples = value.at("samples").to_number<std::uint64_t>();
     for (std::size_t i = 0; i < all_links.size(); ++i) {
         state.tracks[i] = track_from(value.at("tracks").as_array().at(i));
-        state.baseline_in3_per_psi[i] = optional_from(value.at("baselines").as_array().at(i));
+        state.pressures[i] = frozen_from(value.at("pressures").as_array().at(i));
+        state.angles[i] = frozen_from(value.at("angles").as_array().at(i));
     }
     for (const json::value& set : value.at("sets").as_array()) {
-        auto links = set_named(text(set.at("set")));
-        if (!links)
-            throw std::runtime_error(fmt::format("there is no population set \"{}\"", text(set.at("set"))));
-        state.sets.emplace(*links, set_from(set, *links, settings));
+        LinkSet links = set_of(set);
+        state.sets.emplace(links, set_from(set, links, settings));
     }
+    std::vector<double> health = numbers_from(text(value.at("health")));
+    if (health.size() != all_links.size())
+        throw std::runtime_error(fmt::format("{} compliances in health", health.size()));
+    std::ranges::copy(health, state.health_in3_per_psi.begin());
+    for (const json::value& watch : value.at("watches").as_array()) {
+        LinkSet links = set_of(watch);
+        state.watches.emplace(links, watch_from(watch, links));
+    }
+    state.judged = value.at("judged").as_bool();
     for (const json::value& alarm : value.at("alarms").as_array())
         state.alarms.push_back(alarm_from(alarm));
     return state;

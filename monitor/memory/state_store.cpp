@@ -1,21 +1,13 @@
 #include "monitor/memory/state_store.hpp"
 
 #include "monitor/memory/diagnosis_json.hpp"
-#include "text/output_file.hpp"
-#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
+#include <map>
+#include <utility>
 
 namespace placedpar::monitor {
 
@@ -26,184 +18,179 @@ namespace json = boost::json;
 
 namespace {
 
-constexpr int file_version = 1;
+/// With one message no more machines than these go into states: nobody should wait long.
+constexpr int states_at_once = 4;
 
-/// A whole state file, but one of another version or other settings.
-class OtherState : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
-
-fs::path beside(const fs::path& path, const char* ending) {
-    fs::path other = path;
-    other += ending;
-    return other;
-}
-
-/// Throws, before a journal is made beside it, when the path is something other than a file.
-fs::path path_of_file(fs::path path) {
-    if (is_standard_stream(path))
-        throw UserError("-: standard output is no state file; name a file, it need not exist yet");
-    if (fs::exists(path) && !fs::is_regular_file(path))
-        throw UserError(fmt::format("{}: it is {}, no state file; name a file, it need not exist yet", path.string(),
-                                    fs::is_directory(path) ? "a folder" : "a device"));
-    return path;
-}
-
-/// Its errors name the state file, too: the journal is nothing that a user asked for.
-Journal journal_of(const fs::path& path) {
-    try {
-        return Journal(beside(path, ".journal"));
-    } catch (const UserError& error) {
-        throw UserError(fmt::format("--state {}: {}", path.string(), error.what()));
-    }
-}
-
-std::string text_of_file(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in)
-        throw std::runtime_error(std::strerror(errno));
-    return std::string(std::istreambuf_iterator<char>(in), {});
-}
-
-json::value parsed(const std::string& text) {
-    if (text.empty())
-        throw std::runtime_error("it is empty");
-    json::error_code error;
-    json::value value = json::parse(text, error);
-    if (error == json::error::incomplete)
-        throw std::runtime_error(fmt::format("it breaks off after {} bytes", text.size()));
-    if (error || !value.is_object() || !value.get_object().contains("placedpar_monitor_state"))
-        throw std::runtime_error("it is no state file of the monitor");
-    return value;
-}
-
-/// Brings a file, or a folder's names, to the disk itself.
-void sync_path(const fs::path& path) {
-    int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0 || ::fsync(file) != 0) {
-        int reason = errno;
-        if (file >= 0)
-            ::close(file);
-        throw UserError(fmt::format("{}: cannot be brought to the disk: {}", path.string(), std::strerror(reason)));
-    }
-    ::close(file);
-}
-
-/// The settings that the populations of the state file, or the messages of the journal taken again, depend on.
+/// The settings that the populations of the state file, or its messages taken again, depend on.
 std::string settings_text(const Diagnoses& diagnoses) {
     const DiagnosisSettings& s = diagnoses.settings();
     return fmt::format("--seed {} --population {} --bits {} --window {} --trials {} --gate {}", diagnoses.seed(),
-                       s.search.population, s.bits, s.search.window.length, s.search.window.trials, s.gate_psi_per_s);
+                       s.search.population, s.bits, s.search.window.length, s.search.window.trials,
+                       s.gate.slope_psi_per_s);
 }
 
-/// Takes a record of the journal: the machine's name, a blank, the message.
-void take_again(Diagnoses& diagnoses, const std::string& record, const std::string& where) {
-    std::size_t blank = std::min(record.find(' '), record.size() - 1);
+/// For each machine the last message that need not be taken again: it is in the state, or was before it was forgotten.
+std::map<std::string, std::uint64_t> taken_already(const StateContent& content) {
+    std::map<std::string, std::uint64_t> taken;
+    for (const KeptMessage& message : content.messages)
+        if (message.text == forget_text)
+            taken[message.machine] = message.number;
+    for (const KeptState& state : content.machines)
+        taken[state.machine] = std::max(taken[state.machine], state.taken);
+    return taken;
+}
+
+void restore_state(Diagnoses& diagnoses, const KeptState& kept, const fs::path& path) {
     try {
-        diagnoses.replay(record.substr(0, blank), std::string_view(record).substr(blank + 1));
+        diagnoses.add(state_from(json::parse(kept.state), diagnoses.settings()));
     } catch (const std::exception& error) {
-        throw UserError(fmt::format("{} cannot be taken again: {}", where, error.what()));
+        throw UserError(fmt::format("{}: this state file cannot be used: the state of \"{}\": {}; use another --state "
+                                    "file",
+                                    path.string(), kept.machine, error.what()));
     }
+}
+
+void replay(Diagnoses& diagnoses, const KeptMessage& message, const fs::path& path) {
+    try {
+        diagnoses.replay(message.machine, message.text);
+    } catch (const std::exception& error) {
+        throw UserError(fmt::format("{}: message {} of \"{}\" cannot be taken again: {}", path.string(), message.number,
+                                    message.machine, error.what()));
+    }
+}
+
+std::string plural(std::size_t count, const char* noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 } // namespace
 
-StateStore::StateStore(fs::path path) : path_(path_of_file(std::move(path))), journal_(journal_of(path_)) {}
-
-std::string StateStore::restore(Diagnoses& diagnoses) {
-    read_state_file(diagnoses);
-    std::string said;
-    read_journal(diagnoses, said);
-    if (!diagnoses.all().empty())
-        said = fmt::format("{}: {} machine{} restored{}", path_.string(), diagnoses.all().size(),
-                           diagnoses.all().size() == 1 ? "" : "s", said);
-    write(diagnoses);
-    return said;
+StateStore::StateStore(const fs::path& path, Diagnoses& diagnoses, std::uint64_t most_history)
+    : path_(path), diagnoses_(diagnoses) {
+    StateContent content;
+    file_ = std::make_unique<StateFile>(path, settings_text(diagnoses), most_history, content);
+    if (!content.said.empty())
+        said_ = content.said + "; ";
+    last_message_ = trimmed_ = content.last_message;
+    for (const KeptState& state : content.machines)
+        restore_state(diagnoses_, state, path_);
+    take_again(content);
+    noted_alarms_ = file_->history().noted_alarms();
 }
 
-void StateStore::take_state(const json::value& state, Diagnoses& diagnoses) {
-    if (state.at("placedpar_monitor_state").to_number<int>() != file_version)
-        throw OtherState(fmt::format("it is of another version than {}; use another --state file", file_version));
-    if (std::string was(state.at("settings").as_string()); was != settings_text(diagnoses))
-        throw OtherState(
-            fmt::format("it was written with {}, this is {}; use the same options, or another --state file", was,
-                        settings_text(diagnoses)));
-    epoch_ = state.at("epoch").to_number<std::uint64_t>();
-    for (const json::value& diagnosis : state.at("machines").as_array())
-        diagnoses.add(state_from(diagnosis, diagnoses.settings()));
+StateStore::~StateStore() = default;
+
+void StateStore::take_again(const StateContent& content) {
+    auto taken = taken_already(content);
+    std::size_t count = 0;
+    Parcel parcel;
+    for (const KeptMessage& message : content.messages)
+        if (message.number > taken[message.machine]) {
+            replay(diagnoses_, message, path_);
+            backlog_.add(message.machine, message.number, 0, 0);
+            ++count;
+        }
+    for (; !backlog_.empty(); backlog_.drop(std::string(backlog_.oldest_machine())))
+        parcel.entries.push_back(state_of(diagnoses_.named(backlog_.oldest_machine())));
+    if (!content.messages.empty()) {
+        parcel.entries.push_back(TrimmedMessages{last_message_});
+        commit_now(parcel);
+    }
+    if (!diagnoses_.all().empty())
+        said_ += fmt::format("{}: {} restored{}", path_.string(), plural(diagnoses_.all().size(), "machine"),
+                             count == 0 ? "" : fmt::format(", {} taken again", plural(count, "message")));
 }
 
-void StateStore::read_state_file(Diagnoses& diagnoses) {
-    if (!fs::exists(path_))
-        return;
-    auto refuse = [&](const std::string& why) {
-        throw UserError(fmt::format("{}: this state file cannot be used: {}", path_.string(), why));
-    };
-    auto damaged = [&](const std::string& why) {
-        refuse(fmt::format("{}; put a whole one there, or move it and {}.journal away and begin with nothing known",
-                           why, path_.string()));
-    };
+void StateStore::commit_now(const Parcel& parcel) {
     try {
-        take_state(parsed(text_of_file(path_)), diagnoses);
-    } catch (const OtherState& other) {
-        refuse(other.what());
-    } catch (const boost::system::system_error& error) {
-        damaged(fmt::format("a part of it is wrong: {}", error.code().message()));
-    } catch (const std::out_of_range&) {
-        damaged("a part of it is missing");
-    } catch (const std::exception& error) {
-        damaged(error.what());
+        file_->commit(std::span(&parcel, 1));
+    } catch (const DatabaseError& error) {
+        throw UserError(fmt::format("{}: cannot be written: {}", path_.string(), error.what()));
     }
 }
 
-void StateStore::read_journal(Diagnoses& diagnoses, std::string& said) {
-    fs::path path = beside(path_, ".journal");
-    JournalContent content = journal_.read();
-    if (content.epoch > epoch_)
-        throw UserError(fmt::format("{}: it goes on from a later state file (epoch {}) than {} (epoch {}); put "
-                                    "that file back, or move the journal away",
-                                    path.string(), content.epoch, path_.string(), epoch_));
-    if (content.epoch == epoch_ && !content.records.empty()) {
-        for (std::size_t i = 0; i < content.records.size(); ++i)
-            take_again(diagnoses, content.records[i], fmt::format("{}: record {}", path.string(), i + 1));
-        said += fmt::format(", {} messages taken again", content.records.size());
-    }
-    if (content.damaged_bytes > 0) {
-        fs::copy_file(path, beside(path_, ".damaged"), fs::copy_options::overwrite_existing);
-        said += fmt::format(", {} bytes at the journal's end are torn: left out, kept in {}", content.damaged_bytes,
-                            beside(path_, ".damaged").string());
-    }
+void StateStore::start(std::function<void(Progress)> tell) {
+    writer_ = std::make_unique<Writer>(*file_, [this, tell = std::move(tell)](Progress progress) {
+        if (!progress.trouble.empty())
+            progress.trouble = fmt::format("{}: cannot be written: {}", path_.string(), progress.trouble);
+        tell(std::move(progress));
+    });
 }
 
-void StateStore::record(const std::string& machine, std::string_view message, std::size_t generations) {
+void StateStore::note(const Progress& progress) {
+    if (progress.parcels < anew_ticket_)
+        return; // lost or kept, it has been begun anew since
+    complete_ = progress.trouble.empty();
     if (!complete_)
-        return;
-    complete_ = false;
-    journal_.append(fmt::format("{} {}", machine, message));
-    complete_ = true;
-    generations_ += generations;
+        keeping_ = false;
 }
 
-void StateStore::write(const Diagnoses& diagnoses) {
-    json::array all;
-    for (const auto& [name, diagnosis] : diagnoses.all())
-        all.push_back(state_json(diagnosis.state()));
-    json::object state{{"placedpar_monitor_state", file_version},
-                       {"settings", settings_text(diagnoses)},
-                       {"epoch", epoch_ + 1},
-                       {"machines", std::move(all)}};
-    // On the disk before it takes the old one's name: with a loss of power, one of the two is there, whole.
-    fs::path next = beside(path_, ".next");
-    write_whole(next, json::serialize(state) + "\n");
-    sync_path(next);
-    complete_ = false; // until the journal, too, is of the new epoch
-    fs::rename(next, path_);
-    ++epoch_;
-    sync_path(fs::absolute(path_).parent_path());
-    journal_.begin(epoch_);
-    complete_ = true;
-    generations_ = 0;
+std::uint64_t StateStore::put(Parcel parcel) {
+    if (keeping_)
+        last_ticket_ = writer_->put(std::move(parcel));
+    return last_ticket_;
+}
+
+std::uint64_t StateStore::record(const std::string& machine, std::string_view message, std::size_t generations,
+                                 std::vector<Entry> history) {
+    Parcel parcel{{KeptMessage{++last_message_, machine, std::string(message)}}};
+    std::ranges::move(history, std::back_inserter(parcel.entries));
+    backlog_.add(machine, last_message_, message.size(), generations);
+    return put(std::move(parcel));
+}
+
+UnwrittenState StateStore::state_of(const Diagnosis& diagnosis) const {
+    return {diagnosis.name(), last_message_, std::make_shared<const Diagnosis::State>(diagnosis.state())};
+}
+
+/// With the messages that nobody needs any more then.
+void StateStore::add_state(Parcel& parcel, const Diagnosis& diagnosis) {
+    parcel.entries.push_back(state_of(diagnosis));
+    backlog_.drop(diagnosis.name());
+    std::uint64_t up_to = backlog_.empty() ? last_message_ : backlog_.oldest_number() - 1;
+    if (up_to > trimmed_)
+        parcel.entries.push_back(TrimmedMessages{trimmed_ = up_to});
+}
+
+std::uint64_t StateStore::save(const Diagnosis& diagnosis) {
+    Parcel parcel;
+    add_state(parcel, diagnosis);
+    return put(std::move(parcel));
+}
+
+std::uint64_t StateStore::forget(const std::string& machine) {
+    backlog_.drop(machine);
+    return put({{KeptMessage{++last_message_, machine, forget_text}, ForgottenMachine{machine}}});
+}
+
+std::uint64_t StateStore::change_history(Entry entry) { return put({{std::move(entry)}}); }
+
+void StateStore::relieve() {
+    for (int i = 0; i < states_at_once && !backlog_.empty(); ++i) {
+        if (backlog_.bytes() <= most_backlog_bytes && backlog_.generations() <= most_backlog_generations)
+            return;
+        Parcel parcel;
+        add_state(parcel, diagnoses_.named(std::string(backlog_.oldest_machine())));
+        put(std::move(parcel));
+    }
+}
+
+void StateStore::write_anew(std::vector<KeptAlarm> open_alarms, double at) {
+    keeping_ = true;
+    Parcel parcel{{OpenAlarms{std::move(open_alarms), at}}, last_message_};
+    for (const auto& [name, diagnosis] : diagnoses_.all())
+        parcel.entries.push_back(state_of(diagnosis));
+    backlog_.clear();
+    trimmed_ = last_message_;
+    anew_ticket_ = put(std::move(parcel));
+}
+
+void StateStore::finish() {
+    std::string trouble = writer_->wait();
+    writer_.reset();
+    file_.reset(); // SQLite puts the write-ahead log into the file
+    if (!trouble.empty())
+        throw UserError(fmt::format("{}: what was known last cannot be written: {}", path_.string(), trouble));
 }
 
 } // namespace placedpar::monitor

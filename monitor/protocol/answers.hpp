@@ -28,6 +28,7 @@ struct Load {
     double work_s = 0; ///< spent on messages
     double cpu_s = 0;  ///< processor time of the service's thread
     double uptime_s = 0;
+    double longest_turn_s = 0; ///< of the event loop: so long nobody was heard
 };
 
 /// What the monitor says, each one JSON object in one line with its newline; docs/monitor.md is the description.

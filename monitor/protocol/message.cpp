@@ -1,6 +1,8 @@
 #include "monitor/protocol/message.hpp"
 
 #include "monitor/protocol/field_reader.hpp"
+#include "monitor/protocol/link_words.hpp"
+#include "monitor/protocol/message_json.hpp"
 
 #include <fmt/format.h>
 
@@ -79,6 +81,8 @@ ExcavatorParameters machine_parameters(FieldReader& fields) {
             LinkConstants& p = parameters.links[index_of(link)];
             p.piston_in3_per_rad = of_link.number_or("piston_in3_per_rad", pistons, p.piston_in3_per_rad);
             p.spool_lag_per_s = of_link.number_or("spool_lag_per_s", lags, p.spool_lag_per_s);
+            double& health = parameters.compliance_in3_per_psi[index_of(link)];
+            health = of_link.number_or("compliance_in3_per_psi", compliances, health);
             of_link.finish();
         });
     return parameters;
@@ -95,6 +99,7 @@ Message hello(FieldReader& fields) {
                            {{"all", Answers::all}, {"moved", Answers::moved}, {"none", Answers::none}});
     hello.load_every_s = fields.number_or("load_every_s", up_to_a_day, 0);
     hello.anew = fields.flag_or("anew", false);
+    hello.token = fields.text_or("token", "");
     hello.parameters = machine_parameters(fields);
     return hello;
 }
@@ -150,6 +155,23 @@ Message baseline(FieldReader& fields) {
     return baseline;
 }
 
+Message token(FieldReader& fields) { return TokenOffer{fields.text("token")}; }
+
+Message forget(FieldReader& fields) { return Forget{machine_name(fields)}; }
+
+AlarmName alarm_name(FieldReader& fields) {
+    AlarmName alarm{machine_name(fields), fields.text("alarm"), ""};
+    LinkSet links;
+    for (const boost::json::value& each : fields.array("links"))
+        links.insert(link_of(each.is_string() ? std::string(each.get_string()) : "", "links"));
+    alarm.links = words_of(links);
+    return alarm;
+}
+
+Message acknowledge(FieldReader& fields) { return Acknowledge{alarm_name(fields)}; }
+
+Message shelve(FieldReader& fields) { return Shelve{alarm_name(fields), fields.number("for_s", {0, 30 * 86400, "s"})}; }
+
 template <typename Empty>
 Message nothing_more(FieldReader&) {
     return Empty{};
@@ -169,41 +191,25 @@ constexpr Type types[]{
     {.name = "load", .read = nothing_more<LoadRequest>},
     {.name = "ping", .read = nothing_more<Ping>},
     {.name = "bye", .read = nothing_more<Bye>},
+    {.name = "alarms", .read = nothing_more<AlarmsRequest>},
+    {.name = "token", .read = token},
+    {.name = "forget", .read = forget},
+    {.name = "acknowledge", .read = acknowledge},
+    {.name = "shelve", .read = shelve},
 };
-
-/// Every message is two or three objects deep.
-constexpr std::size_t deepest = 8;
-
-boost::json::value parse_json(std::string_view line) {
-    boost::json::parse_options options;
-    options.max_depth = deepest;
-    boost::json::stream_parser parser({}, options);
-    boost::json::error_code error;
-    std::size_t column = parser.write(line.data(), line.size(), error) + 1;
-    if (!error) {
-        parser.finish(error);
-        column = line.size() + 1;
-    }
-    if (error)
-        throw BadMessage("", fmt::format("it is no JSON: {}", error.message()), "one JSON object in one line", column);
-    return parser.release();
-}
 
 } // namespace
 
 Message parse_message(std::string_view line) {
-    boost::json::value value = parse_json(line);
-    if (!value.is_object())
-        throw BadMessage("", "it is no JSON object", "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}",
-                         1);
-    if (auto field = repeated_field(line))
-        throw BadMessage(*field, "it is given twice", "each field once");
+    boost::json::value value = read_message_json(line);
     FieldReader fields(value.get_object(), "");
     std::string name = fields.text("type");
     auto type = std::ranges::find(types, name, &Type::name);
     if (type == std::end(types))
-        throw BadMessage("type", fmt::format("there is no message \"{}\"", name.substr(0, 40)),
-                         "one of hello, configuration, sample, baseline, status, load, ping, bye");
+        throw BadMessage(
+            "type", fmt::format("there is no message \"{}\"", name.substr(0, 40)),
+            "one of hello, configuration, sample, baseline, status, load, ping, bye, alarms, token, forget, "
+            "acknowledge, shelve");
     Message message = type->read(fields);
     fields.finish();
     return message;

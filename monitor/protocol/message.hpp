@@ -26,16 +26,41 @@ struct Hello {
     Answers answers = Answers::all;
     double load_every_s = 0; ///< 0: when asked only
     bool anew = false;       ///< forget what is known of this machine
+    std::string token;       ///< "": none
     identification::ExcavatorParameters parameters;
 };
 
 struct StatusRequest {};
+/// All alarms that hold, of all machines.
+struct AlarmsRequest {};
+/// In place of that of a hello, for who says none.
+struct TokenOffer {
+    std::string token;
+};
+/// Nothing shall be known of the machine any more.
+struct Forget {
+    std::string machine;
+};
+/// An alarm that holds.
+struct AlarmName {
+    std::string machine, kind, links; ///< links as "BU BO"
+};
+/// Somebody has seen the alarm.
+struct Acknowledge {
+    AlarmName alarm;
+};
+/// For so long nobody is told of the alarm, come, go and come again as it may; 0: from now on everybody is.
+struct Shelve {
+    AlarmName alarm;
+    double for_s;
+};
 struct LoadRequest {};
 struct Ping {};
 struct Bye {};
 
-using Message = std::variant<Hello, identification::ConfigurationChange, identification::ExcavatorSample,
-                             identification::Baseline, StatusRequest, LoadRequest, Ping, Bye>;
+using Message =
+    std::variant<Hello, identification::ConfigurationChange, identification::ExcavatorSample, identification::Baseline,
+                 StatusRequest, LoadRequest, Ping, Bye, AlarmsRequest, TokenOffer, Forget, Acknowledge, Shelve>;
 
 /// Throws BadMessage.
 Message parse_message(std::string_view line);

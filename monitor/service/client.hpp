@@ -1,6 +1,7 @@
 #pragma once
 
 #include "monitor/protocol/message.hpp"
+#include "monitor/service/door.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -22,9 +23,14 @@ public:
     /// Lines received from it, the present one included.
     virtual std::size_t lines() const = 0;
     virtual std::size_t queued_bytes() const = 0;
+    /// So many more, or fewer, of its bytes wait for the disk: they count as queued.
+    virtual void hold(std::ptrdiff_t bytes) = 0;
 
+    Caller caller;
+    bool trusted = false;                            ///< it knows the token, or there is none
     std::optional<Hello> hello;                      ///< the one it said
     std::chrono::steady_clock::time_point last_load; ///< when it was sent the load
+    bool leaving = false;                            ///< it is about to be closed: takes no more lines
     bool told_kept = true;                           ///< the last it was told of whether what is known is kept
 };
 

@@ -62,6 +62,8 @@ void Connection::next_line() {
         refuse(fmt::format("the line has more than {} bytes", limits_.line_bytes), "one short JSON object a line");
     else if (end != std::string::npos)
         hand_on(end);
+    else if (ended_ && held_ > 0)
+        held_back_ = true; // until it has been answered
     else if (ended_)
         finish(); // half a line is no message
     else {
@@ -95,6 +97,12 @@ void Connection::send(std::string_view line) {
     }
     waiting_ += line;
     write();
+}
+
+void Connection::hold(std::ptrdiff_t bytes) {
+    held_ += static_cast<std::size_t>(bytes);
+    if (bytes < 0 && held_back_ && writing_.empty() && waiting_.empty())
+        write();
 }
 
 void Connection::write() {
@@ -158,7 +166,7 @@ void Connection::go_on_finishing() {
     // Closing with unread bytes would reset the connection, and the last message could be lost on its way.
     if (!ended_ && !reading_)
         read();
-    else if (ended_ && queued_bytes() == 0)
+    else if (ended_ && waiting_.empty() && writing_.empty())
         close();
 }
 

@@ -2,7 +2,7 @@
 
 #include "monitor/service/limits.hpp"
 
-#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
 
 #include <array>
 #include <chrono>
@@ -16,13 +16,14 @@ namespace placedpar::monitor {
 
 /// One client's connection: lines come in, lines go out, both bounded.
 ///
-/// 1. Bytes are read only while no whole line is waiting and little is waiting to be sent: TCP holds a flood back, and
+/// 1. Bytes are read only while no whole line is waiting and little is waiting to be sent or held: TCP holds a flood
+/// back, and
 ///    memory stays below line_bytes + queue_bytes and one read.
 /// 2. One line is handed on per turn of the event loop: no client has to wait for another's flood.
 /// 3. All functions are called from the loop's one thread.
 class Connection : public std::enable_shared_from_this<Connection> {
 public:
-    using Socket = boost::asio::ip::tcp::socket;
+    using Socket = boost::asio::generic::stream_protocol::socket;
     using Clock = std::chrono::steady_clock;
 
     struct Handlers {
@@ -43,13 +44,15 @@ public:
     void finish();
     /// Closes the connection if something has taken too long. To be called a few times a second.
     void tick(Clock::time_point now);
+    /// So many more, or fewer, bytes count as queued: they wait elsewhere.
+    void hold(std::ptrdiff_t bytes);
     /// It has said what it is: the limit of hello_s is over.
     void greeted() { greeted_ = true; }
 
     /// It takes no more lines, and sends no more.
     bool finishing() const { return finishing_ || closed_; }
     std::size_t lines() const { return lines_; }
-    std::size_t queued_bytes() const { return waiting_.size() + writing_.size(); }
+    std::size_t queued_bytes() const { return waiting_.size() + writing_.size() + held_; }
 
 private:
     void read();
@@ -71,6 +74,7 @@ private:
     std::string waiting_, writing_;
     std::size_t written_ = 0; ///< of writing_
     std::size_t lines_ = 0;
+    std::size_t held_ = 0;
     bool greeted_ = false;
     bool reading_ = false;
     bool held_back_ = false; ///< until its client reads

@@ -1,6 +1,10 @@
 #include "monitor/service/dispatcher.hpp"
 
+#include "monitor/memory/settled.hpp"
 #include "monitor/protocol/answers.hpp"
+#include "monitor/protocol/link_words.hpp"
+#include "monitor/service/alarms_json.hpp"
+#include "monitor/service/clock.hpp"
 
 #include <fmt/format.h>
 
@@ -14,34 +18,67 @@ using namespace identification;
 
 namespace {
 
-/// The state file is written no more often than this, even if it is due: on a full disk, or under extreme load.
-constexpr std::chrono::seconds between_writes{1};
+/// A page from elsewhere may have the operator's browser send what it likes to a port of his own computer: what
+/// follows a request's first line, in its body, would be taken for messages.
+bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line.ends_with(" HTTP/1.0"); }
 
 } // namespace
 
+Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
+                       std::function<void(const std::string&)> say)
+    : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits),
+      keeper_(store, outbox_, std::move(say)) {
+    if (store)
+        alarms_.restore(store->noted_alarms());
+    for (const auto& [name, diagnosis] : diagnoses_.all())
+        if (diagnosis.samples() == 0)
+            newcomers_.add(name, Newcomers::Clock::now());
+}
+
+bool Dispatcher::enter(Client& client) {
+    if (!peers_.connect(client.caller.peer))
+        return false;
+    client.trusted = !token_.wanted();
+    roster_.enter(client);
+    return true;
+}
+
 void Dispatcher::leave(Client& client) {
-    clients_.erase(&client);
+    outbox_.drop(client);
+    roster_.leave(client);
+    peers_.disconnect(client.caller.peer);
     if (!client.hello)
         return;
     const std::string& machine = client.hello->machine;
-    of_machine_[machine].erase(&client);
-    if (of_machine_[machine].empty())
-        of_machine_.erase(machine);
-    if (auto found = control_.find(machine); found != control_.end() && found->second == &client)
-        control_.erase(found);
+    say_(fmt::format("{}: {} has gone", machine, client.caller.name));
+    if (diagnoses_.knows(machine) && diagnoses_.named(machine).samples() == 0)
+        newcomers_.add(machine, Newcomers::Clock::now());
 }
 
 void Dispatcher::take(Client& client, std::string_view line) {
+    if (client.leaving)
+        return;
     auto begin = LoadMeter::Clock::now();
     try {
+        if (is_http(line))
+            return turn_away_browser(client);
         Message message = parse_message(line);
+        require_trusted(client, message);
         std::visit([&](const auto& each) { answer(client, each, line); }, message);
     } catch (const BadMessage& bad) {
-        client.send(error_line(client.lines(), bad));
+        outbox_.send(client, error_line(client.lines(), bad));
     } catch (const RefusedSample& refused) {
-        client.send(error_line(client.lines(), BadMessage(refused)));
+        outbox_.send(client, error_line(client.lines(), BadMessage(refused)));
     }
     meter_.count_work(LoadMeter::Clock::now() - begin);
+}
+
+void Dispatcher::turn_away_browser(Client& client) {
+    say_(fmt::format("{} speaks HTTP", client.caller.name));
+    outbox_.send(client, error_line(client.lines(), BadMessage("", "it is HTTP",
+                                                               "one JSON object a line; the page for "
+                                                               "browsers is at the port of --http")));
+    outbox_.finish(client);
 }
 
 Diagnosis& Dispatcher::diagnosis_of(Client& client) const {
@@ -58,37 +95,125 @@ Diagnosis& Dispatcher::controlled_by(Client& client) const {
     return diagnosis;
 }
 
-void Dispatcher::answer(Client& client, const Hello& hello, std::string_view line) {
+void Dispatcher::check_token(Client& client, const std::string& token) {
+    if (!token_.wanted() || token_.is(token)) {
+        client.trusted = true;
+        return;
+    }
+    say_(fmt::format("{} has said a wrong token, or none", client.caller.name));
+    outbox_.send(client, error_line(client.lines(), BadMessage("token", "it is not the right one",
+                                                               "what stands in the file of --token-file")));
+    outbox_.finish(client);
+}
+
+void Dispatcher::require_trusted(const Client& client, const Message& message) const {
+    if (!client.trusted && !std::holds_alternative<Hello>(message) && !std::holds_alternative<TokenOffer>(message))
+        throw BadMessage("token", "nobody knows who you are", "first {\"type\":\"token\",\"token\":\"...\"}");
+}
+
+void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
+    if (hello.role != Role::control)
+        return;
+    const std::string& peer = client.caller.peer;
+    if (!diagnoses_.knows(hello.machine)) {
+        if (!peers_.may_introduce(peer))
+            throw BadMessage("machine",
+                             fmt::format("{} has introduced {} machines already", peer, limits_.machines_per_peer),
+                             "one of those; --max-machines-per-peer allows more");
+        if (diagnoses_.full())
+            make_room();
+    } else if (roster_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
+        throw BadMessage("machine",
+                         fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
+                         "to wait; --max-takeovers allows more");
+}
+
+void Dispatcher::forget(const std::string& machine) {
+    diagnoses_.forget(machine);
+    alarms_.forget(machine);
+    newcomers_.remove(machine);
+    peers_.forgotten(machine);
+    keeper_.forget(machine);
+}
+
+void Dispatcher::forget_newcomers() {
+    auto idle = [&](const std::string& machine) { return is_idle(machine); };
+    auto patience =
+        std::chrono::duration_cast<Newcomers::Clock::duration>(std::chrono::duration<double>(limits_.newcomer_s));
+    while (auto machine = newcomers_.oldest(idle, Newcomers::Clock::now() - patience))
+        forget(*machine);
+}
+
+void Dispatcher::make_room() {
+    auto idle = [&](const std::string& machine) { return is_idle(machine); };
+    if (auto machine = newcomers_.oldest(idle, Newcomers::Clock::time_point::max()))
+        forget(*machine);
+}
+
+void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     if (client.hello)
         throw BadMessage("type", fmt::format("this connection is about \"{}\" already", client.hello->machine),
                          "another connection");
+    if (!client.trusted)
+        check_token(client, hello.token);
+    if (client.leaving)
+        return;
+    require_allowance(client, hello);
+    bool known = diagnoses_.knows(hello.machine);
+    SampleOutcome forgotten;
+    if (known && hello.anew)
+        forgotten.cleared = diagnoses_.named(hello.machine).alarms();
     Diagnosis& diagnosis = diagnoses_.greet(hello);
+    if (!known)
+        peers_.introduced(client.caller.peer, hello.machine);
+    if (diagnosis.samples() == 0)
+        newcomers_.add(hello.machine, Newcomers::Clock::now());
     client.hello = hello;
     client.greeted();
-    of_machine_[hello.machine].insert(&client);
-    if (hello.role == Role::control) {
-        record(hello.machine, line, 0);
-        // The old connection may be half open, its control system long gone.
-        if (Client* other = std::exchange(control_[hello.machine], &client)) {
-            other->send(plain_line("closing", "another control system has said hello for this machine"));
-            other->finish();
-        }
+    Client* other = roster_.join(client);
+    if (hello.role == Role::control)
+        keeper_.save(diagnosis);
+    if (other) { // it may be half open, its control system long gone
+        outbox_.send(*other, plain_line("closing", "another control system has said hello for this machine"));
+        outbox_.finish(*other);
     }
-    client.send(welcome_line(diagnosis, diagnoses_.seed()));
+    say_(fmt::format("{}: {} {}{}", hello.machine, client.caller.name,
+                     hello.role == Role::control ? "is its control system" : "watches",
+                     other ? fmt::format(", in place of {}", other->caller.name) : ""));
+    outbox_.send(client, welcome_line(diagnosis, diagnoses_.seed()));
+    if (hello.role == Role::control)
+        note_cleared(diagnosis, forgotten);
+}
+
+/// Of a machine that begins anew: nobody else would ever clear its alarms.
+void Dispatcher::note_cleared(const Diagnosis& diagnosis, const SampleOutcome& forgotten) {
+    std::vector<Entry> history;
+    add_history(diagnosis, forgotten, history);
+    for (Entry& entry : history)
+        keeper_.change_history(std::move(entry));
+    tell_alarms(diagnosis, forgotten);
 }
 
 void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
+    Settled settled(diagnosis);
     diagnosis.change(change);
-    record(diagnosis.name(), line, 0);
+    std::vector<Entry> history;
+    std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
+    keeper_.record(client, diagnosis.name(), line, 0, std::move(history));
     tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
 }
 
 void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
+    Settled settled(diagnosis);
     SampleOutcome outcome = diagnosis.take(sample);
+    newcomers_.remove(diagnosis.name());
     meter_.count_sample(outcome.generations);
-    record(diagnosis.name(), line, outcome.generations);
+    std::vector<Entry> history;
+    std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
+    add_history(diagnosis, outcome, history);
+    keeper_.record(client, diagnosis.name(), line, outcome.generations, std::move(history));
     tell_watchers(diagnosis.name(), estimates_line(diagnosis, outcome, diagnoses_.settings()), [&](const Hello& hello) {
         return hello.answers == Answers::all || (hello.answers == Answers::moved && outcome.generations > 0);
     });
@@ -98,129 +223,158 @@ void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::stri
 void Dispatcher::answer(Client& client, const Baseline& baseline, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
     SampleOutcome outcome = diagnosis.set_baseline(baseline);
-    record(diagnosis.name(), line, 0);
-    client.send(status_line(diagnosis, diagnoses_.settings()));
+    std::vector<Entry> history;
+    add_history(diagnosis, outcome, history);
+    keeper_.record(client, diagnosis.name(), line, 0, std::move(history));
+    outbox_.send(client, status_line(diagnosis, diagnoses_.settings()));
     tell_alarms(diagnosis, outcome);
 }
 
 void Dispatcher::answer(Client& client, const StatusRequest&, std::string_view) {
-    client.send(status_line(diagnosis_of(client), diagnoses_.settings()));
+    outbox_.send(client, status_line(diagnosis_of(client), diagnoses_.settings()));
 }
 
 void Dispatcher::answer(Client& client, const LoadRequest&, std::string_view) {
     client.greeted();
-    client.send(load());
+    outbox_.send(client, load_line(load()));
 }
 
 void Dispatcher::answer(Client& client, const Ping&, std::string_view) {
     client.greeted();
-    client.send(plain_line("pong"));
+    outbox_.send(client, plain_line("pong"));
 }
 
 void Dispatcher::answer(Client& client, const Bye&, std::string_view) {
-    client.send(plain_line("closing", "bye"));
-    client.finish();
+    outbox_.send(client, plain_line("closing", "bye"));
+    outbox_.finish(client);
 }
 
-void Dispatcher::tell_watchers(const std::string& machine, std::string_view line,
+void Dispatcher::answer(Client& client, const AlarmsRequest&, std::string_view) {
+    client.greeted();
+    outbox_.send(client, alarms_line(alarms_.all()));
+}
+
+void Dispatcher::answer(Client& client, const TokenOffer& offer, std::string_view) {
+    check_token(client, offer.token);
+    if (client.leaving)
+        return;
+    client.greeted();
+    outbox_.send(client, plain_line("accepted"));
+}
+
+void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
+    client.greeted();
+    if (!diagnoses_.knows(order.machine))
+        throw BadMessage("machine", fmt::format("there is no machine \"{}\"", order.machine), "one that is known");
+    if (!is_idle(order.machine))
+        throw BadMessage("machine",
+                         fmt::format("{} are connected to \"{}\"", roster_.staying(order.machine), order.machine),
+                         "a machine that nobody is connected to; a hello with \"anew\":true for one that is in use");
+    forget(order.machine);
+    say_(fmt::format("{}: forgotten, as {} has asked", order.machine, client.caller.name));
+    outbox_.send(client, plain_line("forgotten", order.machine));
+}
+
+void Dispatcher::answer(Client& client, const Acknowledge& order, std::string_view) {
+    change_alarm(client, order.alarm, alarms_.acknowledge(order.alarm, now_at()), "acknowledged");
+}
+
+void Dispatcher::answer(Client& client, const Shelve& order, std::string_view) {
+    change_alarm(client, order.alarm, alarms_.shelve(order.alarm, now_at() + order.for_s, now_at()),
+                 order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "taken from the shelf");
+}
+
+/// The answer is all alarms that hold.
+void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change,
+                              const std::string& what) {
+    client.greeted();
+    if (!change)
+        throw BadMessage("alarm", fmt::format("\"{}\" has no alarm \"{}\" of {}", name.machine, name.kind, name.links),
+                         "an alarm that holds, as {\"type\":\"alarms\"} lists them");
+    keeper_.change_history(std::move(*change));
+    say_(fmt::format("{}: alarm {} {} {} by {}", name.machine, name.kind, name.links, what, client.caller.name));
+    outbox_.send(client, alarms_line(alarms_.all()));
+}
+
+void Dispatcher::tell_watchers(const std::string& machine, const std::string& line,
                                const std::function<bool(const Hello&)>& to) {
-    for (Client* client : of_machine_[machine])
+    for (Client* client : roster_.of(machine))
         if (to(*client->hello))
-            client->send(line);
+            outbox_.send(*client, line);
 }
 
 void Dispatcher::tell_alarms(const Diagnosis& diagnosis, const SampleOutcome& outcome) {
-    auto everybody = [](const Hello&) { return true; };
+    auto tell = [&](const Alarm& alarm, bool raised) {
+        if (alarms_.shelved(diagnosis.name(), alarm, now_at()))
+            return;
+        say_(fmt::format("{}: alarm {} {} {}: {}", diagnosis.name(), name_of(alarm.kind), words_of(alarm.links),
+                         raised ? "raised" : "cleared", alarm.text));
+        tell_watchers(diagnosis.name(), alarm_line(diagnosis, alarm, raised), [](const Hello&) { return true; });
+    };
     for (const Alarm& alarm : outcome.raised)
-        tell_watchers(diagnosis.name(), alarm_line(diagnosis, alarm, true), everybody);
+        tell(alarm, true);
     for (const Alarm& alarm : outcome.cleared)
-        tell_watchers(diagnosis.name(), alarm_line(diagnosis, alarm, false), everybody);
+        tell(alarm, false);
 }
 
-void Dispatcher::record(const std::string& machine, std::string_view line, std::size_t generations) {
-    if (!store_)
-        return;
-    try {
-        store_->record(machine, line, generations);
-        recorded_ = true;
-    } catch (const std::exception& error) {
-        note_keeping(error.what()); // the diagnosis goes on: it is worth more than its memory
-    }
+void Dispatcher::add_history(const Diagnosis& diagnosis, const SampleOutcome& outcome, std::vector<Entry>& history) {
+    for (const Alarm& alarm : outcome.raised)
+        history.push_back(alarms_.raise(diagnosis, alarm, now_at()));
+    for (const Alarm& alarm : outcome.cleared)
+        history.push_back(alarms_.clear(diagnosis.name(), alarm, now_at()));
 }
 
-void Dispatcher::journal_failed(const std::string& trouble) {
-    store_->journal_failed();
-    note_keeping(trouble);
+void Dispatcher::note(const Progress& progress) {
+    auto begin = LoadMeter::Clock::now();
+    if (keeper_.note(progress))
+        for (Client* client : roster_.all())
+            if (client->hello)
+                tell_kept(*client);
+    outbox_.release(progress.parcels);
+    meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-void Dispatcher::write_state() {
-    auto now = LoadMeter::Clock::now();
-    if (!store_ || !store_->due() || now - last_write_ < between_writes)
-        return;
-    last_write_ = now;
-    try {
-        store_->write(diagnoses_);
-        note_keeping("");
-    } catch (const std::exception& error) {
-        note_keeping(error.what());
-    }
-}
+Sight Dispatcher::sight() const { return {&diagnoses_, load(), alarms_.all(), keeper_.well(), keeper_.trouble()}; }
 
-/// Tells the operator when it has changed.
-void Dispatcher::note_keeping(const std::string& trouble) {
-    Keeping before = keeping_;
-    keeping_ = !store_->complete() ? Keeping::not_at_all : trouble.empty() ? Keeping::well : Keeping::in_journal;
-    if (keeping_ == before)
-        return;
-    trouble_ = trouble;
-    complain_(keeping_ == Keeping::well         ? "the state file is written again, with all that is known"
-              : keeping_ == Keeping::in_journal ? fmt::format("{}; going on with the journal", trouble)
-                                                : fmt::format("{}; going on, but a restart would forget", trouble));
-}
-
-std::size_t Dispatcher::clients() const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(clients_, [](const Client* client) { return !client->finishing(); }));
-}
-
-std::string Dispatcher::load() const {
+Load Dispatcher::load() const {
     Load load = meter_.load();
     load.clients = clients();
     load.machines = diagnoses_.all().size();
-    for (const Client* client : clients_)
-        load.queued_bytes += client->queued_bytes();
-    return load_line(load);
+    load.queued_bytes = roster_.queued_bytes();
+    return load;
 }
 
 void Dispatcher::tick() {
+    auto begin = LoadMeter::Clock::now();
     meter_.tick();
-    write_state();
-    auto now = LoadMeter::Clock::now();
-    for (Client* client : clients_)
+    keeper_.tick(alarms_);
+    forget_newcomers();
+    for (Client* client : roster_.all())
         if (client->hello) {
             tell_kept(*client);
-            tell_load(*client, now);
+            tell_load(*client, begin);
         }
+    meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
+/// What is held back is not waited for: whether it is kept is what this is about.
 void Dispatcher::tell_kept(Client& client) {
-    bool kept = keeping_ != Keeping::not_at_all;
-    if (std::exchange(client.told_kept, kept) != kept)
-        client.send(kept_line(kept, kept ? "" : trouble_));
+    if (std::exchange(client.told_kept, keeper_.well()) != keeper_.well())
+        client.send(kept_line(keeper_.well(), keeper_.trouble()));
 }
 
 void Dispatcher::tell_load(Client& client, LoadMeter::Clock::time_point now) {
     double every_s = client.hello->load_every_s;
     if (every_s > 0 && std::chrono::duration<double>(now - client.last_load).count() >= every_s) {
         client.last_load = now;
-        client.send(load());
+        outbox_.send(client, load_line(load()));
     }
 }
 
 void Dispatcher::say_goodbye() {
-    for (Client* client : clients_) {
-        client->send(plain_line("closing", "the monitor stops"));
-        client->finish();
+    for (Client* client : roster_.all()) {
+        outbox_.send(*client, plain_line("closing", "the monitor stops"));
+        outbox_.finish(*client);
     }
 }
 

@@ -1,51 +1,50 @@
 #pragma once
 
 #include "monitor/memory/diagnoses.hpp"
-#include "monitor/memory/state_store.hpp"
-#include "monitor/service/client.hpp"
+#include "monitor/service/keeper.hpp"
 #include "monitor/service/load_meter.hpp"
+#include "monitor/service/metrics.hpp"
+#include "monitor/service/newcomers.hpp"
+#include "monitor/service/peers.hpp"
+#include "monitor/service/roster.hpp"
+#include "monitor/service/token.hpp"
 
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <set>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 namespace placedpar::monitor {
-
-/// How well what is known is kept over a restart.
-enum class Keeping : unsigned char {
-    well,
-    in_journal, ///< the state file cannot be written: the journal grows
-    not_at_all  ///< a restart would forget
-};
 
 /// Takes the clients' messages to the diagnoses and the answers back. Knows nothing of sockets. One overload of
 /// answer() for each message of the protocol.
 class Dispatcher {
 public:
-    /// `store` may be null: nothing is kept. `complain` is given sentences for the operator.
-    Dispatcher(Diagnoses& diagnoses, StateStore* store, std::function<void(const std::string&)> complain)
-        : diagnoses_(diagnoses), store_(store), complain_(std::move(complain)) {}
+    /// `store` may be null: nothing is kept. `say` is given sentences for the operator. REQUIRES: the limits outlive
+    /// it.
+    Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
+               std::function<void(const std::string&)> say);
 
-    void enter(Client& client) { clients_.insert(&client); }
+    /// False when its peer has as many connections as it may: then it is not let in.
+    bool enter(Client& client);
     void leave(Client& client);
     /// A line of the client. Answers go to it, and to the others that watch its machine.
     void take(Client& client, std::string_view line);
-    /// Writes the state file and sends loads when they are due; tells clients whether all is kept. To be called a few
-    /// times a second.
+    /// Sends loads when they are due; tells clients whether all is kept. To be called a few times a second.
     void tick();
-    /// What was recorded has not reached the disk.
-    void journal_failed(const std::string& trouble);
+    /// How far the state file has come, or what has been lost.
+    void note(const Progress& progress);
     /// To all clients, which are then closed.
     void say_goodbye();
-    /// Has anything been recorded since the last call?
-    bool anything_recorded() { return std::exchange(recorded_, false); }
+    /// Keeps everything. Throws UserError.
+    void finish() { keeper_.finish(alarms_); }
+
+    Sight sight() const;
 
     /// Without those that are about to be closed.
-    std::size_t clients() const;
+    std::size_t clients() const { return roster_.size(); }
 
 private:
     void answer(Client&, const Hello&, std::string_view line);
@@ -56,29 +55,49 @@ private:
     void answer(Client&, const LoadRequest&, std::string_view line);
     void answer(Client&, const Ping&, std::string_view line);
     void answer(Client&, const Bye&, std::string_view line);
+    void answer(Client&, const AlarmsRequest&, std::string_view line);
+    void answer(Client&, const TokenOffer&, std::string_view line);
+    void answer(Client&, const Forget&, std::string_view line);
+    void answer(Client&, const Acknowledge&, std::string_view line);
+    void answer(Client&, const Shelve&, std::string_view line);
 
+    void turn_away_browser(Client& client);
+    /// Throws BadMessage, and has the client closed, when the token is not the right one.
+    void check_token(Client& client, const std::string& token);
+    void require_trusted(const Client& client, const Message& message) const;
+    /// Throws BadMessage when the hello would take more than its peer may have. Makes room for a new machine.
+    void require_allowance(const Client& client, const Hello& hello);
+    bool is_idle(const std::string& machine) const { return roster_.staying(machine) == 0; }
+    void forget(const std::string& machine);
+    /// Those that nobody has been connected to for long.
+    void forget_newcomers();
+    /// Forgets the newcomer without a connection that has been there the longest, if there is one.
+    void make_room();
+    void change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change, const std::string& what);
     identification::Diagnosis& diagnosis_of(Client& client) const;
     identification::Diagnosis& controlled_by(Client& client) const;
-    void record(const std::string& machine, std::string_view line, std::size_t generations);
-    void write_state();
-    void note_keeping(const std::string& trouble);
     void tell_load(Client& client, LoadMeter::Clock::time_point now);
     void tell_kept(Client& client);
-    void tell_watchers(const std::string& machine, std::string_view line, const std::function<bool(const Hello&)>& to);
+    void tell_watchers(const std::string& machine, const std::string& line,
+                       const std::function<bool(const Hello&)>& to);
     void tell_alarms(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome);
-    std::string load() const; ///< as a line
+    /// Of the alarms that have been raised or cleared.
+    void add_history(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome,
+                     std::vector<Entry>& history);
+    void note_cleared(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& forgotten);
+    Load load() const;
 
     Diagnoses& diagnoses_;
-    StateStore* store_;
-    std::function<void(const std::string&)> complain_;
     LoadMeter meter_;
-    std::set<Client*> clients_;
-    std::map<std::string, std::set<Client*>> of_machine_; ///< those that said hello
-    std::map<std::string, Client*> control_;              ///< of each machine, its control system
-    bool recorded_ = false;
-    Keeping keeping_ = Keeping::well;
-    std::string trouble_;                     ///< with keeping it
-    LoadMeter::Clock::time_point last_write_; ///< of the state file, or the attempt
+    const ServiceLimits& limits_;
+    Token token_;
+    std::function<void(const std::string&)> say_;
+    Peers peers_;
+    Newcomers newcomers_;
+    Roster roster_;
+    Outbox outbox_;
+    AlarmBoard alarms_;
+    Keeper keeper_;
 };
 
 } // namespace placedpar::monitor

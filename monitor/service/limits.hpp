@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace placedpar::monitor {
 
@@ -8,6 +9,10 @@ namespace placedpar::monitor {
 struct ServiceLimits {
     std::size_t clients = 256;
     std::size_t machines = 1000;
+    std::size_t clients_per_peer = 128, machines_per_peer = 500; ///< of those; a peer: see Caller
+    std::size_t takeovers_per_peer = 60;                         ///< of a machine's control, in a minute
+    double newcomer_s = 600;            ///< a machine without a sample and a connection is forgotten
+    std::uint64_t history = 5000;       ///< estimates, and alarms, of a machine that are kept
     std::size_t line_bytes = 64u << 10; ///< of one message
     std::size_t queue_bytes = 1u << 20; ///< waiting to be sent to one client
     double hello_s = 10;                ///< from the connection to the first hello, load or ping

@@ -1,5 +1,6 @@
 #include "monitor/service/load_meter.hpp"
 
+#include <algorithm>
 #include <ctime>
 
 namespace placedpar::monitor {
@@ -28,6 +29,15 @@ void LoadMeter::count_sample(std::size_t generations) {
     now_.generations += generations;
 }
 
+void LoadMeter::count_work(Clock::duration spent) {
+    now_.work_s += std::chrono::duration<double>(spent).count();
+    count_turn(spent);
+}
+
+void LoadMeter::count_turn(Clock::duration spent) {
+    longest_turn_s_ = std::max(longest_turn_s_, std::chrono::duration<double>(spent).count());
+}
+
 LoadRates LoadMeter::between(const Totals& from, const Totals& to) {
     double over_s = std::chrono::duration<double>(to.time - from.time).count();
     if (over_s <= 0)
@@ -53,6 +63,7 @@ Load LoadMeter::load() const {
     load.generations = totals.generations;
     load.work_s = totals.work_s;
     load.cpu_s = totals.cpu_s;
+    load.longest_turn_s = longest_turn_s_;
     load.uptime_s = std::chrono::duration<double>(totals.time - start_.time).count();
     return load;
 }

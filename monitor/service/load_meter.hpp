@@ -16,7 +16,10 @@ public:
     LoadMeter();
 
     void count_sample(std::size_t generations);
-    void count_work(Clock::duration spent) { now_.work_s += std::chrono::duration<double>(spent).count(); }
+    /// Work on a message.
+    void count_work(Clock::duration spent);
+    /// Other work, during which nobody was heard.
+    void count_turn(Clock::duration spent);
     /// Ends the interval of the rates once it has lasted a second.
     void tick();
 
@@ -35,6 +38,7 @@ private:
 
     Totals now_, start_, last_;
     LoadRates rates_;
+    double longest_turn_s_ = 0;
 };
 
 } // namespace placedpar::monitor

@@ -2,6 +2,11 @@
 
 #include "monitor/protocol/answers.hpp"
 #include "monitor/service/connection.hpp"
+#include "monitor/service/dispatcher.hpp"
+#include "monitor/service/door.hpp"
+#include "monitor/service/site.hpp"
+#include "monitor/service/systemd.hpp"
+#include "monitor/service/token.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/asio/io_context.hpp>
@@ -9,10 +14,8 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/thread_pool.hpp>
 #include <fmt/format.h>
 
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <map>
@@ -30,23 +33,14 @@ namespace {
 
 constexpr std::chrono::milliseconds tick_period{100};
 
-tcp::acceptor listen(asio::io_context& io, const std::string& address, std::uint16_t port) {
-    error_code error;
-    asio::ip::address parsed = asio::ip::make_address(address, error);
-    if (error)
-        throw UserError(fmt::format("--address {}: it is no address, expected one such as 127.0.0.1 or ::1", address));
-    tcp::acceptor acceptor(io);
-    acceptor.open(tcp::endpoint(parsed, port).protocol(), error);
-    if (!error)
-        acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-    if (!error)
-        acceptor.bind({parsed, port}, error);
-    if (!error)
-        acceptor.listen(asio::socket_base::max_listen_connections, error);
-    if (error)
-        throw UserError(fmt::format("cannot listen on {} port {}: {}; another --port, or 0 for any free one", address,
-                                    port, error.message()));
-    return acceptor;
+Token token_for(const ServiceSettings& settings) {
+    if (!settings.token_file.empty())
+        return Token(settings.token_file);
+    if ((settings.port || settings.http_port) && !is_loopback(settings.address))
+        throw UserError(fmt::format("--address {}: everybody who reaches it could change what is known of any machine; "
+                                    "--token-file FILE, or an address of this computer alone such as 127.0.0.1",
+                                    settings.address));
+    return {};
 }
 
 } // namespace
@@ -54,19 +48,32 @@ tcp::acceptor listen(asio::io_context& io, const std::string& address, std::uint
 class Service::Loop {
 public:
     Loop(const ServiceSettings& settings, std::function<void(const std::string&)> say)
-        : settings_(settings), say_(std::move(say)), acceptor_(listen(io_, settings.address, settings.port)),
-          retry_(io_), ticker_(io_), signals_(io_),
+        : settings_(settings), say_(std::move(say)), ticker_(io_), signals_(io_),
           diagnoses_(settings.diagnosis, settings.seed, settings.limits.machines) {
         settings.diagnosis.validate();
+        doors_.reserve(3);
+        if (settings.port)
+            doors_.push_back(Door::at_port(io_, settings.address, *settings.port, "--port"));
+        Token token = token_for(settings);
         if (!settings.state.empty()) {
-            store_.emplace(settings.state);
-            if (std::string said = store_->restore(diagnoses_); !said.empty())
-                say_(said);
+            store_.emplace(settings.state, diagnoses_, settings.limits.history);
+            if (!store_->said().empty())
+                say_(store_->said());
         }
-        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, say_);
+        if (settings.http_port)
+            page_door_.emplace(Door::at_port(io_, settings.address, *settings.http_port, "--http"));
+        if (!settings.unix_path.empty())
+            doors_.push_back(Door::at_path(io_, settings.unix_path));
+        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say_);
+        site_.emplace(io_, *dispatcher_, store_ ? &*store_ : nullptr, std::move(token), say_);
+        if (store_)
+            store_->start([this](Progress progress) {
+                asio::post(io_, [this, progress = std::move(progress)] { dispatcher_->note(progress); });
+            });
     }
 
-    std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+    std::uint16_t port() const { return settings_.port ? doors_.front().port() : std::uint16_t{0}; }
+    std::uint16_t http_port() const { return page_door_ ? page_door_->port() : std::uint16_t{0}; }
 
     void stop_at_signals() {
         signals_.add(SIGINT);
@@ -78,12 +85,15 @@ public:
     }
 
     void run() {
-        accept();
+        for (Door& door : doors_)
+            door.open([this](Door::Socket socket, const Caller& caller) { welcome(std::move(socket), caller); });
+        if (page_door_)
+            page_door_->open(
+                [this](Door::Socket socket, const Caller& caller) { site_->welcome(std::move(socket), caller); });
+        tell_systemd("READY=1");
         tick();
         io_.run();
-        disk_.join();
-        if (store_)
-            store_->write(diagnoses_);
+        dispatcher_->finish();
     }
 
     void stop() {
@@ -103,6 +113,7 @@ private:
         bool finishing() const override { return connection_.finishing(); }
         std::size_t lines() const override { return connection_.lines(); }
         std::size_t queued_bytes() const override { return connection_.queued_bytes(); }
+        void hold(std::ptrdiff_t bytes) override { connection_.hold(bytes); }
 
     private:
         Connection& connection_;
@@ -113,29 +124,13 @@ private:
         std::unique_ptr<ConnectedClient> client; ///< null: turned away
     };
 
-    void accept() {
-        acceptor_.async_accept([this](const error_code& error, tcp::socket socket) {
-            if (stopping_)
-                return;
-            if (error) { // most likely too many open files: some client will go
-                retry_.expires_after(std::chrono::milliseconds(100));
-                retry_.async_wait([this](const error_code&) { accept_again(); });
-                return;
-            }
-            welcome(std::move(socket));
-            accept();
-        });
-    }
-    void accept_again() {
-        if (!stopping_)
-            accept();
-    }
-
-    void welcome(tcp::socket socket) {
+    void welcome(Door::Socket socket, const Caller& caller) {
+        if (stopping_)
+            return;
         // Those turned away linger until they have read why: their number is limited, too.
         if (guests_.size() >= 2 * settings_.limits.clients)
             return;
-        error_code ignored;
+        error_code ignored; // a socket of this computer has no such options
         socket.set_option(tcp::no_delay(true), ignored);
         socket.set_option(asio::socket_base::keep_alive(true), ignored);
         auto connection = std::make_shared<Connection>(
@@ -147,22 +142,23 @@ private:
                                  [this](Connection& gone) { leave(gone); }});
         Guest& guest = guests_[connection.get()];
         guest.connection = connection;
-        if (dispatcher_->clients() < settings_.limits.clients)
-            let_in(guest);
-        else
-            turn_away(*connection);
+        auto client = std::make_unique<ConnectedClient>(*connection);
+        client->caller = caller;
+        if (dispatcher_->clients() >= settings_.limits.clients)
+            turn_away(*connection, fmt::format("there are {} clients already", settings_.limits.clients),
+                      "to come again later; --max-clients allows more");
+        else if (!dispatcher_->enter(*client))
+            turn_away(*connection,
+                      fmt::format("{} has {} connections already", caller.peer, settings_.limits.clients_per_peer),
+                      "one of those; --max-clients-per-peer allows more");
+        else {
+            guest.client = std::move(client);
+            connection->start();
+        }
     }
 
-    void let_in(Guest& guest) {
-        guest.client = std::make_unique<ConnectedClient>(*guest.connection);
-        dispatcher_->enter(*guest.client);
-        guest.connection->start();
-    }
-
-    void turn_away(Connection& connection) {
-        connection.send(
-            error_line(0, BadMessage("", fmt::format("there are {} clients already", settings_.limits.clients),
-                                     "to come again later; --max-clients allows more")));
+    void turn_away(Connection& connection, const std::string& wrong, const std::string& right) {
+        connection.send(error_line(0, BadMessage("", wrong, right)));
         connection.finish();
     }
 
@@ -190,7 +186,10 @@ private:
         for (const auto& connection : connections) // which may leave meanwhile
             connection->tick(now);
         dispatcher_->tick();
-        sync(now);
+        if (now >= next_sign_of_life_) {
+            tell_systemd("WATCHDOG=1");
+            next_sign_of_life_ = now + std::chrono::seconds(1);
+        }
         if (stopping_ && now >= stop_at_) {
             io_.stop();
             return;
@@ -202,31 +201,15 @@ private:
         });
     }
 
-    void sync(Clock::time_point now) {
-        if (!store_ || std::chrono::duration<double>(now - last_sync_).count() < settings_.sync_s || syncing_.load() ||
-            !dispatcher_->anything_recorded())
-            return;
-        last_sync_ = now;
-        syncing_ = true;
-        asio::post(disk_, [this] {
-            std::string trouble;
-            try {
-                store_->sync();
-            } catch (const std::exception& error) {
-                trouble = error.what();
-            }
-            syncing_ = false;
-            if (!trouble.empty())
-                asio::post(io_, [this, trouble] { dispatcher_->journal_failed(trouble); });
-        });
-    }
-
     void stop_now() {
         if (std::exchange(stopping_, true))
             return;
-        error_code ignored;
-        acceptor_.close(ignored);
-        retry_.cancel();
+        for (Door& door : doors_)
+            door.close();
+        if (page_door_)
+            page_door_->close();
+        site_->close();
+        tell_systemd("STOPPING=1");
         stop_at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                       std::chrono::duration<double>(settings_.limits.closing_s));
         dispatcher_->say_goodbye();
@@ -237,17 +220,17 @@ private:
     ServiceSettings settings_;
     std::function<void(const std::string&)> say_;
     asio::io_context io_{1};
-    tcp::acceptor acceptor_;
-    asio::steady_timer retry_, ticker_;
+    std::vector<Door> doors_;
+    std::optional<Door> page_door_;
+    asio::steady_timer ticker_;
     asio::signal_set signals_;
     Diagnoses diagnoses_;
     std::optional<StateStore> store_;
     std::optional<Dispatcher> dispatcher_;
     std::map<Connection*, Guest> guests_;
-    std::atomic<bool> syncing_{false};
-    Clock::time_point last_sync_{}, stop_at_{};
+    std::optional<Site> site_;
+    Clock::time_point stop_at_{}, next_sign_of_life_{};
     bool stopping_ = false;
-    asio::thread_pool disk_{1};
 };
 
 Service::Service(const ServiceSettings& settings, std::function<void(const std::string&)> say)
@@ -256,6 +239,8 @@ Service::Service(const ServiceSettings& settings, std::function<void(const std::
 Service::~Service() = default;
 
 std::uint16_t Service::port() const { return loop_->port(); }
+
+std::uint16_t Service::http_port() const { return loop_->http_port(); }
 
 void Service::stop_at_signals() { loop_->stop_at_signals(); }
 

@@ -1,39 +1,45 @@
 #pragma once
 
 #include "identification/on_line/settings.hpp"
-#include "monitor/service/dispatcher.hpp"
 #include "monitor/service/limits.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace placedpar::monitor {
 
 struct ServiceSettings {
     std::string address = "127.0.0.1";
-    std::uint16_t port = 0; ///< 0: any free
-    std::string state;      ///< a file; empty: nothing is kept
+    std::optional<std::uint16_t> port = 0;  ///< 0: any free; none: nobody comes in there
+    std::string unix_path;                  ///< a socket in the file system; empty: none
+    std::optional<std::uint16_t> http_port; ///< of the page; 0: any free; none: there is none
+    std::string token_file;                 ///< empty: no token
+    std::string state;                      ///< a file; empty: nothing is kept
     std::uint64_t seed = 1;
-    double sync_s = 1; ///< from an append to the journal to its being on the disk
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
 };
 
-/// The on-line diagnosis as a service over TCP. One thread does everything; a second one only waits for the disk.
+/// The on-line diagnosis as a service over TCP and sockets of this computer. One thread does everything; a second one
+/// writes the state file.
 class Service {
 public:
-    /// Restores the state and listens. `say` gets sentences for the operator. Throws UserError when
-    /// address, port or state file cannot be used, saying what is wrong.
+    /// Restores the state and listens. `say` gets sentences for the operator. Throws UserError when address, port,
+    /// path, token or state file cannot be used, or others than this computer could come in without a token, saying
+    /// what is wrong.
     Service(const ServiceSettings& settings, std::function<void(const std::string&)> say);
     ~Service();
 
+    /// 0 when there is none.
     std::uint16_t port() const;
+    std::uint16_t http_port() const;
     /// From now on SIGINT and SIGTERM call stop() instead of ending the program.
     void stop_at_signals();
     /// Serves until stop(), which may have been called before; then tells the clients and writes the state. Throws
-    /// as StateStore::write().
+    /// UserError when that cannot be written.
     void run();
     /// From any thread.
     void stop();

@@ -18,7 +18,7 @@ public:
         for (const DraftAttachment& each : c_.draft.attachments)
             attach(each);
         check_adapters_without_bus();
-        if (c_.reporter.failed())
+        if (c_.buses_refused = c_.reporter.failed(); c_.buses_refused)
             return;
         for (std::size_t slave = 0; slave < attachments().size(); ++slave)
             if (kind_of(slave).bus == BusRole::adapter)

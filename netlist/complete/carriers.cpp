@@ -1,12 +1,13 @@
+#include "netlist/complete/broadcasts.hpp"
 #include "netlist/complete/complete.hpp"
 #include "netlist/complete/routes.hpp"
+#include "netlist/complete/told_wires.hpp"
 #include "netlist/language/syntax.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 namespace placedpar {
 
@@ -18,13 +19,12 @@ namespace {
 class Carriers {
 public:
     explicit Carriers(Completion& c)
-        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.draft.nodes, wires_, load_) {
+        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.draft.nodes, wires_, load_),
+          told_(c, load_), broadcasts_(c, load_) {
         for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
             between_[{connection.b.node, connection.a.node}].push_back(i);
-            if (connection.over_bus)
-                ways_.emplace(connection.over_bus->wire, i);
             for (auto [inner, outer] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (outer.at_edge())
                     edges_of_[inner.node].push_back(i);
@@ -40,7 +40,8 @@ public:
             });
         for (auto i : left)
             attempt([&] { choose(i); });
-        check_switched();
+        check_switched(c_);
+        broadcasts_.check();
         for (auto& channel : c_.network.channels)
             channel.placement.in_packets = travels_in_packets(channel.placement.route);
     }
@@ -57,8 +58,12 @@ private:
     }
 
     bool place_as_told(std::size_t index) {
-        auto told_wires = told(index);
         auto& channel = c_.network.channels[index];
+        if (auto placed = broadcasts_.placed(channel)) {
+            broadcast(index, *placed);
+            return true;
+        }
+        auto told_wires = told_.wires(index);
         if (told_wires.empty())
             return false;
         if (channel.from.at_edge() || channel.to.at_edge())
@@ -66,6 +71,15 @@ private:
         else
             carry(channel, route_over(channel, told_wires));
         return true;
+    }
+
+    void broadcast(std::size_t index, const Broadcasts::Placed& placed) {
+        auto& channel = c_.network.channels[index];
+        if (auto by_connection = told_.by_connection(index))
+            refuse(by_connection->at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
+                   {{"first placed here", placed.by.at}});
+        carry(channel, {broadcasts_.way_of(channel, placed)});
+        channel.placement.broadcast_on = placed.bus();
     }
 
     std::size_t& load(const RouteHop& hop) { return load_[hop.connection * 2 + (hop.from_a_to_b ? 1 : 0)]; }
@@ -76,133 +90,10 @@ private:
 
     std::string node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
 
-    /// A wire that the netlist names for a channel, and where it does.
-    struct Told {
-        std::size_t connection;
-        std::size_t begin; ///< the node where the channel enters it; nowhere: either
-        Location at;
-    };
-
-    /// What the netlist says about the way, wire by wire: at the ends, or by `place c1 on c2`. Nothing where it says
-    /// nothing. Throws StatementRefused after reporting an unusable placement.
-    std::vector<Told> told(std::size_t index) {
-        auto by_ends = told_by_ends(c_.network.channels[index]);
-        auto by_connection = told_by_connection(index);
-        return by_connection ? std::vector{*by_connection} : by_ends;
-    }
-
-    std::vector<Told> told_by_ends(const NetworkChannel& channel) {
-        std::vector<Told> told;
-        for (const auto* end : {&channel.from, &channel.to}) {
-            auto placed = c_.draft.placements.find({end->process, end->port});
-            if (end->at_edge() || placed == c_.draft.placements.end())
-                continue;
-            bool inputs = end == &channel.to;
-            if (inputs && placed->second.size() > 1)
-                refuse(placed->second[1].at,
-                       fmt::format("the route of the channel \"{}\" is told at its input", channel.name),
-                       "place the output on the link by which the channel leaves each processor on its way");
-            for (const auto& placement : placed->second) {
-                bool first = &placement == &placed->second.front();
-                Told here{connection_placed(channel, *end, placement, first), nowhere, placement.at};
-                if (!placement.where.at_edge())
-                    here.begin = inputs ? other_end(here.connection, placement.where) : placement.where.node;
-                if (!inputs || told.empty() || told.back().connection != here.connection) // both ends may say the same
-                    told.push_back(here);
-            }
-        }
-        return told;
-    }
-
-    std::size_t other_end(std::size_t index, const LinkEnd& end) const {
-        const auto& connection = c_.network.connections[index];
-        bool at_a = connection.a.node == end.node && connection.a.link == end.link;
-        return (at_a ? connection.b : connection.a).node;
-    }
-
-    std::optional<Told> told_by_connection(std::size_t index) {
-        auto draft = c_.draft_channel[index];
-        auto placed =
-            c_.draft.connection_placements.find(draft == nowhere ? nowhere : c_.draft.channels[draft].connection);
-        if (placed == c_.draft.connection_placements.end())
-            return std::nullopt;
-        const auto& [wire, at] = placed->second;
-        auto found = c_.connection_named.find(wire);
-        if (found == c_.connection_named.end())
-            refuse(at, fmt::format("the connection \"{}\" wires no links", c_.draft.connections[wire].name));
-        return Told{found->second, nowhere, at};
-    }
-
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {}) {
         c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
         throw StatementRefused{};
-    }
-
-    /// `at_process`: the link must be one of the processor that holds the process.
-    std::size_t connection_placed(const NetworkChannel& whole, const ChannelEnd& end, const DraftPlacement& placement,
-                                  bool at_process) {
-        const auto& process = c_.draft.processes[end.process];
-        if (process.node == nowhere)
-            throw StatementRefused{}; // reported
-        auto channel = process.name + "." + end.port;
-        if (placement.where.at_edge())
-            return connection_to_edge(channel, process, placement);
-        if (at_process && placement.where.node != process.node)
-            refuse(placement.at,
-                   fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
-                               channel, node_name(placement.where.node), node_name(process.node)),
-                   "", {{"the process is placed here", process.placed}});
-        auto found = connection_at_link(channel, placement);
-        return wires_[found].at_run_time ? connection_to_partner(whole, end, placement) : found;
-    }
-
-    /// Of those that switches may make at the link, the one that leads to the channel's other process.
-    std::size_t connection_to_partner(const NetworkChannel& channel, const ChannelEnd& end,
-                                      const DraftPlacement& placement) {
-        const ChannelEnd& partner = &end == &channel.from ? channel.to : channel.from;
-        auto told = c_.draft.placements.find({partner.process, partner.port});
-        std::optional<std::size_t> found;
-        for (std::size_t i = 0; i < wires_.size(); ++i)
-            for (auto [here, there] : {std::pair(wires_[i].a, wires_[i].b), std::pair(wires_[i].b, wires_[i].a)})
-                if (here == placement.where && there.node == partner.node && !partner.at_edge()) {
-                    bool meant = told != c_.draft.placements.end() && told->second.front().where == there;
-                    found = found && !meant ? found : i;
-                }
-        if (!found && partner.node == nowhere)
-            throw StatementRefused{}; // reported
-        if (!found)
-            refuse(placement.at,
-                   fmt::format("the channel \"{}\" is placed on \"{}\", which no switch connects to a link of \"{}\"",
-                               channel.name, link_name(c_.draft.nodes, placement.where), node_name(partner.node)),
-                   "state the crosspoint that a program will set: connect sw.link[0] to sw.link[1];");
-        return *found;
-    }
-
-    std::size_t connection_to_edge(const std::string& channel, const DraftProcess& process,
-                                   const DraftPlacement& placement) {
-        auto found = between_.find({process.node, placement.where.node});
-        if (found == between_.end())
-            refuse(placement.at,
-                   fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it", channel,
-                               node_name(placement.where.node), node_name(process.node)));
-        return found->second.front();
-    }
-
-    std::size_t connection_at_link(const std::string& channel, const DraftPlacement& placement) {
-        auto found = c_.connection_at.find({placement.where.node, placement.where.link});
-        if (found == c_.connection_at.end() && c_.wire_refused[placement.where.node])
-            throw StatementRefused{}; // reported
-        if (found == c_.connection_at.end())
-            refuse(placement.at, fmt::format("the channel \"{}\" is placed on \"{}\", which is connected to nothing",
-                                             channel, link_name(c_.draft.nodes, placement.where)));
-        return way_over_bus(found->second);
-    }
-
-    /// Where the wire leads to a link adapter, the way of which it is a part; else the wire.
-    std::size_t way_over_bus(std::size_t wire) const {
-        auto way = ways_.find(wire);
-        return way == ways_.end() ? wire : way->second;
     }
 
     /// Lets a connection carry the channel, if it leads from its process to the edge.
@@ -217,7 +108,7 @@ private:
         bool forwards = connection.a.node == from && connection.b.node == to;
         if (!forwards && !(connection.b.node == from && connection.a.node == to))
             refuse_wire(channel, connection, at);
-        channel.placement = {ChannelPlacement::Kind::edge, {{index, forwards}}, false};
+        channel.placement = {ChannelPlacement::Kind::edge, {{index, forwards}}};
         ++load(channel.placement.route.front());
     }
 
@@ -233,14 +124,14 @@ private:
     void carry(NetworkChannel& channel, std::vector<RouteHop> route) {
         for (const auto& hop : route)
             ++load(hop);
-        channel.placement = {ChannelPlacement::Kind::link, std::move(route), false};
+        channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
     /// The best route over these wires, in their order. Throws StatementRefused after reporting that there is none.
-    std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<Told>& wires) {
+    std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<ToldWire>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // reported
-        if (std::ranges::any_of(wires, [&](const Told& wire) { return wires_[wire.connection].at_run_time; }))
+        if (std::ranges::any_of(wires, [&](const ToldWire& wire) { return wires_[wire.connection].at_run_time; }))
             return route_over_switch(channel, wires);
         std::vector<RouteHop> route;
         std::set<std::size_t> passed{channel.from.node};
@@ -266,7 +157,7 @@ private:
     }
 
     /// Such a channel leads from its sender's processor to its receiver's at once.
-    std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<Told>& wires) {
+    std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<ToldWire>& wires) {
         const auto& connection = wires_[wires.front().connection];
         bool forwards = connection.a.node == channel.from.node && connection.b.node == channel.to.node;
         bool backwards = connection.b.node == channel.from.node && connection.a.node == channel.to.node;
@@ -293,46 +184,9 @@ private:
         return best ? std::optional(std::vector{*best}) : std::nullopt;
     }
 
-    /// A link that is connected to one partner after the other is used by one process each way, and each connection by
-    /// one channel each way.
-    void check_switched() {
-        std::map<std::tuple<std::size_t, int, bool>, const NetworkChannel*> users; // of link and direction
-        std::map<std::pair<std::size_t, bool>, const NetworkChannel*> channels;
-        for (const auto& channel : c_.network.channels) {
-            const auto& route = channel.placement.route;
-            if (route.empty() || !wires_[route.front().connection].at_run_time)
-                continue;
-            const RouteHop& hop = route.front();
-            if (auto [first, alone] = channels.try_emplace({hop.connection, hop.from_a_to_b}, &channel); !alone)
-                refuse_sharing(*first->second, channel, begin_of(hop, wires_), "two channels lead");
-            else if (const auto* other = other_user(users, begin_of(hop, wires_), true, channel))
-                refuse_sharing(*other, channel, begin_of(hop, wires_), "two processes output");
-            else if (const auto* another = other_user(users, end_of(hop, wires_), false, channel))
-                refuse_sharing(*another, channel, end_of(hop, wires_), "two processes input");
-        }
-    }
-
-    /// A channel of another process, which has the link already; null if there is none.
-    template <class Users>
-    static const NetworkChannel* other_user(Users& users, const LinkEnd& link, bool outputs,
-                                            const NetworkChannel& channel) {
-        const auto* first = users.try_emplace({link.node, link.link, outputs}, &channel).first->second;
-        bool same = outputs ? first->from.process == channel.from.process : first->to.process == channel.to.process;
-        return same ? nullptr : first;
-    }
-
-    void refuse_sharing(const NetworkChannel& first, const NetworkChannel& second, const LinkEnd& link,
-                        const char* what) {
-        c_.reporter.error(second.connected,
-                          fmt::format("{} by \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
-                                      link_name(c_.draft.nodes, link), first.name, second.name),
-                          "such a link is one process's each way, and a channel each way leads to each of its partners",
-                          {{"the other is connected here", first.connected}});
-    }
-
     /// From the end of the route so far up to the wire's other end.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
-                                                const Told& wire, const std::set<std::size_t>& passed) {
+                                                const ToldWire& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
         auto around = passed;
         around.insert(channel.to.node);
@@ -363,9 +217,12 @@ private:
     }
 
     /// Says what would be right: the route without that wire.
-    [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<Told>& wires, const Told& wire) {
+    [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<ToldWire>& wires,
+                                   const ToldWire& wire) {
         const auto& connection = wires_[wire.connection];
         auto best = search_.best(channel.from.node, channel.to.node);
+        std::vector<SecondPlace> places{{"the wire is connected here", connection.connected}};
+        add_quotas(places, channel.from.node, channel.to.node);
         refuse(wire.at,
                fmt::format("the channel \"{}\" cannot lead from \"{}\" to \"{}\" over the wire between \"{}\" and "
                            "\"{}\"{}",
@@ -374,7 +231,7 @@ private:
                            &wire == wires.data() ? "" : ", after those before it"),
                fmt::format("a route passes no processor twice, and only processors pass a channel on{}",
                            best ? "; the shortest leaves by " + text_of(*best) : ""),
-               {{"the wire is connected here", connection.connected}});
+               std::move(places));
     }
 
     void choose(std::size_t index) {
@@ -460,13 +317,24 @@ private:
         auto from = channel.from.node, to = channel.to.node;
         const auto &sender = c_.draft.processes[channel.from.process],
                    &receiver = c_.draft.processes[channel.to.process];
+        std::vector<SecondPlace> places{{fmt::format("\"{}\" is placed here", sender.name), sender.placed},
+                                        {fmt::format("\"{}\" is placed here", receiver.name), receiver.placed}};
+        add_quotas(places, from, to);
         refuse(channel.connected,
                fmt::format("the channel \"{}\" has no route: no wires lead through processors from \"{}\" to \"{}\"",
                            channel.name, node_name(from), node_name(to)),
                fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to),
                            links_of(to), missing_wire(from, to)),
-               {{fmt::format("\"{}\" is placed here", sender.name), sender.placed},
-                {fmt::format("\"{}\" is placed here", receiver.name), receiver.placed}});
+               std::move(places));
+    }
+
+    /// The processors between them that lead no further channel through.
+    void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
+        for (std::size_t node = 0; node < c_.draft.nodes.size(); ++node)
+            if (node != from && node != to && search_.is_kept_by_quota(node))
+                places.push_back({fmt::format("\"{}\" leads channels through {} of its links (linkquota)",
+                                              node_name(node), c_.draft.nodes[node].integer("linkquota")),
+                                  c_.draft.nodes[node].declared});
     }
 
     std::string missing_wire(std::size_t from, std::size_t to) const {
@@ -478,9 +346,10 @@ private:
     const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
     RouteSearch search_;
+    ToldWires told_;
+    Broadcasts broadcasts_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
     std::map<std::size_t, std::vector<std::size_t>> edges_of_;
-    std::map<std::size_t, std::size_t> ways_; ///< over buses, by the wire behind an adapter
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
 
 #include <fmt/format.h>
@@ -50,9 +51,30 @@ void report(Completion& c, const Complaint& complaint) {
         c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
 }
 
+void check_nodes(Completion& c) {
+    for (const Node& node : c.network.nodes)
+        if (std::string reason = node.kind->why_not ? node.kind->why_not(node) : ""; !reason.empty())
+            c.reporter.error(node.declared, reason);
+}
+
+/// The real tool's routes look at it, but how is not known; ours do not, and that may lead channels elsewhere.
+void check_tolerance(Completion& c) {
+    auto led_through = [](const NetworkChannel& channel) { return channel.placement.route.size() > 1; };
+    auto channel = std::ranges::find_if(c.network.channels, led_through);
+    auto node =
+        std::ranges::find_if(c.network.nodes, [](const Node& each) { return each.other.contains("tolerance"); });
+    if (channel != c.network.channels.end() && node != c.network.nodes.end())
+        c.reporter.warning(
+            node->declared,
+            fmt::format("the attribute \"tolerance\" has no effect on the route of the channel \"{}\"", channel->name),
+            "routecost and linkquota choose routes here, and place tells a channel its own");
+}
+
 } // namespace
 
 void complete_checks(Completion& c) {
+    check_nodes(c);
+    check_tolerance(c);
     const auto& processes = c.network.processes;
     for (std::size_t i = 0; i < processes.size(); ++i)
         if (c.kinds[i] != nullptr)

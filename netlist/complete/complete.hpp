@@ -31,6 +31,7 @@ struct Completion {
     std::vector<bool> kind_refused;                                   ///< unknown, and reported
     std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
     std::vector<bool> wire_refused = {};                              ///< of each node: one of its wires leads nowhere
+    bool buses_refused = false;                                       ///< then no ways lead over them
 
     /// Such as "a.link[2]": the first link of the node that no wire is at; "" if there is none.
     std::string free_link(std::size_t node) const;
@@ -54,6 +55,8 @@ void complete_parameters(Completion& completion, std::size_t process);
 void complete_channels(Completion& completion);
 /// carriers.cpp: what carries each channel.
 void complete_carriers(Completion& completion);
+/// switched.cpp: who shares what switches connect during the run. REQUIRES: carriers are complete.
+void check_switched(Completion& completion);
 /// faults.cpp: the wires of links that fail.
 void complete_faults(Completion& completion);
 /// checks.cpp: the checks of the kinds themselves. REQUIRES: nothing was refused.

@@ -43,6 +43,9 @@ private:
         if ((option.element.empty() && option.member == "length") ||
             base_name(option.element) == free_name(wires_by_default))
             name_wires();
+        if ((option.element.empty() && (option.member == "level" || option.member == "release")) ||
+            base_name(option.element) == free_name(attachments_by_default))
+            name_attachments();
         std::vector<Settable> named = elements_of(option), having;
         std::ranges::copy_if(named, std::back_inserter(having),
                              [&](const Settable& each) { return each.has(option.member, option.element.empty()); });
@@ -81,17 +84,29 @@ private:
         return true;
     }
 
-    static constexpr const char* wires_by_default = "wire";
+    static constexpr const char *wires_by_default = "wire", *attachments_by_default = "attachment";
 
     /// What an option can set of a wire are the attributes of a connection, and so of one that has a name.
     void name_wires() {
         std::string name = free_name(wires_by_default);
         std::int64_t number = 0;
         for (DraftWire& wire : c_.draft.wires)
-            if (wire.connection == nowhere) {
-                wire.connection = c_.draft.connections.size();
-                c_.draft.connections.push_back({element_name(name, {number++}), wire.at, {}, {}, wire.at, {}});
-            }
+            if (wire.connection == nowhere)
+                wire.connection = add_connection(element_name(name, {number++}), wire.at);
+    }
+
+    /// The same of a master's place on a bus.
+    void name_attachments() {
+        std::string name = free_name(attachments_by_default);
+        std::int64_t number = 0;
+        for (DraftAttachment& each : c_.draft.attachments)
+            if (each.connection == nowhere && c_.draft.nodes[each.node].kind->is_master())
+                each.connection = add_connection(element_name(name, {number++}), each.at);
+    }
+
+    std::size_t add_connection(std::string name, const Location& at) {
+        c_.draft.connections.push_back({std::move(name), at, {}, {}, at, {}});
+        return c_.draft.connections.size() - 1;
     }
 
     std::string free_name(const std::string& wanted) const {
@@ -108,6 +123,7 @@ private:
 
     [[noreturn]] void refuse(const DraftOverride& option, const std::vector<Settable>& named) {
         name_wires();
+        name_attachments();
         if (option.element.empty())
             refuse_name(option);
         if (named.empty())
@@ -117,19 +133,31 @@ private:
         report(option.member_at,
                fmt::format("the {} \"{}\" has no {} \"{}\"", first.noun(), option.element, first.noun_of_member(),
                            option.member),
-               meant.empty() ? hint_at_node(option, first) : meant, {first.text_of_members()});
+               meant.empty() ? hint_at_other(option, first) : meant, {first.text_of_members()});
     }
 
-    /// Where the processor of a process is meant.
-    std::string hint_at_node(const DraftOverride& option, const Settable& element) const {
+    /// Where the processor of a process is meant, or the place of a master on its bus.
+    std::string hint_at_other(const DraftOverride& option, const Settable& element) const {
         const auto* process = std::get_if<DraftProcess*>(&element.thing);
-        if (process == nullptr || (*process)->node == nowhere)
-            return "";
-        Node& node = c_.draft.nodes[(*process)->node];
-        bool has = Settable{node.name, &node}.has(option.member);
-        return has ? fmt::format("the node that \"{}\" is placed on has: --set {}.{}=...", element.name, node.name,
-                                 option.member)
-                   : "";
+        if (process != nullptr && (*process)->node != nowhere) {
+            Node& node = c_.draft.nodes[(*process)->node];
+            return hint_at(option, fmt::format("the node that \"{}\" is placed on", element.name), {node.name, &node});
+        }
+        for (const Settable& each : settable_elements(c_))
+            if (each.connects == Settable::Connects::master && is_place_of(each, element))
+                return hint_at(option, fmt::format("the place of \"{}\" on its bus", element.name), each);
+        return "";
+    }
+
+    static std::string hint_at(const DraftOverride& option, const std::string& which, const Settable& other) {
+        return other.has(option.member) ? fmt::format("{} has: --set {}.{}=...", which, other.name, option.member) : "";
+    }
+
+    bool is_place_of(const Settable& connection, const Settable& element) const {
+        return std::ranges::any_of(c_.draft.attachments, [&](const DraftAttachment& each) {
+            return each.connection != nowhere && c_.draft.nodes[each.node].name == element.name &&
+                   c_.draft.connections[each.connection].name == connection.name;
+        });
     }
 
     /// A name by itself.

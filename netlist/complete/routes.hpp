@@ -24,7 +24,8 @@ struct RouteCost {
     auto operator<=>(const RouteCost&) const = default;
 };
 
-/// The best route over wires from node to node through processors that pass channels on. What switches connect during
+/// The best route over wires from node to node through processors that pass channels on, and there only by as many of
+/// the wired links, the lowest, as the attribute `linkquota` says. What switches connect during
 /// the run is none of them: a processor between could not know when it is connected. The load of connection i is
 /// load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all outlive it.
 class RouteSearch {
@@ -36,16 +37,22 @@ public:
     std::optional<std::vector<RouteHop>> best(std::size_t from, std::size_t to,
                                               const std::set<std::size_t>& around = {}) const;
     bool leads_through(std::size_t node) const;
+    /// Whether the attribute keeps some channel from leading through the node.
+    bool is_kept_by_quota(std::size_t node) const;
 
 private:
     struct Distances; ///< of nodes from the end of a route
     Distances distances_to(std::size_t to, std::size_t from, const std::set<std::size_t>& around) const;
+    /// The hop, on a route that passes through the node where it begins, or ends.
+    bool may_leave(const RouteHop&) const;
+    bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const RouteHop& hop, std::size_t to) const;
 
     const std::vector<Node>& nodes_;
     const std::vector<LinkConnection>& connections_;
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<RouteHop>> leaving_; ///< each node, the lowest link first
+    std::vector<bool> beyond_quota_;             ///< a hop that leaves a node: 2 * connection + whether from a to b
 };
 
 } // namespace placedpar

@@ -29,14 +29,21 @@ std::string list_of_members(const Settable& element) {
            (cut ? fmt::format(", see placedpar kinds {}", element.kind->name) : "");
 }
 
-std::vector<std::string> members_of(const Node& node, const ProcessKind*) {
+std::vector<std::string> members_of(const Node& node) {
     std::vector<std::string> names;
     for (const AttributeDescription& attribute : node.kind->attributes)
         names.push_back(attribute.value.name);
     return names;
 }
 
-std::vector<std::string> members_of(const DraftConnection&, const ProcessKind*) { return connection_attribute_names(); }
+std::vector<std::string> members_of_connection(Settable::Connects connects) {
+    switch (connects) {
+    case Settable::Connects::wire: return {"linkspeed", "length"};
+    case Settable::Connects::master: return {"level", "release"};
+    case Settable::Connects::other: break;
+    }
+    return {};
+}
 
 std::vector<std::string> members_of(const DraftProcess& process, const ProcessKind* kind) {
     std::vector<std::string> names;
@@ -57,6 +64,18 @@ void set_in(DraftConnection& connection, const Setting& setting, Reporter& repor
     apply_connection_attributes(connection, {setting}, reporter);
 }
 void set_in(DraftProcess& process, const Setting& setting, Reporter&) { process.overrides.push_back(setting); }
+
+/// What each connection is used for.
+std::vector<Settable::Connects> uses_of_connections(const Draft& draft) {
+    std::vector<Settable::Connects> uses(draft.connections.size(), Settable::Connects::other);
+    for (const DraftWire& wire : draft.wires)
+        if (wire.connection != nowhere)
+            uses[wire.connection] = Settable::Connects::wire;
+    for (const DraftAttachment& each : draft.attachments)
+        if (each.connection != nowhere && draft.nodes[each.node].kind->is_master())
+            uses[each.connection] = Settable::Connects::master;
+    return uses;
+}
 
 std::string what_takes(const ParameterDescription& description) {
     static constexpr const char* types[] = {"an integer", "a number", "a string"};
@@ -96,7 +115,11 @@ const char* Settable::noun_of_member() const {
 }
 
 std::vector<std::string> Settable::members() const {
-    return std::visit([&](const auto* each) { return members_of(*each, kind); }, thing);
+    if (const auto* node = std::get_if<Node*>(&thing))
+        return members_of(**node);
+    if (const auto* process = std::get_if<DraftProcess*>(&thing))
+        return members_of(**process, kind);
+    return members_of_connection(connects);
 }
 
 std::string Settable::text_of_members() const {
@@ -113,6 +136,8 @@ bool Settable::has(const std::string& member, bool as_every_element) const {
 }
 
 bool Settable::takes_text(const std::string& member) const {
+    if (std::holds_alternative<DraftConnection*>(thing))
+        return member == "release";
     const auto* process = std::get_if<DraftProcess*>(&thing);
     if (const auto* known = kind == nullptr ? nullptr : kind->parameter(member))
         return known->type == ParameterType::text;
@@ -124,7 +149,10 @@ bool Settable::takes_text(const std::string& member) const {
 
 std::string Settable::what_it_takes(const std::string& member) const {
     if (std::holds_alternative<DraftConnection*>(thing))
-        return member == "length" ? "it takes a number of metres" : "it takes an integer, in bit/s";
+        return member == "length"    ? "it takes a number of metres"
+               : member == "level"   ? "it takes an integer from 0 to 3"
+               : member == "release" ? "it takes RWD or ROR"
+                                     : "it takes an integer, in bit/s";
     const ParameterDescription* description = nullptr;
     if (const auto* node = std::get_if<Node*>(&thing)) {
         const auto* attribute = (*node)->kind->attribute(member);
@@ -146,8 +174,9 @@ std::vector<Settable> settable_elements(Completion& c) {
     for (Node& node : c.draft.nodes)
         if (node.kind->has_attributes())
             all.push_back({node.name, &node});
-    for (DraftConnection& connection : c.draft.connections)
-        all.push_back({connection.name, &connection});
+    auto uses = uses_of_connections(c.draft);
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        all.push_back({c.draft.connections[i].name, &c.draft.connections[i], nullptr, uses[i]});
     for (DraftProcess& process : c.draft.processes)
         all.push_back({process.name, &process, c.catalogue.find(process.kind)});
     return all;

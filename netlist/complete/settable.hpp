@@ -13,6 +13,8 @@ struct Settable {
     std::string name;
     std::variant<Node*, DraftConnection*, DraftProcess*> thing;
     const ProcessKind* kind = nullptr; ///< of a process; null for a stand-in
+    enum class Connects { wire, master, other };
+    Connects connects = Connects::other; ///< of a connection: a wire, or a master and its bus
 
     const char* noun() const;
     const char* noun_of_member() const;

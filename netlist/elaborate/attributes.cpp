@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace placedpar {
 
 namespace {
@@ -30,41 +33,28 @@ void refuse_repeated(const std::vector<Setting>& settings, Reporter& reporter) {
     }
 }
 
-AttributeDescription connection_speed() {
-    return {.value =
-                description::integer("linkspeed", {.unit = "bit/s", .least = 1, .most = 1e9}, "in both directions"),
-            .decimal_suffixes = true};
-}
-
-AttributeDescription connection_length() {
-    return {.value = description::real("length", {.unit = "metres", .least = 0, .most = 1000}, "of the wire")};
-}
-
-AttributeDescription bus_level() {
-    return {.value = description::integer("level", {.least = 0, .most = 3}, "of a master's requests")};
-}
-
-AttributeDescription bus_release() {
-    return {.value = description::text("release", {.choices = {"RWD", "ROR"}}, "when a master gives up the bus")};
-}
-
 AttributeDescription process_memory(const std::string& name) {
     return {.value = description::integer(name, {.unit = "bytes", .least = 0, .most = 4294967296.0}, "kept")};
 }
 
 void apply_connection_attribute(DraftConnection& connection, const Setting& setting, Reporter& reporter) {
     AttributeValue value(setting, reporter);
-    if (setting.name == "linkspeed") {
-        connection.bits_per_second = std::get<std::int64_t>(value.as(connection_speed()));
-    } else if (setting.name == "length") {
-        connection.metres = std::get<double>(value.as(connection_length()));
-    } else if (setting.name == "level") {
-        connection.level = static_cast<int>(std::get<std::int64_t>(value.as(bus_level())));
-    } else if (setting.name == "release") {
-        connection.release = std::get<std::string>(value.as(bus_release()));
-    } else {
-        value.refuse_name("a connection", {"linkspeed", "length", "level", "release"});
+    const auto& known = connection_attributes();
+    auto attribute = std::ranges::find(known, setting.name, [](const auto& each) { return each.value.name; });
+    if (attribute == known.end()) {
+        std::vector<std::string> names;
+        std::ranges::transform(known, std::back_inserter(names), [](const auto& each) { return each.value.name; });
+        value.refuse_name("a connection", names);
     }
+    Value taken = value.as(*attribute);
+    if (setting.name == "linkspeed")
+        connection.bits_per_second = std::get<std::int64_t>(taken);
+    else if (setting.name == "length")
+        connection.metres = std::get<double>(taken);
+    else if (setting.name == "level")
+        connection.level = static_cast<int>(std::get<std::int64_t>(taken));
+    else
+        connection.release = std::get<std::string>(taken);
 }
 
 bool is_high(const Setting& setting, const AttributeValue& value) {
@@ -94,9 +84,15 @@ std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporte
     return result;
 }
 
-const std::vector<std::string>& connection_attribute_names() {
-    static const std::vector<std::string> names{"linkspeed", "length"};
-    return names;
+const std::vector<AttributeDescription>& connection_attributes() {
+    using namespace description;
+    static const std::vector<AttributeDescription> attributes{
+        {.value = integer("linkspeed", {.unit = "bit/s", .least = 1, .most = 1e9}, "in both directions"),
+         .decimal_suffixes = true},
+        {.value = real("length", {.unit = "metres", .least = 0, .most = 1000}, "of the wire")},
+        {.value = integer("level", {.least = 0, .most = 3}, "of a master's requests")},
+        {.value = text("release", {.choices = {"RWD", "ROR"}}, "when a master gives up the bus")}};
+    return attributes;
 }
 
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings,

@@ -26,7 +26,8 @@ bool has_node_attribute(const Node& node, const std::string& name);
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter);
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
 
-const std::vector<std::string>& connection_attribute_names();
+/// Those of a wire, then those of a master's place on a bus.
+const std::vector<AttributeDescription>& connection_attributes();
 
 bool is_process_attribute(const std::string& name);
 const std::vector<std::string>& process_attribute_names();

@@ -114,7 +114,7 @@ struct DraftChannel {
     Location at;
 };
 
-/// `place p.out on t.link[2];` or `... on edge;` (link -1).
+/// `place p.out on t.link[2];`, `... on edge;` (link -1) or `... on vme;` (the bus, and bus_port).
 struct DraftPlacement {
     LinkEnd where;
     Location at;

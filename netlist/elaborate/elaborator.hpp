@@ -120,6 +120,7 @@ private:
     std::size_t element(const Reference& reference, const Found& found);
     std::size_t host(const Location& used);
     LinkEnd link_end(const Reference& reference, const Found& found);
+    LinkEnd place_of_channel(const PlaceStatement& form, const Found& found);
     int link_number(const Reference& reference, const Node& node, int links);
     [[noreturn]] void refuse_unknown_port(const DraftProcess& process, const Reference& reference);
     DraftChannelEnd port_end(const Reference& reference, const Found& found);

@@ -46,13 +46,34 @@ void Elaborator::place_port(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::node)
         refuse(form.where.at,
-               fmt::format("\"{}\" is no link: a channel is placed on a link or an edge", form.where.name));
-    auto link = link_end(form.where, where);
+               fmt::format("\"{}\" is no link: a channel is placed on a link, a bus or an edge", form.where.name));
+    auto link = place_of_channel(form, where);
     auto& known = draft_.placements[{end.process, end.port}];
+    auto tells_a_route = [&](const LinkEnd& at) {
+        return !at.at_edge() && draft_.nodes[at.node].kind->bus != BusRole::is_bus;
+    };
     for (const auto& before : known)
-        if (before.where.node == link.node || before.where.at_edge() || link.at_edge())
+        if (before.where.node == link.node || !tells_a_route(before.where) || !tells_a_route(link))
             refuse_placed_twice(form, "channel", draft_.processes[end.process].name + "." + end.port, before.at);
     known.push_back({link, form.what.at});
+}
+
+/// A link, an edge, a bus as a whole, or a device's place on it.
+LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& found) {
+    const Reference& where = form.where;
+    BusRole role = draft_.nodes[found.first].kind->bus;
+    if (role == BusRole::is_bus && !where.field.empty())
+        refuse(where.field_at, "a channel is placed on a bus as a whole",
+               fmt::format("place {}.{} on {};", form.what.name, form.what.field, where.name));
+    if (role == BusRole::is_bus)
+        return {element(where, found), bus_port};
+    if (where.field != "bus")
+        return link_end(where, found);
+    if (role == BusRole::adapter)
+        refuse(where.field_at, "a channel is placed on the link of an adapter",
+               fmt::format("place {}.{} on {}.link[0];", form.what.name, form.what.field, where.name));
+    bus_subscript(where, 0, 0);
+    return {device_end(where, found), bus_port};
 }
 
 void Elaborator::place_edge_channel(const PlaceStatement& form) {

@@ -1,6 +1,7 @@
 #include "netlist/kinds/computer.hpp"
 
 #include "netlist/kinds/description.hpp"
+#include "runtime/hardware/processor.hpp"
 
 #include <fmt/format.h>
 
@@ -36,13 +37,16 @@ std::vector<AttributeDescription> computer_attributes() {
                           "its memory; without it that of the chip or module"),
          .json_name = "memory_bytes",
          .drawn = bytes},
-        {.value = integer("clock", {.unit = "Hz", .by_default = 20'000'000, .least = 1, .most = highest_frequency},
-                          "its clock"),
+        {.value = integer(
+             "clock",
+             {.unit = "Hz", .by_default = hardware::Processor::usual_clock, .least = 1, .most = highest_frequency},
+             "its clock"),
          .decimal_suffixes = true,
          .json_name = "clock_hz"},
-        {.value =
-             integer("linkspeed", {.unit = "bit/s", .by_default = 20'000'000, .least = 1, .most = highest_frequency},
-                     "of its links, where their connection says nothing"),
+        {.value = integer(
+             "linkspeed",
+             {.unit = "bit/s", .by_default = hardware::LinkTiming::usual_speed, .least = 1, .most = highest_frequency},
+             "of its links, where their connection says nothing"),
          .decimal_suffixes = true,
          .json_name = "link_bits_per_second"},
         {.value = integer("channelcall", {.unit = "cycles", .by_default = 0, .least = 0, .most = highest_frequency},

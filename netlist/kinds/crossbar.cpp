@@ -13,8 +13,7 @@ NodeExecutive make_crossbar(Simulation& simulation, const Node& node) {
 
 } // namespace
 
-/// A bit takes 1.75 bit times to cross a C004 (C004 manual). For Graphviz it is not drawn: wires are
-/// drawn from end to end, with the number of switches on their way.
+/// For Graphviz it is not drawn: wires are drawn from end to end, with the number of switches on their way.
 DeviceKind crossbar() {
     return {.name = "c004",
             .noun = "a switch",
@@ -25,7 +24,7 @@ DeviceKind crossbar() {
             .links = LinkRole::crosses,
             .logic = "csp.switch_logic",
             .make_executive = make_crossbar,
-            .crossing_delay = 175,
+            .crossing_delay = hardware::Crossbar::crossing_delay,
             .drawing = {.shape = Drawing::Shape::crossed_box,
                         .frame = "#4b6b3b",
                         .heading = "#dfeed6",

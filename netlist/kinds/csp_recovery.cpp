@@ -4,12 +4,18 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "netlist/kinds/packet.hpp"
+#include "netlist/network/network.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -67,6 +73,34 @@ void consume_or_fail(ProcessEnvironment& environment) {
     environment.measure("bytes_of_pieces", static_cast<double>(bytes_of_pieces), "bytes");
 }
 
+/// Why what goes over the channel cannot be given up; "" if it can.
+std::string why_not_given_up(const Network& network, const ChannelPlacement& at) {
+    if (at.in_packets)
+        return "travels in packets, which routers carry to their end";
+    if (at.broadcast_on != nowhere)
+        return "is broadcast with others";
+    bool in_memory = std::ranges::any_of(at.route, [&](const RouteHop& hop) {
+        const auto& over_bus = network.connections[hop.connection].over_bus;
+        return over_bus && over_bus->wire == nowhere;
+    });
+    return in_memory ? "leads through the memory of a bus master" : "";
+}
+
+std::vector<Complaint> require_can_give_up(const Network& network, std::size_t process) {
+    std::vector<Complaint> complaints;
+    for (const PortBinding& port : network.processes[process].ports) {
+        const NetworkChannel& channel = network.channels[port.channel];
+        if (std::string reason = why_not_given_up(network, channel.placement); !reason.empty())
+            complaints.push_back(
+                {.process = process,
+                 .about = port.port,
+                 .message =
+                     fmt::format("the channel \"{}\" {}: its process could not give up a packet", channel.name, reason),
+                 .hint = "a time-out needs a link of the channel's own, or none"});
+    }
+    return complaints;
+}
+
 ParameterDescription packet_timeout(const char* about) {
     return description::integer("timeout", {.unit = "us", .by_default = 1000, .least = 1, .most = 1e9}, about);
 }
@@ -80,7 +114,8 @@ ProcessKind sender_or_fail_kind() {
             .parameters = {packet_count(), packet_bytes(), packet_cycles(),
                            packet_timeout("after which it gives a packet up")},
             .measurements = {{"given_up", "packets", "of which it does not know that they have gone"}},
-            .body = produce_or_fail};
+            .body = produce_or_fail,
+            .check = require_can_give_up};
 }
 
 ProcessKind receiver_or_fail_kind() {
@@ -95,7 +130,8 @@ ProcessKind receiver_or_fail_kind() {
                              {"lost", "packets", "that did not come"},
                              {"resets", "", "of its channel"},
                              {"bytes_of_pieces", "bytes", "of packets that did not come as a whole"}},
-            .body = consume_or_fail};
+            .body = consume_or_fail,
+            .check = require_can_give_up};
 }
 
 } // namespace placedpar

@@ -106,6 +106,8 @@ struct DeviceKind {
     bool passes_channels_on = false; ///< between other nodes; it then has the attribute "routecost"
     /// Adds to the simulation what executes the processes placed on the node. Empty: they take no time.
     std::function<NodeExecutive(Simulation&, const Node&)> make_executive = {};
+    /// Why there can be no such node, of which each attribute by itself is fine; "" if there can. Empty: no reason.
+    std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
     std::function<hardware::VmeBus&(Simulation&, const Node&)> make_bus = {}; ///< where it is one
     hardware::BusProgram bus_program = {};                                    ///< of a master

@@ -86,7 +86,30 @@ std::string print_attribute(const AttributeDescription& attribute, const Value& 
                        attribute.value.unit == "ns" ? print_nanoseconds(number) : fmt::format("{}", number));
 }
 
+/// "20 ms"
+std::string print_moment(Time moment) {
+    std::string text = print_nanoseconds(std::chrono::duration_cast<std::chrono::nanoseconds>(moment).count());
+    return text.insert(text.find_first_not_of("0123456789"), " ");
+}
+
 } // namespace
+
+std::string print_fault_shortly(const Fault& fault) {
+    std::string text = fault.kind;
+    std::ranges::replace(text, '_', ' ');
+    if (fault.attributes.contains("factor"))
+        text += fmt::format(", {} times,", fault.integer("factor"));
+    if (begin_of(fault) > Time{0})
+        text += " from " + print_moment(begin_of(fault));
+    if (end_of(fault) < Time::max())
+        text += " until " + print_moment(end_of(fault));
+    return text.ends_with(',') ? text.substr(0, text.size() - 1) : text;
+}
+
+bool strikes(const Fault& fault, const LinkConnection& wire) {
+    LinkEnd end{fault.node, fault.link};
+    return fault.link >= 0 && wire.bits_per_second > 0 && (wire.a == end || wire.b == end);
+}
 
 std::string print_fault(const Fault& fault, const std::vector<Node>& nodes) {
     std::vector<std::string> said;

@@ -27,4 +27,10 @@ std::string print_nanoseconds(std::int64_t);
 /// default.
 std::string print_fault(const Fault&, const std::vector<Node>&);
 
+/// For a drawing: "silent from 20 ms", "slow, 4 times, until 1 s".
+std::string print_fault_shortly(const Fault&);
+
+/// Whether it is of this wire's link, in a network as it is drawn too (netlist/print).
+bool strikes(const Fault&, const LinkConnection&);
+
 } // namespace placedpar

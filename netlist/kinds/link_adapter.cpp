@@ -1,25 +1,28 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
+#include "runtime/hardware/link_timing.hpp"
 
 namespace placedpar {
 
 DeviceKind link_adapter() {
-    return {.name = "link adapter",
-            .noun = "a link adapter",
-            .about = "Between a link and a bus: a register for a byte each way. It overlaps no acknowledges.",
-            .models = {{.name = "C011", .links = 1, .overlapped_acknowledge = false},
-                       {.name = "C012", .links = 1, .overlapped_acknowledge = false}},
-            .attributes = {{.value = description::integer(
-                                "linkspeed", {.unit = "bit/s", .by_default = 20'000'000, .least = 1, .most = 1e9},
-                                "of its link, where its connection says nothing"),
-                            .decimal_suffixes = true,
-                            .json_name = "link_bits_per_second"},
-                           {.value = description::text("master", {.by_default = ""},
-                                                       "whose program uses it; \"\": the bus's only workstation, or "
-                                                       "else its only master"),
-                            .json_name = "master"}},
-            .bus = BusRole::adapter,
-            .drawing = {.frame = "#8a6d2b", .heading = "#f6ebcb", .legend = "link adapter"}};
+    return {
+        .name = "link adapter",
+        .noun = "a link adapter",
+        .about = "Between a link and a bus: a register for a byte each way. It overlaps no acknowledges.",
+        .models = {{.name = "C011", .links = 1, .overlapped_acknowledge = false},
+                   {.name = "C012", .links = 1, .overlapped_acknowledge = false}},
+        .attributes = {{.value = description::integer(
+                            "linkspeed",
+                            {.unit = "bit/s", .by_default = hardware::LinkTiming::usual_speed, .least = 1, .most = 1e9},
+                            "of its link, where its connection says nothing"),
+                        .decimal_suffixes = true,
+                        .json_name = "link_bits_per_second"},
+                       {.value = description::text("master", {.by_default = ""},
+                                                   "whose program uses it; \"\": the bus's only workstation, or "
+                                                   "else its only master"),
+                        .json_name = "master"}},
+        .bus = BusRole::adapter,
+        .drawing = {.frame = "#8a6d2b", .heading = "#f6ebcb", .legend = "link adapter"}};
 }
 
 } // namespace placedpar

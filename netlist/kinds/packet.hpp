@@ -12,6 +12,7 @@ struct Packet {
     std::int64_t number = 0;
     std::uint32_t bytes = 4;
     WireForm wire_form() const { return WireForm(bytes); }
+    bool operator==(const Packet&) const = default;
 };
 
 namespace description {

@@ -5,6 +5,8 @@
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -102,22 +104,44 @@ std::vector<AttributeDescription> transputer_attributes() {
             attribute.drawn = megahertz;
     attributes.push_back(
         {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-                                       "of an access to a word of the memory in which its messages lie; 0: 3, or 1 "
-                                       "where memory is at most the 4K of a chip"),
+                                       "of an access to a word of the memory in which its messages lie; 0: 3, 2 of a "
+                                       "T2, or 1 where memory is at most the 4K of a chip"),
          .json_name = "memory_access_cycles"});
     attributes.push_back({.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                                         "of leading a channel through it; the cheapest route is taken"),
                           .json_name = "route_cost"});
+    attributes.push_back(
+        {.value = description::integer("linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
+                                       "of those that are wired, the lowest so many lead channels through it; 0: none"),
+         .json_name = "link_quota"});
     return attributes;
+}
+
+/// Without what is used here.
+std::vector<std::string> kept_attributes() {
+    auto kept = attributes_of_the_real_tool();
+    std::erase(kept, "linkquota");
+    return kept;
 }
 
 /// Messages lie outside of the chip on a node that has more memory than fits on one, since so does what is too large
 /// for the chip.
 Cycles access_time(const Node& node) {
-    constexpr Cycles on_chip{1}, outside{3}; // "external at least 3 cycles" (listing of a machine of 64 T800s)
+    using hardware::Memory;
     if (std::int64_t stated = node.integer("memorycycles"))
         return Cycles{stated};
-    return node.integer("memory") > 4 * kilobyte ? outside : on_chip;
+    if (node.integer("memory") <= 4 * kilobyte)
+        return Memory::on_chip;
+    return has_short_words(node.type) ? Memory::outside_of_a_t2 : Memory::outside;
+}
+
+/// An address has as many bits as a word (IMS T225 data sheet: 64 Kbytes).
+std::string what_it_cannot_address(const Node& node) {
+    constexpr std::int64_t most = 64 * kilobyte;
+    if (!has_short_words(node.type) || node.integer("memory") <= most)
+        return "";
+    return fmt::format("\"{}\" has {} bytes of memory; a {} addresses at most 64K", node.name, node.integer("memory"),
+                       node.type);
 }
 
 hardware::Memory memory_of(const Node& node) {
@@ -142,10 +166,11 @@ DeviceKind transputer() {
             .about = "A transputer, bare or on a module; B403_T414 is a B403 with a T414.",
             .models = transputer_models(),
             .attributes = transputer_attributes(),
-            .kept = attributes_of_the_real_tool(),
+            .kept = kept_attributes(),
             .runs_processes = true,
             .passes_channels_on = true,
             .make_executive = make_transputer,
+            .why_not = what_it_cannot_address,
             .faults = {{.name = "halts",
                         .about = "from then on it executes nothing, and its links send nothing",
                         .attributes = {fault_begins()},

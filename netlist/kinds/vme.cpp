@@ -8,22 +8,28 @@ namespace placedpar {
 
 namespace {
 
-AttributeDescription nanoseconds_of(std::string name, std::int64_t by_default, double least, std::string about) {
+AttributeDescription nanoseconds_of(std::string name, Time by_default, double least, std::string about) {
     std::string json_name = name + "_ns";
-    return {.value = description::integer(std::move(name),
-                                          {.unit = "ns", .by_default = by_default, .least = least, .most = 1e9}, about),
+    return {.value = description::integer(
+                std::move(name),
+                {.unit = "ns",
+                 .by_default = std::chrono::duration_cast<std::chrono::nanoseconds>(by_default).count(),
+                 .least = least,
+                 .most = 1e9},
+                about),
             .json_name = std::move(json_name)};
 }
 
 std::vector<AttributeDescription> bus_attributes() {
+    constexpr hardware::VmeTiming usual;
     return {{.value = description::text("arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
                                         "who gets the bus: the highest level, the levels in turn, or level 3 alone"),
              .json_name = "arbiter",
              .drawn = [](const Value& value) { return std::get<std::string>(value); }},
-            nanoseconds_of("cycle", 310, 1, "of a word, 32 bits"),
-            nanoseconds_of("bytecycle", 310, 1, "of an access to a register"),
-            nanoseconds_of("grant", 200, 0, "from a request or a release to the grant"),
-            nanoseconds_of("timeout", 125'000, 1, "until a bus error where nobody answers")};
+            nanoseconds_of("cycle", usual.word, 1, "of a word, 32 bits"),
+            nanoseconds_of("bytecycle", usual.byte, 1, "of an access to a register"),
+            nanoseconds_of("grant", usual.arbitration, 0, "from a request or a release to the grant"),
+            nanoseconds_of("timeout", usual.time_out, 1, "until a bus error where nobody answers")};
 }
 
 AttributeDescription request_level() {
@@ -54,7 +60,8 @@ hardware::VmeBus& make_vme(Simulation& simulation, const Node& node) {
 DeviceKind vme() {
     return {.name = "vme",
             .noun = "a bus",
-            .about = "A VMEbus with slot[1] to slot[21], for workstations, bus masters and link adapters.",
+            .about = "A VMEbus with slot[1] to slot[21], for workstations, bus masters and link adapters. Outputs that "
+                     "are placed on it are broadcast to adapters.",
             .models = {{.name = "VME"}},
             .attributes = bus_attributes(),
             .bus = BusRole::is_bus,

@@ -1,5 +1,7 @@
 #include "netlist/network/network.hpp"
 
+#include "netlist/network/names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +19,11 @@ std::int64_t Node::integer(std::string_view attribute) const {
 std::size_t Network::count_wires() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(connections, [](const LinkConnection& each) { return !each.over_bus; }));
+}
+
+bool are_one_broadcast(const NetworkChannel& a, const NetworkChannel& b) {
+    return a.from.process == b.from.process && base_name(a.from.port) == base_name(b.from.port) &&
+           a.placement.broadcast_on == b.placement.broadcast_on;
 }
 
 bool is_on_bus(const Network& network, std::size_t node) {

@@ -153,6 +153,8 @@ struct ChannelPlacement {
     Kind kind = Kind::soft;
     std::vector<RouteHop> route = {}; ///< none if soft; several lead over processors between
     bool in_packets = false;          ///< it has several hops, or a link of it carries another channel the same way
+    /// The bus on which one write reaches the adapters of this channel and of others; nowhere: it goes by itself.
+    std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;
 };
@@ -163,6 +165,10 @@ struct NetworkChannel {
     ChannelPlacement placement;
     Location connected;
 };
+
+/// Whether one message goes to the adapters of both: they are of one port array, and on one bus. REQUIRES: both are
+/// broadcast.
+bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 
 /// Something that fails in a run: a link, a device.
 struct Fault {

@@ -361,13 +361,15 @@ private:
         for (const auto* at : {&channel.from, &channel.to})
             if (at->at_edge() && !at->port.empty())
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
-        if (leads_over_bus(channel))
-            return print_way(channel);
+        if (channel.placement.broadcast_on != nowhere)
+            line("place {} on {};", end(channel.from), n_.nodes[channel.placement.broadcast_on].name);
         if (channel.placement.route.size() > 1) {
             for (const auto& hop : channel.placement.route)
-                line("place {} on {};", end(channel.from), end(begin_of(hop, n_.connections)));
+                line("place {} on {};", end(channel.from), end(told_end(hop)));
             return;
         }
+        if (n_.connections[channel.placement.route.front().connection].over_bus)
+            return print_way(channel);
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& connection = n_.connections[channel.placement.route.front().connection];
         bool at_a = connection.a.node == inner.node;
@@ -376,17 +378,27 @@ private:
             line("place {} on {};", end(channel.to), end(at_a ? connection.b : connection.a));
     }
 
-    bool leads_over_bus(const NetworkChannel& channel) const {
-        return std::ranges::any_of(channel.placement.route, [&](const RouteHop& hop) {
-            return n_.connections[hop.connection].over_bus.has_value();
-        });
+    /// By which a hop leaves; a master has one place for its ways over many adapters.
+    LinkEnd told_end(const RouteHop& hop) const {
+        const auto& way = n_.connections[hop.connection].over_bus;
+        bool by_adapter = way && way->wire != nowhere && hop.from_a_to_b;
+        return by_adapter ? LinkEnd{n_.attachments[way->slave].node, 0} : begin_of(hop, n_.connections);
     }
 
-    /// The link behind the adapter says which way it is; to the other ways over a bus there is no choice.
+    /// The link behind the adapter says which way it is. To a bus master's memory there is one way.
     void print_way(const NetworkChannel& channel) {
         const auto& way = n_.connections[channel.placement.route.front().connection];
-        if (channel.placement.route.size() == 1 && way.b.link != bus_port)
+        if (way.b.link != bus_port)
             line("place {} on {};", end(channel.from.node == way.b.node ? channel.from : channel.to), end(way.b));
+        else if (have_other_ways(way))
+            line("place {} on {};", end(channel.from), end(told_end(channel.placement.route.front())));
+    }
+
+    bool have_other_ways(const LinkConnection& way) const {
+        auto joins_them = [&](const LinkConnection& other) {
+            return std::minmax(other.a.node, other.b.node) == std::minmax(way.a.node, way.b.node);
+        };
+        return std::ranges::count_if(n_.connections, joins_them) > 1;
     }
 
     const Network& n_;

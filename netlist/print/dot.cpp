@@ -1,4 +1,5 @@
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/print/buses_as_wires.hpp"
 #include "netlist/print/pieces_as_wires.hpp"
 #include "netlist/print/print.hpp"
@@ -97,6 +98,10 @@ private:
             index, drawing.frame, drawing.heading, as_markup(node.name), as_markup(node.type), facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
+        for (const Fault& fault : n_.faults)
+            if (fault.link < 0 && fault.node == index)
+                text_ += fmt::format("<tr><td bgcolor=\"#ffffff\" border=\"3\" color=\"#16202a\"><b>{}</b></td></tr>",
+                                     as_markup(print_fault_shortly(fault)));
         text_ += "</table>>]\n";
     }
 
@@ -128,13 +133,19 @@ private:
         if (connection.switches() > 0)
             label += fmt::format("{}{} {}", label.empty() ? "" : ", ", connection.switches(),
                                  n_.nodes[connection.crossings[0].node].type);
+        std::string faults;
+        for (const Fault& fault : n_.faults)
+            if (strikes(fault, connection))
+                faults += (faults.empty() ? "" : ", ") + print_fault_shortly(fault);
+        label += (label.empty() || faults.empty() ? "" : ", ") + faults;
         auto upper = connection.a, lower = connection.b;
         if (level_[upper.node] > level_[lower.node])
             std::swap(upper, lower);
         text_ +=
             fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node, lower.node,
                         link_label(upper), link_label(lower), label.empty() ? "" : fmt::format(", label=\"{}\"", label),
-                        channels[index] == 0     ? ", style=dotted"
+                        !faults.empty()          ? ", style=dashed, color=\"#16202a\", penwidth=3.5"
+                        : channels[index] == 0   ? ", style=dotted"
                         : connection.at_run_time ? ", style=dashed"
                                                  : "",
                         level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");

@@ -181,6 +181,8 @@ private:
         carrier["from"] = link_object(begin_of(placement.route.front(), n_.connections));
         carrier["to"] = link_object(end_of(placement.route.back(), n_.connections));
         carrier["in_packets"] = placement.in_packets;
+        if (placement.broadcast_on != nowhere)
+            carrier["broadcast_on"] = n_.nodes[placement.broadcast_on].name;
         if (placement.route.size() > 1)
             carrier["route"] = list(placement.route, [&](const RouteHop& hop) { return hop_object(hop); });
         return carrier;

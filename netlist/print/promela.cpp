@@ -70,12 +70,22 @@ std::string legend(const Network& network) {
     return out + fmt::format("/* c[{}]: nothing passes, where a guard is closed */\n", network.channels.size());
 }
 
+/// What deadlocks on the machine must not be shown as free of it.
+void refuse_broadcasts(const Network& network) {
+    for (const NetworkChannel& channel : network.channels)
+        if (std::size_t bus = channel.placement.broadcast_on; bus != nowhere)
+            throw UserError(fmt::format("the channel \"{}\" is broadcast on \"{}\": its outputs wait for those of "
+                                        "other channels, as those of Promela's do not",
+                                        channel.name, network.nodes[bus].name));
+}
+
 } // namespace
 
 std::string print_promela(const Network& network, const Catalogue& catalogue) {
     if (network.processes.size() > most_processes)
         throw UserError(
             fmt::format("{} processes, and Spin has room for {}", network.processes.size(), most_processes));
+    refuse_broadcasts(network);
     std::string out = legend(network) + fmt::format("chan c[{}] = [0] of {{ byte }};\n", network.channels.size() + 1);
     std::string start;
     for (std::size_t process = 0; process < network.processes.size(); ++process) {

@@ -41,6 +41,7 @@ public:
     /// belong to.
     MemoryLane(Kernel&, VmeMaster&, const DualPortedMemory&, From, Cycles conversion);
 
+    std::string why_not_given_up() const override { return "leads through the memory of a bus master"; }
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return full_; }

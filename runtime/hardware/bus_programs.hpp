@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/vme_bus.hpp"
 
 /// What the programs of the thesis's masters spend on input and output over a VMEbus.
@@ -15,7 +16,11 @@ constexpr BusProgram sun_3_280{
 /// moves a byte (lb, sb, cj, lend ...), and a block move, whose words go as fast as the bus takes them. An interrupt
 /// is a high-priority process that becomes ready.
 constexpr BusProgram bbk_v2{
-    .byte_access = Cycles{20}, .read_word = Cycles{8}, .write_word = Cycles{8}, .in_blocks = true};
+
+    .byte_access = Cycles{20},
+    .read_word = instructions::block_move_start,
+    .write_word = instructions::block_move_start,
+    .in_blocks = true};
 
 /// Ours: of a bus master, to exchange the bytes of a word for a host of the other byte order.
 constexpr Cycles conversion{4};

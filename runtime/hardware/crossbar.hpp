@@ -56,6 +56,8 @@ struct SwitchAnswer {
 class Crossbar final : public Executive {
 public:
     static constexpr int links = 32;
+    /// Hundredths of a bit time that a bit needs to cross it (C004 manual).
+    static constexpr std::int64_t crossing_delay = 175;
 
     Crossbar(Kernel&, std::string name);
 

@@ -32,6 +32,9 @@ constexpr OperationCosts t800{
     .reset_channel = Cycles{3}, // ours: resetch
 };
 
+/// A block move, before its words: on the chip 2 cycles each, outside of it two accesses.
+constexpr Cycles block_move_start{8};
+
 /// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.
 constexpr Cycles preemption{19};
 

@@ -79,11 +79,9 @@ void LinkDirection::serve(AnyChannel& channel) {
 }
 
 void LinkDirection::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
-    serve(channel);
     if (form.total() == 0)
         throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
-    output_given_up_ = receiver_left_ = false;
-    bytes_before_part_ = 0;
+    begin_writing(channel);
     std::size_t last = last_travelling_part(form);
     for (std::size_t part = 0; part <= last && !output_given_up_; ++part)
         if (form[part] > 0) {
@@ -94,8 +92,7 @@ void LinkDirection::output(AnyChannel& channel, const WireForm& form, const Sour
 }
 
 void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
-    serve(channel);
-    input_given_up_ = false;
+    begin_reading(channel);
     bool last = false;
     do {
         charge(kernel_.running(), &OperationCosts::hard_communication);
@@ -145,6 +142,17 @@ void LinkDirection::take_part() {
     took_last_part_ = last_part_;
     if (last_part_)
         channel_->hand_over();
+}
+
+void LinkDirection::begin_writing(AnyChannel& channel) {
+    serve(channel);
+    output_given_up_ = receiver_left_ = false;
+    bytes_before_part_ = 0;
+}
+
+void LinkDirection::begin_reading(AnyChannel& channel) {
+    serve(channel);
+    input_given_up_ = false;
 }
 
 void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool last_part) {

@@ -71,13 +71,15 @@ public:
     // For a link adapter, whose program is the sender or the receiver: a byte at a time.
     void is_written_by(RegisterUser& user) { writer_ = &user; }
     void is_read_by(RegisterUser& user) { reader_ = &user; }
-    /// The running process begins to send a part of the channel's message.
+    /// The running process begins to send a message on the channel.
+    void begin_writing(AnyChannel&);
+    /// It begins to send a part of it.
     void begin_part(AnyChannel&, std::uint32_t bytes, bool last_part);
     bool can_be_written() const { return writable_; }
     /// REQUIRES: can_be_written().
     void write_byte();
     /// The running process begins to receive a message on the channel.
-    void begin_reading(AnyChannel& channel) { serve(channel); }
+    void begin_reading(AnyChannel&);
     bool can_be_read() const { return readable_; }
     /// What the byte was the last one of.
     enum class Ended { nothing, part, message };
@@ -87,7 +89,11 @@ public:
     bool output_is_lost(const AnyChannel&) const override { return sender_ && stalled_; }
     bool input_is_lost(const AnyChannel&) const override { return left_over_ || (stalled_ && bytes_taken() > 0); }
 
-    bool can_be_given_up() const override { return !writer_ && !reader_; }
+    /// Whether the message under way was given up at that end: then its program leaves it.
+    bool output_is_given_up() const { return output_given_up_; }
+    bool input_is_given_up() const { return input_given_up_; }
+
+    std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
     /// Bytes of the message that was given up at this end, or left in it by the other: those acknowledged, those

@@ -4,6 +4,9 @@
 #include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +31,14 @@ bool same(const WireForm& a, const WireForm& b) {
     return equal;
 }
 
+/// "4 + 148 bytes"
+std::string bytes_in_words(const WireForm& form) {
+    std::string text;
+    for (std::size_t part = 0; part < form.parts(); ++part)
+        text += fmt::format("{}{}", part == 0 ? "" : " + ", form[part]);
+    return text + " bytes";
+}
+
 } // namespace
 
 LinkAdapter::LinkAdapter(Kernel& kernel, std::string name, Link& link, End end)
@@ -50,13 +61,13 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// The status is that at the end of the access.
-template <class Ready>
+/// Until the register is ready, or the message is given up. The status is that at the end of the access.
+template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
-                          const SourceLocation& where, Ready ready) {
+                          const SourceLocation& where, Over over) {
     for (std::int64_t polls = 1;; ++polls) {
         access();
-        if (ready())
+        if (over())
             return;
         if (polls % master_.program().most_polls == 0) {
             data.sleeper = &kernel_.running();
@@ -67,58 +78,55 @@ void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyCha
 }
 
 void AdapterProgram::wait_until_writable(AnyChannel& channel, const SourceLocation& where) {
-    poll(adapter_.output_, Activity::outputting, channel, where, [&] { return adapter_.to_link().can_be_written(); });
+    const LinkDirection& link = adapter_.to_link();
+    poll(adapter_.output_, Activity::outputting, channel, where,
+         [&] { return link.can_be_written() || link.output_is_given_up(); });
 }
 
 void AdapterProgram::wait_until_readable(AnyChannel& channel, const SourceLocation& where) {
-    poll(adapter_.input_, Activity::inputting, channel, where, [&] { return adapter_.from_link().can_be_read(); });
+    const LinkDirection& link = adapter_.from_link();
+    poll(adapter_.input_, Activity::inputting, channel, where,
+         [&] { return link.can_be_read() || link.input_is_given_up(); });
 }
 
 void AdapterProgram::ToLink::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
-    LinkDirection& link = program.adapter_.to_link();
     std::size_t last = last_part_on_wire(form, channel);
-    for (std::size_t part = 0; part <= last; ++part) {
-        if (form[part] == 0)
-            continue;
-        charge(program.kernel_.running(), &OperationCosts::hard_communication);
-        link.begin_part(channel, form[part], part == last);
-        for (std::uint32_t byte = 0; byte < form[part]; ++byte) {
-            program.wait_until_writable(channel, where);
-            program.access();
-            link.write_byte();
+    link.begin_writing(channel);
+    for (std::size_t part = 0; part <= last && !link.output_is_given_up(); ++part)
+        if (form[part] > 0) {
+            charge(program.kernel_.running(), &OperationCosts::hard_communication);
+            if (!link.output_is_given_up())
+                write_part(channel, form[part], part == last, where);
         }
+}
+
+void AdapterProgram::ToLink::write_part(AnyChannel& channel, std::uint32_t bytes, bool last,
+                                        const SourceLocation& where) {
+    link.begin_part(channel, bytes, last);
+    for (std::uint32_t byte = 0; byte < bytes; ++byte) {
         program.wait_until_writable(channel, where);
+        if (!link.output_is_given_up())
+            program.access();
+        if (link.output_is_given_up())
+            return;
+        link.write_byte();
     }
-}
-
-void AdapterProgram::ToLink::input(AnyChannel& channel, const SourceLocation& where) {
-    program.adapter_.to_link().input(channel, where);
-}
-
-bool AdapterProgram::ToLink::message_waits(const AnyChannel& channel) const {
-    return program.adapter_.to_link().message_waits(channel);
-}
-
-void AdapterProgram::FromLink::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
-    program.adapter_.from_link().output(channel, form, where);
+    program.wait_until_writable(channel, where);
 }
 
 void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& where) {
-    LinkDirection& link = program.adapter_.from_link();
     link.begin_reading(channel);
     charge(program.kernel_.running(), &OperationCosts::hard_communication);
     LinkDirection::Ended ended{};
-    while (ended != LinkDirection::Ended::message) {
+    while (ended != LinkDirection::Ended::message && !link.input_is_given_up()) {
         if (ended == LinkDirection::Ended::part)
             charge(program.kernel_.running(), &OperationCosts::hard_communication);
         program.wait_until_readable(channel, where);
-        program.access();
-        ended = link.read_byte();
+        if (!link.input_is_given_up())
+            program.access();
+        if (!link.input_is_given_up())
+            ended = link.read_byte();
     }
-}
-
-bool AdapterProgram::FromLink::message_waits(const AnyChannel& channel) const {
-    return program.adapter_.from_link().message_waits(channel);
 }
 
 AdapterBroadcast::AdapterBroadcast(Kernel& kernel, const std::vector<AdapterProgram*>& programs) : kernel_(kernel) {
@@ -132,16 +140,19 @@ AdapterBroadcast::AdapterBroadcast(Kernel& kernel, const std::vector<AdapterProg
         throw std::logic_error("a broadcast reaches at least one adapter");
 }
 
+void AdapterBroadcast::carry(AnyChannel& channel, std::size_t i) {
+    lanes_.at(i).channel = &channel;
+    channel.put_on(lanes_[i]);
+}
+
 void AdapterBroadcast::Lane::output(AnyChannel& to, const WireForm& form, const SourceLocation& where) {
     Process& self = broadcast.kernel_.running();
     charge(self, &OperationCosts::hard_communication);
     last_part_on_wire(form, to);
-    channel = &to;
+    broadcast.require_same(to, form);
     outputter = &self;
-    broadcast.forms_.push_back(form);
-    if (!same(form, broadcast.forms_.front()))
-        throw std::logic_error("channel " + to.name() + " is broadcast with others, and its message has another form");
-    if (++broadcast.waiting_ < broadcast.lanes_.size())
+    ++broadcast.waiting_;
+    if (!broadcast.is_written())
         return self.wait_for(Activity::outputting, &to, where);
     broadcast.write_all(form, where);
     broadcast.let_others_go_on();
@@ -151,7 +162,50 @@ void AdapterBroadcast::Lane::input(AnyChannel& to, const SourceLocation& where) 
 
 bool AdapterBroadcast::Lane::message_waits(const AnyChannel& to) const { return program.to_link().message_waits(to); }
 
+/// One of which something is lost keeps all of them.
+bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
+    return broadcast.is_written() && std::ranges::any_of(broadcast.lanes_, [](const Lane& lane) {
+               return lane.link().output_is_lost(*lane.channel);
+           });
+}
+
+bool AdapterBroadcast::Lane::input_is_lost(const AnyChannel& to) const { return link().input_is_lost(to); }
+
+/// Of a message that is being written, its inputter has not taken it; of one that is not, nobody has output it.
+bool AdapterBroadcast::Lane::holds_others_up() const {
+    if (!broadcast.is_written())
+        return outputter == nullptr;
+    return !link().can_be_written() && channel->output_waits() && !channel->input_waits();
+}
+
+std::vector<const AnyChannel*> AdapterBroadcast::Lane::held_up_by(const AnyChannel& to) const {
+    std::vector<const AnyChannel*> others;
+    for (const Lane& lane : broadcast.lanes_)
+        if (outputter && lane.channel && lane.channel != &to && lane.holds_others_up())
+            others.push_back(lane.channel);
+    return others;
+}
+
+void AdapterBroadcast::require_same(const AnyChannel& channel, const WireForm& form) {
+    if (waiting_ == 0) {
+        first_ = &channel;
+        form_ = form;
+        return;
+    }
+    std::string both = fmt::format("channel {} is broadcast with {}", channel.name(), first_->name());
+    if (!same(form, *form_))
+        throw BroadcastError(
+            fmt::format("{}, but its message has {}, not {}", both, bytes_in_words(form), bytes_in_words(*form_)));
+    auto is_same = channel.has_message_of(*first_);
+    if (!is_same)
+        throw BroadcastError(both + ", and it cannot be told whether the messages are the same: their type has no ==");
+    if (!*is_same)
+        throw BroadcastError(both + ", but its message is another one");
+}
+
 void AdapterBroadcast::write_all(const WireForm& form, const SourceLocation& where) {
+    for (Lane& lane : lanes_)
+        lane.program.adapter_.to_link().begin_writing(*lane.channel);
     std::size_t last = last_part_on_wire(form, *lanes_.front().channel);
     for (std::size_t part = 0; part <= last; ++part)
         if (form[part] > 0)
@@ -177,8 +231,8 @@ void AdapterBroadcast::wait_for_all(const SourceLocation& where) {
 
 void AdapterBroadcast::let_others_go_on() {
     ++messages_;
+    bytes_ += static_cast<std::uint64_t>(form_->total());
     waiting_ = 0;
-    forms_.clear();
     for (Lane& lane : lanes_)
         if (Process* process = std::exchange(lane.outputter, nullptr); process != &kernel_.running())
             kernel_.make_ready(*process);

@@ -6,6 +6,8 @@
 #include "runtime/source_location.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,8 @@ private:
 /// ready, then writes or reads a byte, for each byte of the message. A process that has read the status in vain for
 /// BusProgram::most_polls times waits for the adapter's interrupt. Each access costs the program its time and the bus a
 /// cycle.
+///
+/// A message that is given up (runtime/recovery.hpp) the program leaves after the access that it is in.
 class AdapterProgram {
 public:
     /// REQUIRES: they outlive it, no other master uses the adapter, and the processes that output by to_link() and
@@ -62,45 +66,72 @@ public:
 private:
     friend class AdapterBroadcast;
 
-    struct ToLink final : Carrier {
-        explicit ToLink(AdapterProgram& p) : program(p) {}
-        void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
-        void input(AnyChannel&, const SourceLocation&) override;
-        bool message_waits(const AnyChannel&) const override;
+    /// What both have of the link, by which the transputer's end is an engine's.
+    struct AdapterLane : Carrier {
+        AdapterLane(AdapterProgram& p, LinkDirection& l) : program(p), link(l) {}
+        bool message_waits(const AnyChannel& c) const override { return link.message_waits(c); }
+        bool output_is_lost(const AnyChannel& c) const override { return link.output_is_lost(c); }
+        bool input_is_lost(const AnyChannel& c) const override { return link.input_is_lost(c); }
+        std::string why_not_given_up() const override { return ""; }
+        bool give_up_output(AnyChannel& c) override { return link.give_up_output(c); }
+        bool give_up_input(AnyChannel& c) override { return link.give_up_input(c); }
+        std::uint64_t reset_output(AnyChannel& c) override { return link.reset_output(c); }
+        std::uint64_t reset_input(AnyChannel& c) override { return link.reset_input(c); }
         AdapterProgram& program;
+        LinkDirection& link;
     };
-    struct FromLink final : Carrier {
-        explicit FromLink(AdapterProgram& p) : program(p) {}
+    struct ToLink final : AdapterLane {
+        using AdapterLane::AdapterLane;
         void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+        void input(AnyChannel& c, const SourceLocation& where) override { link.input(c, where); }
+        void write_part(AnyChannel&, std::uint32_t bytes, bool last, const SourceLocation&);
+    };
+    struct FromLink final : AdapterLane {
+        using AdapterLane::AdapterLane;
+        void output(AnyChannel& c, const WireForm& form, const SourceLocation& where) override {
+            link.output(c, form, where);
+        }
         void input(AnyChannel&, const SourceLocation&) override;
-        bool message_waits(const AnyChannel&) const override;
-        AdapterProgram& program;
     };
 
     void access();
-    template <class Ready>
-    void poll(LinkAdapter::Register&, Activity, AnyChannel&, const SourceLocation&, Ready);
+    template <class Over>
+    void poll(LinkAdapter::Register&, Activity, AnyChannel&, const SourceLocation&, Over);
     void wait_until_writable(AnyChannel&, const SourceLocation&);
     void wait_until_readable(AnyChannel&, const SourceLocation&);
 
     Kernel& kernel_;
     VmeMaster& master_;
     LinkAdapter& adapter_;
-    ToLink to_link_{*this};
-    FromLink from_link_{*this};
+    ToLink to_link_{*this, adapter_.to_link()};
+    FromLink from_link_{*this, adapter_.from_link()};
+};
+
+/// What a program outputs as one broadcast is not one message.
+class BroadcastError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
 };
 
 /// The same message to the transputers at several adapters at once: one write to the bus reaches the output registers
 /// of them all. A program outputs it in a PAR, on a channel for each adapter; the component that comes last writes the
 /// bytes, when the status of each adapter in turn has shown that its register is free.
+///
+/// 1. Each of its lanes has a channel before the run.
+/// 2. What is output on them at one time is the same message, of the same form; else the process that outputs the other
+///    one gets a BroadcastError, and so where the messages of the protocol cannot be compared (SameMessage).
 class AdapterBroadcast {
 public:
     /// REQUIRES: at least one program, all of one master. Throws std::logic_error otherwise.
     AdapterBroadcast(Kernel&, const std::vector<AdapterProgram*>&);
 
-    /// For the channel to the transputer of adapter number i.
-    Carrier& lane(std::size_t i) { return lanes_[i]; }
+    /// Puts the channel on the way to the transputer of adapter number i. REQUIRES: i < adapters(); it outlives the
+    /// run.
+    void carry(AnyChannel& channel, std::size_t i);
+    std::size_t adapters() const { return lanes_.size(); }
+    /// Written so far to the end, each once for all adapters, and their bytes.
     std::uint64_t messages() const { return messages_; }
+    std::uint64_t bytes() const { return bytes_; }
 
 private:
     struct Lane final : Carrier {
@@ -108,11 +139,19 @@ private:
         void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
         void input(AnyChannel&, const SourceLocation&) override;
         bool message_waits(const AnyChannel&) const override;
+        bool output_is_lost(const AnyChannel&) const override;
+        bool input_is_lost(const AnyChannel&) const override;
+        std::string why_not_given_up() const override { return "is broadcast with others"; }
+        std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const override;
+        const LinkDirection& link() const { return program.adapter_.to_link(); }
+        bool holds_others_up() const;
         AdapterBroadcast& broadcast;
         AdapterProgram& program;
-        AnyChannel* channel = nullptr; ///< while an output waits
-        Process* outputter = nullptr;
+        AnyChannel* channel = nullptr;
+        Process* outputter = nullptr; ///< that waits until the message has been written
     };
+    bool is_written() const { return waiting_ == lanes_.size(); }
+    void require_same(const AnyChannel&, const WireForm&);
     void write_all(const WireForm&, const SourceLocation&);
     void write_part(std::uint32_t bytes, bool last, const SourceLocation&);
     void wait_for_all(const SourceLocation&);
@@ -121,8 +160,9 @@ private:
     Kernel& kernel_;
     std::vector<Lane> lanes_;
     std::size_t waiting_ = 0;
-    std::vector<WireForm> forms_; ///< of the messages that wait
-    std::uint64_t messages_ = 0;
+    const AnyChannel* first_ = nullptr; ///< of those that wait
+    std::optional<WireForm> form_;      ///< of its message
+    std::uint64_t messages_ = 0, bytes_ = 0;
 };
 
 } // namespace placedpar::hardware

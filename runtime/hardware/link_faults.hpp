@@ -34,6 +34,9 @@ struct FaultEffect {
         std::string channel; ///< whose message it was
         bool acknowledge;
         std::uint64_t byte; ///< of the message, from 1
+        /// Of a link between routers the message is a packet of the channel's, or a packet that acknowledges one.
+        enum class Message { whole, packet, acknowledging_packet };
+        Message message = Message::whole;
     };
     std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
     std::optional<Hit> first, last;

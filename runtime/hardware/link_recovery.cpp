@@ -11,9 +11,13 @@ namespace placedpar::hardware {
 
 /// REQUIRES: the link has faults, and the packet begins now.
 bool LinkDirection::is_lost(bool acknowledge) {
-    return faults_->take(
-        {kernel_.now(), channel_->name(), acknowledge, bytes_before_part_ + bytes_in_part_ - bytes_left_},
-        acknowledge != leaves_a_);
+    using Message = FaultEffect::Hit::Message;
+    const AnyChannel::Cargo& cargo = channel_->cargo();
+    FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : channel_->name(), acknowledge,
+                         bytes_before_part_ + bytes_in_part_ - bytes_left_};
+    if (cargo.channel)
+        hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
+    return faults_->take(hit, acknowledge != leaves_a_);
 }
 
 bool LinkDirection::no_fault_until_the_last_byte() const {
@@ -36,7 +40,7 @@ std::uint64_t LinkDirection::bytes_taken() const {
         return 0;
     if (first_byte_waits_)
         return bytes_before_part_ + 1;
-    if (acknowledge_owed_)
+    if (acknowledge_owed_ && !reader_)
         return bytes_before_part_;
     bool on_its_way = unacknowledged_ && (!byte_comes_over_ || byte_noticed_.scheduled());
     std::uint32_t started = bytes_in_part_ - bytes_left_;
@@ -64,7 +68,7 @@ void LinkDirection::drop_bytes_on_their_way() {
     if (bytes_in_part_ > 0 && bytes_left_ == 0 && byte_comes_over_)
         cancel(last_byte_arrived_[last_of_part_]);
     withdraw_acknowledge();
-    acknowledge_owed_ = false;
+    acknowledge_owed_ = readable_ = false;
 }
 
 /// The sender stops in the middle of its message, if it is in one.
@@ -79,6 +83,7 @@ void LinkDirection::drop_output() {
     cancel(start_byte_);
     cancel(sending_ended_);
     out_.withdraw_byte();
+    writable_ = true;
     stall();
 }
 
@@ -91,8 +96,12 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
     drop_output();
     if (sender_) {
         leave_memories();
-        kernel_.make_ready(*std::exchange(sender_, nullptr));
+        Process& sender = *std::exchange(sender_, nullptr);
+        if (!writer_)
+            kernel_.make_ready(sender);
     }
+    if (writer_)
+        writer_->register_ready(); // it may sleep until then
     return true;
 }
 
@@ -120,6 +129,8 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
     receiver_leaves();
     if (receiver_)
         kernel_.make_ready(*std::exchange(receiver_, nullptr));
+    if (reader_)
+        reader_->register_ready();
     return true;
 }
 

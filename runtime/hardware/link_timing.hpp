@@ -18,12 +18,18 @@ namespace placedpar::hardware {
 /// Both ways it takes 17.0 (2350 Kbyte/s in sum): 11 and the restart. At 10 and 5 Mbit/s it takes less, so that part of
 /// the restart is taken as logic that does not slow down with the link.
 struct LinkTiming {
-    std::int64_t bits_per_second = 20'000'000;
+    static constexpr std::int64_t usual_speed = 20'000'000;
+    std::int64_t bits_per_second = usual_speed;
     Time wire_delay{};                  ///< one way, of wire and switches
     bool overlapped_acknowledge = true; ///< T800, T805, T425; not T414
 
     static constexpr std::int64_t data_bits = 11;
     static constexpr std::int64_t acknowledge_bits = 2;
+    /// Latencies in tenths of a bit period, and the part of the restart that does not depend on the speed.
+    static constexpr std::int64_t acknowledge_tenths = 52, restart_tenths = 36;
+    static constexpr Time restart_logic = std::chrono::nanoseconds{120};
+    /// A transmission line.
+    static constexpr Time metre_of_wire = std::chrono::nanoseconds{5};
 
     constexpr Time data() const { return duration_of(data_bits, bits_per_second); }
     constexpr Time acknowledge() const { return duration_of(acknowledge_bits, bits_per_second); }
@@ -31,13 +37,13 @@ struct LinkTiming {
     /// From the start of a byte at the receiver to the start of its acknowledge, if a process takes the byte
     /// and the wire is free: 5.2 bit periods; without overlap, counted from the end of the byte.
     constexpr Time acknowledge_latency() const {
-        Time latency = duration_of(52, 10 * bits_per_second);
+        Time latency = duration_of(acknowledge_tenths, 10 * bits_per_second);
         return overlapped_acknowledge ? latency : data() + latency;
     }
     /// From the start of the acknowledge at the sender to the start of the next byte: 6 bit periods at
     /// 20 Mbit/s; without overlap, counted from the end of the acknowledge.
     constexpr Time restart_latency() const {
-        Time latency = duration_of(36, 10 * bits_per_second) + std::chrono::nanoseconds{120};
+        Time latency = duration_of(restart_tenths, 10 * bits_per_second) + restart_logic;
         return overlapped_acknowledge ? latency : acknowledge() + latency;
     }
     /// From the start of a byte to the start of the next when the other direction is quiet and the receiver ready.

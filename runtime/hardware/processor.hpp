@@ -19,7 +19,11 @@ namespace placedpar::hardware {
 
 /// The memory in which a processor's messages lie, and whatever else its processes work on.
 struct Memory {
-    Cycles access{1};                 ///< to a word: 1 on the chip, at least 3 outside of it
+    /// Cycles of an access to a word: "external at least 3" (listing of a machine of 64 T800s); 30 Mbyte/s at 30 MHz
+    /// (IMS T225 data sheet), the T212, T222 and M212 likewise.
+    static constexpr Cycles on_chip{1}, outside{3}, outside_of_a_t2{2};
+
+    Cycles access = on_chip;
     std::int64_t bytes_in_a_word = 4; ///< 2 in a T2
 };
 
@@ -44,10 +48,13 @@ public:
     static constexpr Time high_tick = std::chrono::microseconds{1};
     static constexpr Time low_tick = std::chrono::microseconds{64};
 
+    /// 17.5 to 30 MHz were sold.
+    static constexpr std::int64_t usual_clock = 20'000'000;
+
     /// `channel_call`: cycles that the program's communication library adds to each input and output, on soft and hard
     /// channels alike; none for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0, an
     /// access takes a cycle or more, and a word has 2 or 4 bytes.
-    Processor(Kernel&, std::string name, std::int64_t clock_hz = 20'000'000, Cycles channel_call = Cycles{0},
+    Processor(Kernel&, std::string name, std::int64_t clock_hz = usual_clock, Cycles channel_call = Cycles{0},
               const Memory& = {});
 
     /// One of the link's ends is this processor's: its engines use this processor's memory. REQUIRES: the link outlives

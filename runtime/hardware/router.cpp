@@ -57,9 +57,25 @@ void Router::Port::send_packets() {
             sender_.wait_for(Activity::inputting, nullptr, SourceLocation::current());
         }
         Packet packet = take_turn();
+        being_sent_ = packet.route;
         compute(handling);
+        on_link_ = true;
+        out_.carries({packet.route->channel_, packet.acknowledge});
         out_.out().output(packet);
+        on_link_ = false;
+        being_sent_ = nullptr;
     }
+}
+
+bool Router::Port::halted() const { return router_.executive_ && router_.executive_->halted(); }
+
+bool Router::Port::stands_still() const { return out_.output_is_lost() || halted() || opposite_->halted(); }
+
+/// One of which only its end's acknowledge on the link is lost has got over.
+bool Router::Port::holds_packet_of(const Route& route) const {
+    bool has_got_over = on_link_ && !out_.output_waits();
+    return (being_sent_ == &route && !has_got_over) ||
+           std::ranges::any_of(turns_, [&](const auto& each) { return each.front().route == &route; });
 }
 
 void Router::Port::receive_packets() {
@@ -83,6 +99,8 @@ RouterLink::RouterLink(Kernel&, const Lane& a_to_b, const Lane& b_to_a, Router& 
     : a_to_b_("packets " + a_to_b.name), b_to_a_("packets " + b_to_a.name),
       a_(a.ports_.emplace_back(a, a_to_b.name, b_to_a.name, a_to_b_, b_to_a_)),
       b_(b.ports_.emplace_back(b, b_to_a.name, a_to_b.name, b_to_a_, a_to_b_)) {
+    a_.is_opposite(b_);
+    b_.is_opposite(a_);
     a_to_b_.put_on(a_to_b.carrier);
     b_to_a_.put_on(b_to_a.carrier);
 }
@@ -105,6 +123,22 @@ void Route::output(AnyChannel& channel, const WireForm& form, const SourceLocati
     while (!all_sent_ && under_way_ < most_under_way)
         send_packet();
     self.wait_for(Activity::outputting, &channel, where);
+    outputter_ = nullptr;
+}
+
+bool Route::is_stopped() const {
+    return outputter_ && any_port([this](const Router::Port* each) {
+               return each->halted() || (each->stands_still() && each->holds_packet_of(*this));
+           });
+}
+
+bool Route::is_stopped_at(const RouterLink& link) const {
+    auto stands_there = [this](const Router::Port& port) { return port.stands_still() && port.holds_packet_of(*this); };
+    return outputter_ && (stands_there(link.a_) || stands_there(link.b_));
+}
+
+bool Route::is_stopped_by(const Executive& executive) const {
+    return outputter_ && any_port([&](const Router::Port* each) { return each->is_on(executive) && each->halted(); });
 }
 
 void Route::send_packet() {

@@ -6,6 +6,7 @@
 #include "runtime/process.hpp"
 #include "runtime/source_location.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <list>
@@ -48,6 +49,9 @@ struct Packet {
 /// channel and acknowledges of them exist at a time, and each router on its route keeps room for so many. So a packet
 /// that has a link's turn gets over it, turns come round, and every packet arrives, whatever processes do; a channel
 /// waits for its processes only.
+///
+/// Where a link loses something of a packet (link_faults.hpp), or a processor has halted, packets stand still from then
+/// on: routers do not repeat them. The channels of those that are there wait for ever; others go on.
 class Router {
 public:
     static constexpr Cycles handling{200}; ///< ours: queueing, looking up the route, rescheduling
@@ -72,6 +76,13 @@ private:
         /// The packets of the other end come by `in`.
         Port(Router&, const std::string& to, const std::string& from, Channel<Packet>& out, Channel<Packet>& in);
         void post(const Packet&);
+        void is_opposite(const Port& other) { opposite_ = &other; }
+
+        bool is_on(const Executive& executive) const { return router_.executive_ == &executive; }
+        bool halted() const;
+        /// Whether no packet that is here will ever get over the link.
+        bool stands_still() const;
+        bool holds_packet_of(const Route&) const;
 
     private:
         void send_packets();
@@ -81,6 +92,9 @@ private:
         Router& router_;
         Channel<Packet>& out_;
         Channel<Packet>& in_;
+        const Port* opposite_ = nullptr;       ///< at the other end of the link
+        const Route* being_sent_ = nullptr;    ///< whose packet the sender has
+        bool on_link_ = false;                 ///< and outputs
         std::deque<std::deque<Packet>> turns_; ///< the packets of each channel that has any, the next to send first
         bool sender_idle_ = false;             ///< it waits for a packet to send
         Process sender_, receiver_;
@@ -130,9 +144,22 @@ public:
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return !here_.empty(); }
+    std::string why_not_given_up() const override { return "travels in packets, which routers carry to their end"; }
+    /// A packet of the message under way, or the acknowledge of one, stands still.
+    bool output_is_lost(const AnyChannel&) const override { return is_stopped(); }
+    bool input_is_lost(const AnyChannel&) const override { return inputter_ && is_stopped(); }
+    /// It does at this link; it does since this processor, which it leads from, to or over, has halted.
+    bool is_stopped_at(const RouterLink&) const;
+    bool is_stopped_by(const Executive&) const;
 
 private:
     friend class Router;
+
+    bool is_stopped() const;
+    template <class Has>
+    bool any_port(Has has) const {
+        return std::ranges::any_of(forth_, has) || std::ranges::any_of(back_, has);
+    }
 
     /// The packet, which has come over a link, goes on at that router; nothing if it has arrived.
     Router::Port* onward(Packet&) const;

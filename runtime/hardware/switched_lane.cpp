@@ -47,8 +47,6 @@ bool SwitchedLane::output_is_lost(const AnyChannel& channel) const { return dire
 
 bool SwitchedLane::input_is_lost(const AnyChannel& channel) const { return direction_.input_is_lost(channel); }
 
-bool SwitchedLane::can_be_given_up() const { return direction_.can_be_given_up(); }
-
 bool SwitchedLane::give_up_output(AnyChannel& channel) { return direction_.give_up_output(channel); }
 
 bool SwitchedLane::give_up_input(AnyChannel& channel) { return direction_.give_up_input(channel); }

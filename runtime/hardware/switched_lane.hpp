@@ -33,7 +33,7 @@ public:
     bool message_waits(const AnyChannel&) const override;
     bool output_is_lost(const AnyChannel&) const override;
     bool input_is_lost(const AnyChannel&) const override;
-    bool can_be_given_up() const override;
+    std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
     std::uint64_t reset_output(AnyChannel&) override;

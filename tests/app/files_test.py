@@ -92,8 +92,8 @@ class Files(unittest.TestCase):
                           ["record", "scenario-a", "--machine", machine, "--out", machine],
                           ["identify", record, "--json", record],
                           ["identify", record, "--machine", machine, "--json", machine],
-                          ["identify", record, "--on", including, "--json", including],
-                          ["identify", record, "--on", including, "--json", included]):
+                          ["identify", record, "--way", "thesis", "--on", including, "--json", including],
+                          ["identify", record, "--way", "thesis", "--on", including, "--json", included]):
             before = {path: path.read_text(encoding="utf-8") for path in self.folder.iterdir()}
             run = placedpar(*arguments)
             self.assertEqual(run.returncode, 1, arguments)

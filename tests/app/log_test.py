@@ -107,7 +107,7 @@ class Log(unittest.TestCase):
         self.assertRegex(run.stdout, r"\nmaster +[-0-9.e]+ \[")
 
     def test_convergence_is_drawn(self):
-        for seeds, words in ((1, {"fitness, seed 1", "best", "mean"}),
+        for seeds, words in ((1, {"fitness, seed 1", "best", "mean ↓ to -8.4e+04"}),
                              (4, {"fitness, medians and quartiles of 4 seeds", "in a population", "between them"})):
             svg = self.folder / f"{seeds}.svg"
             run = placedpar("run", FIGURE_E2, "--seeds", seeds, "--convergence", svg)

@@ -397,6 +397,16 @@ class Pictures(unittest.TestCase):
         self.assertIn(">crossbar switch<", switched)
         self.assertNotIn("carries channels", switched)
 
+    def test_no_kind_of_device_is_drawn_in_a_style_of_texts(self):
+        """Its name is a class of its own, whatever words it is made of."""
+        text = self.shown(EXAMPLES / "42-figure-d1" / "figure-d1.cfs", "svg")
+        groups = [each.get("class").split() for each in ElementTree.fromstring(text).findall(f"{SVG}g")]
+        kinds = [words[1:] for words in groups if words[0] in ("node", "legend")]
+        self.assertIn(["link-adapter"], kinds)
+        for words in kinds:
+            self.assertLessEqual(len(words), 1)
+            self.assertTrue(set(words).isdisjoint(LETTER), words)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -100,7 +100,7 @@ class RealFiles(unittest.TestCase):
         self.assertIn("SLAVE.LKU", text)
         self.write("sizes/cluster.inc", text)
         netlist = self.write("main.cfs", '#include "CLUSTER.INC"\n')
-        way = ("identify", STEP, "--trials", "1", "--on", netlist, "-I", EXAMPLES)
+        way = ("identify", STEP, "--way", "thesis", "--trials", "1", "--on", netlist, "-I", EXAMPLES)
         self.assertIn("cannot include", self.refused(*way))
         self.assertIn("the same\n", self.printed(*way, *self.sizes, "--use", "SLAVE.LKU=ga.slave"))
 

@@ -57,6 +57,31 @@ class Replay(unittest.TestCase):
         self.assertEqual(times, sorted(times, reverse=True))
         self.assertLess(times[3], times[0] / 2.8)
 
+    def test_the_evidence_is_every_constant_and_every_published_figure_with_its_source(self):
+        _, evidence = replay("evidence", self.folder)
+        self.assertTrue(evidence["within_tolerance"])
+        figures = {}
+        for experiment in ("links", "poznan", "processor"):
+            _, document = replay(experiment, self.folder)
+            for part in [document, *document["other_readings"]]:
+                figures.update((c["row"], c["simulated"]) for c in part["cells"])
+        self.assertEqual({c["row"]: c["simulated"] for c in evidence["cells"]}, figures)
+        self.assertTrue(all(c["source"] for c in evidence["cells"]))
+        constants = {c["name"]: c for c in evidence["constants"]}
+        self.assertEqual({c["mark"] for c in evidence["constants"]},
+                         {"published", "workload", "calibrated", "ours", "fitted"})
+        self.assertTrue(all(c["source"] for c in evidence["constants"]))
+        self.assertEqual(constants["a word of measurements, made ready"]["value"], 134)
+
+    def test_constants_that_a_netlist_states_are_those_of_the_netlist(self):
+        examples = pathlib.Path(self.folder) / "examples"
+        shutil.copytree(EXAMPLES, examples)
+        workload = examples / "thesis" / "workload.inc"
+        text = workload.read_text(encoding="utf-8")
+        workload.write_text(text.replace("cycles_per_measurement_word 134", "cycles_per_measurement_word 135"))
+        _, evidence = replay("evidence", self.folder, environment={"PLACEDPAR_EXAMPLES": str(examples)})
+        self.assertIn(135, [c["value"] for c in evidence["constants"] if c["mark"] == "calibrated"])
+
     def test_studies_of_chapter_6_hold_over_few_seeds(self):
         for experiment in ("coarse-fine", "encoding", "crossover-by-difference"):
             run, document = replay(experiment, self.folder, "--seeds", 3)

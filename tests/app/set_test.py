@@ -134,14 +134,14 @@ class Set(unittest.TestCase):
         self.assertLess(len(said), 1500)
 
     def test_identify_takes_it_for_its_netlist(self):
-        run = placedpar("identify", RECORD, "--on", CLUSTER, "--set", "slaves=1", "--set", "linkspeed=10M")
+        run = placedpar("identify", RECORD, "--way", "thesis", "--on", CLUSTER, "--set", "slaves=1", "--set", "linkspeed=10M")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("set: linkspeed = 10M", run.stdout)
         fixed = self.changed(CLUSTER, "population = population", "population = 60")
-        run = placedpar("identify", RECORD, "--on", fixed)  # as ever, the netlist's own value is not set aside unasked
+        run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed)  # as ever, the netlist's own value is not set aside unasked
         self.assertEqual(run.returncode, 1)
         self.assertIn("identify searches with 120", run.stderr)
-        run = placedpar("identify", RECORD, "--on", fixed, "--set", "master.population=120")
+        run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed, "--set", "master.population=120")
         self.assertEqual(run.returncode, 0, run.stderr)
 
 

@@ -78,13 +78,13 @@ class Streams(unittest.TestCase):
         fed = self.fed(machine, "record", "excavator", "--machine", "-")
         self.assertEqual(fed.returncode, 0, fed.stderr)
         self.assertEqual(fed.stdout, placedpar("record", "excavator", "--machine", path).stdout)
-        netlist = self.fed(CLUSTER.read_text(encoding="utf-8"), "identify", RECORD, "--on", "-", "--set", "slaves=1",
+        netlist = self.fed(CLUSTER.read_text(encoding="utf-8"), "identify", RECORD, "--way", "thesis", "--on", "-", "--set", "slaves=1",
                            folder=CLUSTER.parent)
         self.assertEqual(netlist.returncode, 0, netlist.stderr)
         self.assertIn("by the processes: the same", netlist.stdout)
 
     def test_standard_input_is_one_file(self):
-        for arguments in (["identify", "-", "--on", "-"], ["identify", "-", "--machine", "-"]):
+        for arguments in (["identify", "-", "--way", "thesis", "--on", "-"], ["identify", "-", "--machine", "-"]):
             run = self.fed("", *arguments)
             self.assertEqual((run.returncode, run.stderr), (1,
                 "placedpar: standard input is one file: only one of RECORD, --machine and --on can be \"-\"\n"))

@@ -47,7 +47,7 @@ class Study(unittest.TestCase):
     def test_a_claim_far_from_the_page_is_named(self):
         self.assertEqual(judged(with_change("60.00   100.00", "101.00   110.00")), "")
         self.assertEqual(judged(with_change("60.00   100.00", "111.00   120.00")),
-                         "delay, window 30 less 10: 111.0 to 120.0 from 20 seeds, 60.0 to 100.0 on the page")
+                         "delay, window 30 less 10: 111.0 to 120.0 from few seeds, 60.0 to 100.0 on the page")
         self.assertIn("1.0 to 2.0 from", judged(with_change("60.00   100.00", "1.00   2.00")))
 
     def test_other_exits_are_failures(self):

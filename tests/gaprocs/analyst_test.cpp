@@ -76,7 +76,7 @@ std::string with_analyst(const IslandNetlist& netlist, const std::string& parame
 
 GenerationLog logged(const std::string& netlist) {
     GenerationLog log(island_names(four));
-    CHECK(run_on_line(netlist, 1, &log).result.ending == Ending::completed);
+    REQUIRE(run_on_line(netlist, 1, &log).result.ending == Ending::completed);
     return log;
 }
 

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace placedpar;
 
@@ -98,11 +99,32 @@ TEST_CASE("the communication of a generation that is dealt on demand is that of 
 TEST_CASE("no share of any window is about more individuals than stated") {
     for (Split split : {Split::individuals, Split::evaluations})
         for (std::size_t population : {2u, 7u, 30u, 31u})
-            for (std::size_t evaluators = 1; evaluators <= population; ++evaluators)
+            for (std::size_t slaves = 1; slaves < population; ++slaves)
                 for (std::size_t window = 1; window <= 12; ++window)
-                    for (const Share& share : deal(population, window, evaluators, split))
-                        CHECK(share.individuals() <= most_individuals(population, evaluators, split));
-    CHECK(most_individuals(120, 4, Split::individuals) == 30);
-    CHECK(most_individuals(30, 4, Split::individuals) == 8);
-    CHECK(most_individuals(30, 4, Split::demand) == 1);
+                    for (double own_share : {0.0, .3, 1.0}) {
+                        auto shares = deal(population, window, slaves, split, own_share);
+                        shares.pop_back(); // the master's, which is in no message
+                        for (const Share& share : shares)
+                            CHECK(share.individuals() <= most_individuals(population, slaves, split, own_share));
+                    }
+    CHECK(most_individuals(120, 3, Split::individuals) == 30);
+    CHECK(most_individuals(30, 3, Split::individuals) == 8);
+    CHECK(most_individuals(30, 3, Split::demand) == 1);
+}
+
+TEST_CASE("a master's own share is as much of a slave's as stated, and everything is dealt out once") {
+    for (double own_share : {0.0, .25, .5, 1.0})
+        for (std::size_t slaves : {0u, 1u, 3u, 7u}) {
+            auto shares = deal(30, 10, slaves, Split::evaluations, own_share);
+            REQUIRE(shares.size() == slaves + 1);
+            std::size_t next = 0;
+            for (const Share& share : shares) {
+                CHECK(share.first == next);
+                next = share.last;
+            }
+            CHECK(next == 300);
+            auto own = static_cast<double>(shares.back().evaluations());
+            if (slaves > 0)
+                CHECK(std::abs(own - own_share * static_cast<double>(shares.front().evaluations())) <= 2);
+        }
 }

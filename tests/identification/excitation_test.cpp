@@ -16,7 +16,6 @@ constexpr double truth = 0.0086;
 /// Four seconds of motion, all of it usable: 5 generations a sample.
 Identified follow(IdentificationWay way, std::uint64_t seed) {
     way.usable.count = 150;
-    way.searches = 1;
     return identify_boom(boom_measured(4, low_noise, seed), way, seed);
 }
 

@@ -18,6 +18,15 @@ IdentificationWay rising(IdentificationWay way) {
     return way;
 }
 
+/// An elite and Gray code miss the answer in hardly any record.
+IdentificationWay careful_way() {
+    IdentificationWay way = thesis_way();
+    way.coding = Coding::gray;
+    way.search.elite = 1;
+    way.usable.skipped = 2;
+    return way;
+}
+
 bool is_flagged(const Identified& identified, const std::string& word) {
     const auto& flags = identified.links.at(0).flags;
     return std::any_of(flags.begin(), flags.end(),
@@ -34,7 +43,7 @@ Record with_spool_offset(Record record, double offset_in) {
 
 TEST_CASE("a good record raises no flag, whatever the seed") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        Identified identified = identify_boom(boom_measured(1.5, low_noise, seed), service_way(), seed);
+        Identified identified = identify_boom(boom_measured(1.5, low_noise, seed), careful_way(), seed);
         CAPTURE(seed);
         CHECK(!identified.flagged());
         for (const Flag& flag : identified.links[0].flags)
@@ -56,7 +65,7 @@ TEST_CASE("angles that are radians leave the answer uncertain; a spool that stan
 }
 
 TEST_CASE("an offset found is flagged where it may be a leak: above 0, beyond the sensor and its error") {
-    Identified identified = identify_boom(boom_measured(1.5, low_noise, 1), service_way(), 1);
+    Identified identified = identify_boom(boom_measured(1.5, low_noise, 1), careful_way(), 1);
     auto flagged = [&](double offset_in, double error_in) {
         Identified copy = identified;
         flag_calibration(copy, {offset_in, error_in, 50}, 0.00024);
@@ -74,7 +83,7 @@ TEST_CASE("a spool that reads .02 in too low asks for a negative compliance: at 
         Record record = with_spool_offset(boom_measured(1.5, low_noise, seed), -0.02);
         flagged += is_flagged(identify_boom(record, rising(thesis_way()), seed), "at the lower bound");
         // With the offset taken off, the same record is as good as any.
-        Identified cured = identify_boom(record, service_way(), seed, -0.02);
+        Identified cured = identify_boom(record, careful_way(), seed, -0.02);
         CHECK(error_percent(cured.links[0].compliance_in3_per_psi, 0.0086) < 10);
         CHECK(!is_flagged(cured, "at the lower bound"));
     }

@@ -53,7 +53,7 @@ RunReport run_stream(const std::string& more, bool recovers = false) {
 } // namespace
 
 TEST_CASE("a fault is of a link, of the wire of a connection, or of a device; times have units") {
-    for (auto [said, printed] : std::vector<std::pair<const char*, const char*>>{
+    for (const auto& each : std::vector<std::pair<std::string, std::string>>{
              {"fault a.link[0] silent;", "a.link[0] silent"},
              {"fault wire silent (from = 20ms, until = 1s);", "a.link[0] silent (from = 20ms, until = 1s)"},
              {"fault b.link[0] silent (from = 1.5us, direction = \"in\");",
@@ -61,11 +61,11 @@ TEST_CASE("a fault is of a link, of the wire of a connection, or of a device; ti
              {"fault wire loses_acknowledge (from = at);", "a.link[0] loses_acknowledge (from = 2ms)"},
              {"fault wire slow (factor = 4, from = 20 * 1us);", "a.link[0] slow (from = 20us, factor = 4)"},
              {"fault b halts (from = 3000000);", "b halts (from = 3ms)"}}) {
-        CAPTURE(said);
-        Network network = network_of_stream(stream(said));
-        CHECK(only_fault(network) == printed);
+        CAPTURE(each.first);
+        Network network = network_of_stream(stream(each.first));
+        CHECK(only_fault(network) == each.second);
         Network again = network_of_stream(print_cfs(network));
-        CHECK(only_fault(again) == printed);
+        CHECK(only_fault(again) == each.second);
         CHECK(again.hash == network.hash);
         CHECK(network.hash != network_of_stream(stream("")).hash);
         CHECK(print_json(network).find("\"faults\": [") != std::string::npos);
@@ -109,15 +109,15 @@ TEST_CASE("a silent link is a deadlock, and the report says which message it too
 }
 
 TEST_CASE("the direction is seen from the end that is named") {
-    for (auto [fault, bytes] : std::vector<std::pair<const char*, std::uint64_t>>{
+    for (const auto& each : std::vector<std::pair<std::string, std::uint64_t>>{
              {"fault a.link[0] silent (from = at, direction = \"out\");", 1},
              {"fault b.link[0] silent (from = at, direction = \"in\");", 1},
              {"fault a.link[0] silent (from = at, direction = \"in\");", 0},
              {"fault b.link[0] silent (from = at, direction = \"out\");", 0}}) {
-        CAPTURE(fault);
-        RunReport report = run_stream(fault);
-        CHECK(report.faults[0].bytes_lost == bytes);
-        CHECK(report.faults[0].acknowledges_lost == 1 - bytes);
+        CAPTURE(each.first);
+        RunReport report = run_stream(each.first);
+        CHECK(report.faults[0].bytes_lost == each.second);
+        CHECK(report.faults[0].acknowledges_lost == 1 - each.second);
     }
 }
 
@@ -213,4 +213,110 @@ TEST_CASE("two hogs stand in two slots, and what is printed of one loads again")
     CHECK(refused(bus_of_two("fault vme halts;")).find("a bus has no fault \"halts\"") != std::string::npos);
     CHECK(refused(bus_of_two("rep i = 0 for 20 fault vme hogged (until = 1ms);")).find("no slot of \"vme\" is free") !=
           std::string::npos);
+}
+
+namespace {
+
+/// A stream from a workstation by a link adapter to a transputer, or back.
+std::string stream_by_adapter(bool down, bool recovers, const std::string& more) {
+    std::string from = recovers ? "sender_or_fail" : "producer", to = recovers ? "receiver_or_fail" : "consumer";
+    return R"(workstation sun; VME vme; C011 adapter; T800 t; connect sun.bus[0] to vme.slot[1];
+        connect adapter.bus[0] to vme.slot[2]; connect adapter.link[0] to t.link[0];
+        process (interface (output out)) p; process (interface (input in)) c; use "csp.)" +
+           from + R"(" for p; use "csp.)" + to + R"(" for c; p (count = 50, bytes = 40); c (count = 50);
+        connect p.out to c.in; place p on )" +
+           (down ? "sun; place c on t;" : "t; place p.out on t.link[0]; place c on sun;") + more;
+}
+
+RunReport run_text(const std::string& text) { return Machine(network_of_stream(text), csp(), 1).run(); }
+
+} // namespace
+
+TEST_CASE("a fault at a link adapter, or at the transputer behind it, ends in a deadlock and says what it took") {
+    for (bool down : {true, false})
+        for (std::string at : {"adapter.link[0]", "t.link[0]"})
+            for (std::string fault : {"silent (from = 2ms)", "loses_acknowledge (from = 2ms)"}) {
+                CAPTURE(down);
+                CAPTURE(at);
+                CAPTURE(fault);
+                RunReport report = run_text(stream_by_adapter(down, false, "fault " + at + " " + fault + ";"));
+                CHECK(report.result.ending == Ending::stuck);
+                REQUIRE(report.faults[0].first);
+                CHECK(report.faults[0].first->channel == "p.out -> c.in");
+                CHECK(report.faults[0].first->byte >= 1);
+                CHECK(report.faults[0].first->byte <= 40);
+                CHECK(report.result.deadlock->processes.size() >= 1);
+            }
+}
+
+TEST_CASE("a slow link at an adapter only slows, one that fails is survived with time-outs") {
+    for (bool down : {true, false}) {
+        CAPTURE(down);
+        RunReport sound = run_text(stream_by_adapter(down, false, ""));
+        RunReport slow = run_text(stream_by_adapter(down, false, "fault t.link[0] slow (factor = 200);"));
+        CHECK(slow.result.ending == Ending::completed);
+        CHECK(slow.result.time > 2 * sound.result.time);
+        RunReport survived =
+            run_text(stream_by_adapter(down, true, "fault adapter.link[0] silent (from = 2ms, until = 5ms);"));
+        CHECK(survived.result.ending == Ending::completed);
+        CHECK(survived.measured("p", "given_up") >= 1);
+        CHECK(survived.measured("c", "received") + survived.measured("c", "lost") == 50);
+        CHECK(survived.measured("c", "received") >= 25);
+    }
+}
+
+namespace {
+
+/// Two streams that lead through b, and one that does not.
+std::string routed_streams(const std::string& more) {
+    return R"(T800 a, b, c, d; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];
+        connect a.link[2] to d.link[0];
+        process (interface (output out)) p[3]; process (interface (input in)) q[3];
+        use "csp.producer" for p; use "csp.consumer" for q; p (count = 30, bytes = 300); q (count = 30);
+        rep i = 0 for 3 { connect p[i].out to q[i].in; place p[i] on a; }
+        place q[0] on c; place q[1] on c; place q[2] on d;)" +
+           more;
+}
+
+const std::vector<std::string> over_b{"p[0].out -> q[0].in", "p[1].out -> q[1].in"};
+
+} // namespace
+
+TEST_CASE("a fault under routers stops the channels over it, others go on, and the report names both") {
+    for (std::string link : {"a.link[0]", "b.link[0]", "b.link[1]", "c.link[0]"}) {
+        CAPTURE(link);
+        RunReport report = run_text(routed_streams("fault " + link + " silent (from = 3ms);"));
+        CHECK(report.result.ending == Ending::stuck);
+        const FaultUse& use = report.faults[0];
+        REQUIRE(use.first);
+        CHECK(use.first->message != hardware::FaultEffect::Hit::Message::whole);
+        CHECK(use.stopped_channels == over_b);
+        CHECK(report.result.deadlock->processes.size() == 4);
+        CHECK(report.measured("q[2]", "last_number") == 29);
+    }
+    RunReport slow = run_text(routed_streams("fault b.link[1] slow (factor = 5);"));
+    CHECK(slow.result.ending == Ending::completed);
+    CHECK(slow.faults[0].stopped_channels.empty());
+}
+
+TEST_CASE("a processor on the way that halts stops what it passes on, and the report says which channels these are") {
+    RunReport report = run_text(routed_streams("fault b halts (from = 3ms);"));
+    CHECK(report.result.ending == Ending::stuck);
+    CHECK(report.faults[0].stopped.empty());
+    CHECK(report.faults[0].stopped_channels == over_b);
+    CHECK(report.faults[0].had_effect());
+    CHECK(report.result.deadlock->processes.size() == 4);
+}
+
+TEST_CASE("what cannot be given up is refused where it is said, with the reason") {
+    auto refused = [](std::string text) {
+        for (std::size_t at = 0; (at = text.find("csp.producer", at)) != std::string::npos;)
+            text.replace(at, 12, "csp.sender_or_fail");
+        return render(read_netlist_text(text, csp()));
+    };
+    std::string message = refused(routed_streams(""));
+    CHECK(message.find("the channel \"p[0].out -> q[0].in\" travels in packets, which routers carry to their end: its "
+                       "process could not give up a packet") != std::string::npos);
+    CHECK(message.find("hint: a time-out needs a link of the channel's own, or none") != std::string::npos);
+    CHECK(refused(bus_of_two("")).find("leads through the memory of a bus master") != std::string::npos);
 }

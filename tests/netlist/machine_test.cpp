@@ -59,6 +59,7 @@ TEST_CASE(
     for (const char* type : {"B404", "T800 (memory = 1M)", "T805 (memory = 5K)"})
         CHECK(taken_by_links(type) == 3 * cycles);
     CHECK(taken_by_links("T222") == 2 * cycles); // words of two bytes
+    CHECK(taken_by_links("T225 (memory = 64K)") == 2 * 2 * cycles);
     CHECK(taken_by_links("B404 (memorycycles = 1)") == cycles);
     CHECK(taken_by_links("T800 (memorycycles = 5)") == 5 * cycles);
 }

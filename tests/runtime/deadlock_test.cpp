@@ -117,7 +117,8 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
     Channel<int> c("c");
     simulation.process("server", [&] {
         par([&] { c.in().input(); });
-        Channel<int>("never").in().input();
+        Channel<int> never("never");
+        never.in().input();
     });
     simulation.process("client", [&] { c.out().output(1), c.out().output(2); });
     RunResult result = simulation.run();
@@ -198,9 +199,9 @@ TEST_CASE("a PAR of any form tells where in the program it stands") {
 // clang-format off
 #line 1 "pars.cpp"
     simulation.process("par", [&] { par(never, [] {}); });
-    simulation.process("par_for", [] { par_for(1, [](std::size_t) { Channel<int>("d").in().input(); }); });
-    simulation.process("pri_par", [] { pri_par([] {}, [] { Channel<int>("e").in().input(); }); });
-#line 203 "deadlock_test.cpp"
+    simulation.process("par_for", [] { par_for(1, [](std::size_t) { Channel<int> d("d"); d.in().input(); }); });
+    simulation.process("pri_par", [] { pri_par([] {}, [] { Channel<int> e("e"); e.in().input(); }); });
+#line 204 "deadlock_test.cpp"
     // clang-format on
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);

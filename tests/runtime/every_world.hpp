@@ -4,20 +4,26 @@
 
 #include <cstddef>
 #include <functional>
-#include <vector>
+#include <string>
 
 namespace placedpar::test {
 
-/// What a process can do with the ends of channels that it has.
-std::vector<Action> alphabet(const SmallWorld&, std::size_t process, bool polls);
+/// Which worlds there are.
+struct Bounds {
+    std::size_t longest;     ///< actions of a process
+    bool polls = false;      ///< alternations with a SKIP, too
+    bool any_guards = false; ///< an alternation is on any channels that come to the process, not on all of them
+};
 
-/// Every way to lay channels between three processes, but for the processes' names.
-std::vector<SmallWorld> every_network(std::size_t channels);
+/// Hands every world within the bounds to `check`, once: all networks, all programs. Worlds that differ only in the
+/// names of processes and channels are one, and so are those that differ only in what no process ever comes to do: a
+/// process has a further action where some course leads to it. Every channel is one that a process outputs to or
+/// inputs from, and every alternation has a guard.
+///
+/// REQUIRES: longest <= 15.
+void for_every_world(const Bounds&, const std::function<void(const SmallWorld&)>& check);
 
-/// Gives the processes of a network every sequence of at most `longest` actions, and hands the worlds to `check`.
-/// Worlds that differ only in what no process ever comes to do are one: a sequence gets a further action where some
-/// course leads to its end.
-void for_every_program(SmallWorld network, std::size_t longest, bool polls,
-                       const std::function<void(const SmallWorld&)>& check);
+/// The same for all worlds that differ only in the names of processes and channels.
+std::string text_of_its_kind(const SmallWorld&);
 
 } // namespace placedpar::test

@@ -128,8 +128,7 @@ TEST_CASE("an outputter whom the carrier refused has left the channel") {
         WireForm wire_form() const { return WireForm(0); }
     };
     Simulation simulation;
-    Channel<Nothing> c("c");
-    c.put_on(simulation.add<Link>().from_a_to_b());
+    Channel<Nothing> c("c", simulation.add<Link>().from_a_to_b());
     int refused = 0;
     simulation.process("p", [&] {
         for (int i = 0; i < 2; ++i)

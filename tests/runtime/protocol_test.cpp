@@ -29,8 +29,7 @@ using Measurements = std::variant<Stop, Sample, std::vector<Sample>>;
 std::uint64_t bytes_on_a_link(const std::vector<Measurements>& messages) {
     Simulation simulation;
     Link& link = simulation.add<Link>();
-    Channel<Measurements> channel("measurements");
-    channel.put_on(link.from_a_to_b());
+    Channel<Measurements> channel("measurements", link.from_a_to_b());
     std::size_t stopped = 0;
     simulation.process("sends", [&] {
         for (const Measurements& message : messages)

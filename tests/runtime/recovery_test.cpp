@@ -137,12 +137,11 @@ TEST_CASE("what has no link of its own cannot be given up") {
     auto& a = simulation.add<hardware::Router>(nullptr);
     auto& b = simulation.add<hardware::Router>(nullptr);
     auto& routed = simulation.add<hardware::RouterLink>(link, a, b);
-    Channel<int> c("c");
-    c.put_on(simulation.add<hardware::Route>(std::vector<hardware::Hop>{{routed, true}}));
+    Channel<int> c("c", simulation.add<hardware::Route>(std::vector<hardware::Hop>{{routed, true}}));
     simulation.process("outputs", [&] { output_or_fail(c.out(), 1, Time{1ms}); });
     CHECK_THROWS_WITH_AS(
         simulation.run(),
-        "channel c travels in packets, or by a link adapter: it cannot give up a message, nor be reset",
+        "channel c travels in packets, which routers carry to their end: it cannot give up a message, nor be reset",
         std::logic_error);
 }
 

@@ -37,8 +37,7 @@ TEST_CASE("two processes that both output first are reported as a cycle") {
 
 TEST_CASE("a message over a link takes its time on the wire") {
     Simulation simulation;
-    Channel<int> c("c");
-    c.put_on(simulation.add<Link>().from_a_to_b());
+    Channel<int> c("c", simulation.add<Link>().from_a_to_b());
     simulation.process("sender", [&] { c.out().output(42); });
     Time at{};
     simulation.process("receiver", [&] { c.in().input(), at = now(); });

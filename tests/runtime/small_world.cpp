@@ -2,7 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <bitset>
+
 namespace placedpar::test {
+
+namespace {
+
+std::string text_of(const Action& action, std::size_t channels) {
+    if (!action.is_alternation())
+        return fmt::format(" {}{}", action.kind == Action::output ? '!' : '?', action.channel);
+    std::string out = action.kind == Action::poll ? " P" : " A";
+    for (std::size_t i = 0; i < channels; ++i)
+        if (action.is_guarded_by(i))
+            out += std::to_string(i);
+    return out;
+}
+
+} // namespace
 
 std::string SmallWorld::text() const {
     std::string out;
@@ -11,10 +27,7 @@ std::string SmallWorld::text() const {
     for (const auto& actions : processes) {
         out += "|";
         for (const Action& action : actions)
-            out += action.kind == Action::alternate ? " A"
-                   : action.kind == Action::poll
-                       ? " P"
-                       : fmt::format(" {}{}", action.kind == Action::output ? '!' : '?', action.channel);
+            out += text_of(action, channels.size());
         out += " ";
     }
     return out;
@@ -27,7 +40,7 @@ const Action* Interpreter::next(const State& state, std::size_t process) const {
 
 bool Interpreter::offers_input(const State& state, std::size_t channel) const {
     const Action* action = next(state, world_.channels[channel].inputter);
-    return action && action->kind != Action::output && (action->kind != Action::input || action->channel == channel);
+    return action && action->takes(channel);
 }
 
 bool Interpreter::can_communicate(const State& state, std::size_t channel) const {
@@ -53,13 +66,16 @@ Interpreter::States Interpreter::after_polls(States states) const {
 
 Interpreter::States Interpreter::after(const States& states, std::size_t channel) const {
     States result;
-    for (State state : states)
-        if (can_communicate(state, channel)) {
-            ++state[world_.channels[channel].outputter];
-            ++state[world_.channels[channel].inputter];
-            result.insert(state);
-        }
+    for (const State& state : states)
+        if (can_communicate(state, channel))
+            result.insert(communicated(state, channel));
     return after_polls(std::move(result));
+}
+
+Interpreter::State Interpreter::communicated(State state, std::size_t channel) const {
+    ++state[world_.channels[channel].outputter];
+    ++state[world_.channels[channel].inputter];
+    return state;
 }
 
 bool Interpreter::can_end(const States& states, bool completed) const {
@@ -78,17 +94,28 @@ bool Interpreter::can_end(const States& states, bool completed) const {
     return false;
 }
 
-Interpreter::States Interpreter::reachable() const {
-    States found = start();
-    std::vector<State> open(found.begin(), found.end());
-    while (!open.empty()) {
-        State state = open.back();
-        open.pop_back();
-        for (std::size_t channel = 0; channel < world_.channels.size(); ++channel)
-            for (const State& next : after({state}, channel))
-                if (found.insert(next).second)
-                    open.push_back(next);
-    }
+std::vector<Interpreter::State> Interpreter::next_states(const State& state) const {
+    std::vector<State> found;
+    for (std::size_t channel = 0; channel < world_.channels.size(); ++channel)
+        if (can_communicate(state, channel))
+            found.push_back(communicated(state, channel));
+    for (std::size_t process = 0; process < state.size(); ++process)
+        if (const Action* action = next(state, process); action && action->kind == Action::poll) {
+            found.push_back(state);
+            ++found.back()[process];
+        }
+    return found;
+}
+
+std::vector<Interpreter::State> Interpreter::reachable() const {
+    std::bitset<16 * 16 * 16> seen;
+    std::vector<State> found{State{}};
+    for (std::size_t i = 0; i < found.size(); ++i)
+        for (const State& next : next_states(State(found[i])))
+            if (auto mark = seen[next[0] + 16u * next[1] + 256u * next[2]]; !mark) {
+                mark = true;
+                found.push_back(next);
+            }
     return found;
 }
 

@@ -14,10 +14,15 @@ struct Action {
     enum Kind {
         output,    ///< to `channel`
         input,     ///< from `channel`
-        alternate, ///< on all channels of which the process is the inputter
+        alternate, ///< on the channels of `guards`
         poll       ///< the same with SKIP behind them
     } kind;
-    std::size_t channel = 0;
+    std::size_t channel = 0;  ///< of an output or input
+    std::uint32_t guards = 0; ///< of an alternation: a bit for each channel
+
+    bool is_alternation() const { return kind == alternate || kind == poll; }
+    bool is_guarded_by(std::size_t c) const { return is_alternation() && (guards >> c & 1) != 0; }
+    bool takes(std::size_t c) const { return (kind == input && channel == c) || is_guarded_by(c); }
 };
 
 /// A network of three processes, some of them perhaps without actions, and the channels between them.
@@ -28,7 +33,7 @@ struct SmallWorld {
     std::vector<Ends> channels;
     std::array<std::vector<Action>, 3> processes;
 
-    /// "0>1 1>2 | !0 !0 | ?0 A | ?1": enough to build it again.
+    /// "0>1 2>1 | !0 !0 | ?0 A01 | !1": enough to build it again.
     std::string text() const;
 };
 
@@ -47,8 +52,8 @@ public:
     /// Whether nothing more can happen in some of the states, and whether the world may then be called
     /// completed, or deadlocked.
     bool can_end(const States&, bool completed) const;
-    /// Everywhere that the world can come to stand.
-    States reachable() const;
+    /// Everywhere that the world can come to stand. REQUIRES: no process has more than 15 actions.
+    std::vector<State> reachable() const;
     /// All traces from start to end.
     std::set<std::string> traces() const;
 
@@ -57,6 +62,8 @@ private:
     bool offers_input(const State&, std::size_t channel) const;
     bool can_communicate(const State&, std::size_t channel) const;
     States after_polls(States) const;
+    State communicated(State, std::size_t channel) const;
+    std::vector<State> next_states(const State&) const;
     void follow(const States&, const std::string& trace, std::set<std::string>& found) const;
 
     const SmallWorld& world_;

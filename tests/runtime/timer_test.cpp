@@ -93,6 +93,76 @@ TEST_CASE("the clock has 32 bits: PLUS, MINUS and AFTER count on through its end
     CHECK(round == 3);
 }
 
+namespace {
+
+constexpr Memory memory_of_t2{.access = Cycles{1}, .bytes_in_a_word = 2};
+
+} // namespace
+
+TEST_CASE("a T2's clock has 16 bits and wraps round where a T8's goes on") {
+    for (Priority priority : {Priority::high, Priority::low})
+        for (bool is_t2 : {true, false}) {
+            CAPTURE(is_t2);
+            Time tick = priority == Priority::high ? Processor::high_tick : Processor::low_tick;
+            Simulation simulation;
+            Processor& processor = is_t2 ? simulation.add<Processor>("t2", 20'000'000, Cycles{0}, memory_of_t2)
+                                         : simulation.add<Processor>("t8");
+            std::int32_t before = 0, behind = 0, lasted = 0, round = 0;
+            Time waited{};
+            bool later = false, waits_for_the_past = true;
+            simulation.process(
+                "reads",
+                [&] {
+                    Timer timer;
+                    CHECK(timer.bits() == (is_t2 ? 16 : 32));
+                    wait_until(32'758 * tick); // 10 ticks before half of a T2's round
+                    before = timer.read();
+                    std::int32_t due = timer.plus(before, 20);
+                    later = timer.is_after(due, before);
+                    timer.wait_after(due), waited = now();
+                    behind = timer.read();
+                    lasted = timer.minus(behind, before);
+                    Time since = now();
+                    timer.wait_after(before);
+                    waits_for_the_past = now() - since > microseconds{1};
+                    wait_until(65'536 * tick + tick / 2);
+                    round = timer.read();
+                },
+                &processor, priority);
+            simulation.run();
+            CHECK(before == 32'758);
+            CHECK(waited == 32'779 * tick);
+            CHECK(behind == (is_t2 ? 32'779 - 65'536 : 32'779));
+            CHECK(lasted == 21);
+            CHECK(later);
+            CHECK(!waits_for_the_past);
+            CHECK(round == (is_t2 ? 0 : 65'536));
+        }
+}
+
+TEST_CASE(
+    "on a T2 a time more than half of a round ahead has passed, as occam says; of a longer number 16 bits count") {
+    Simulation simulation;
+    Processor& t2 = simulation.add<Processor>("t2", 20'000'000, Cycles{0}, memory_of_t2);
+    Time passed{}, half{}, longer{};
+    simulation.process(
+        "waits",
+        [&] {
+            Timer timer;
+            wait_until(microseconds{100});
+            timer.wait_after(timer.plus(timer.read(), 32'767 + 2)), passed = now();
+            wait_until(microseconds{200});
+            timer.wait_after(timer.plus(timer.read(), 32'767)), half = now();
+            wait_until(microseconds{65'536});
+            timer.wait_after(65'536 + 40), longer = now();
+        },
+        &t2, Priority::high);
+    simulation.run();
+    CHECK(passed < microseconds{101});
+    CHECK(half == microseconds{200 + 32'768});
+    CHECK(longer == microseconds{65'536 + 41});
+}
+
 TEST_CASE("delays of one moment end in the order in which they began") {
     Simulation simulation;
     std::string order;

@@ -37,7 +37,11 @@ TEST_CASE("a wait that is not over when the run is counts up to then; one who ha
         Process& stuck = simulation.process("stuck", [&] { c.in().input(); });
         Process& stuck_inside = simulation.process("stuck inside", [] {
             wait_for(milliseconds{1});
-            par([] {}, [] { Channel<int>("d").in().input(); });
+            par([] {},
+                [] {
+                    Channel<int> d("d");
+                    d.in().input();
+                });
         });
         Process& ended = simulation.process("ended", [] { wait_for(milliseconds{3}); });
         simulation.process("lasts", [] { wait_until(milliseconds{10}); });

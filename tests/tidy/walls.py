@@ -30,14 +30,15 @@ BELOW = {
     "problems/plant": ["gaprocs"],
     "problems/benchmark": ["gaprocs"],
     "problems": ["problems/benchmark", "problems/plant"],
-    "identification": ["gaprocs", "hydraulics/plant"],
+    "identification/verdict": ["hydraulics/circuit"],
+    "identification": ["gaprocs", "hydraulics/plant", "identification/verdict"],
     "identification/on_line": ["identification"],
     "monitor/protocol": ["identification/on_line"],
     "monitor/memory": ["monitor/protocol"],
     "monitor/service": ["monitor/memory"],
     "workbench/picture": ["netlist"],
     "workbench/trace": ["netlist"],
-    "workbench": ["classics", "gaprocs/processes", "identification", "problems", "workbench/picture", "workbench/trace"],
+    "workbench": ["classics", "gaprocs/processes", "identification/on_line", "problems", "workbench/picture", "workbench/trace"],
     "experiments/kit": ["workbench"],
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit"],
@@ -51,7 +52,8 @@ BELOW = {
     "experiments/machine": ["experiments/kit"],
     "app": ["workbench"],
     "app/options": ["app"],
-    "app/commands": ["app/options", "experiments/kit", "monitor/service"],
+    "app/identify": ["app/options"],
+    "app/commands": ["app/identify", "experiments/kit", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

@@ -26,6 +26,17 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 bool has(const std::string& text, const std::string& part) { return count(text, part) > 0; }
 
+/// Each once.
+std::set<std::string> dashes_in(const std::string& svg) {
+    const std::string attribute = "stroke-dasharray='";
+    std::set<std::string> found;
+    for (std::size_t at = svg.find(attribute); at != std::string::npos; at = svg.find(attribute, at + 1)) {
+        const std::size_t from = at + attribute.size();
+        found.insert(svg.substr(from, svg.find('\'', from) - from));
+    }
+    return found;
+}
+
 } // namespace
 
 TEST_CASE("a plot has its title, axes, panels, series and marks, each once") {
@@ -71,11 +82,7 @@ TEST_CASE("marks have distinct dashes, and the colour that they ask for") {
     plot.panels[0].marks = {{"one", 1.2}, {"two", 1.4}, {"three", 1.6}};
     std::string svg = draw_svg(plot);
     CHECK(count(svg, "stroke-dasharray") > 0);
-    std::set<std::string> dashes;
-    for (std::size_t at = svg.find("stroke-dasharray"); at != std::string::npos;
-         at = svg.find("stroke-dasharray", at + 1))
-        dashes.insert(svg.substr(at, svg.find_first_of(";>", at) - at));
-    CHECK(dashes.size() == 3);
+    CHECK(dashes_in(svg).size() == 3);
     CHECK_FALSE(has(svg, "213,  94,   0"));
     plot.panels[0].marks[1].colour = 1;
     CHECK(has(draw_svg(plot), "213,  94,   0"));
@@ -125,4 +132,77 @@ TEST_CASE("a gap in a series is a gap in its line") {
     std::string whole = draw_svg(plot);
     plot.panels[0].series[0].points[1].y = std::numeric_limits<double>::quiet_NaN();
     CHECK(draw_svg(plot) != whole);
+}
+
+TEST_CASE("curves have symbols of their own, so that they can be told apart in grey; one alone needs none") {
+    Plot plot = small_plot();
+    const std::size_t alone = count(draw_svg(plot), "#gpPt6");
+    Series line = plot.panels[0].series[0];
+    for (int i = 0; i < 100; ++i)
+        line.points.push_back({2 + 0.1 * i, 1 + 0.01 * i});
+    plot.panels[0].series = {line, line, line};
+    const std::string svg = draw_svg(plot);
+    for (const char* symbol : {"#gpPt6", "#gpPt4", "#gpPt8"}) // circle, square, triangle
+        CHECK(count(svg, symbol) >= 8);
+    CHECK(alone == 0);
+}
+
+TEST_CASE("a curve that goes beyond the axis says how far") {
+    Plot plot = small_plot();
+    plot.panels[0].series[0].points = {{0, 1}, {1, 7.5}, {2, -3}, {3, 99}};
+    CHECK(has(draw_svg(plot), ">line<"));
+    plot.panels[0].x.to = 2;
+    CHECK(has(draw_svg(plot), ">line \u2192 to 3<"));
+    plot.panels[0].y.to = 5; // beyond which it leaves the axis of x
+    CHECK(has(draw_svg(plot), ">line \u2191 to 7.5<"));
+    plot.panels[0].y.from = 0;
+    CHECK(has(draw_svg(plot), ">line \u2191 to 7.5 \u2193 to -3<"));
+}
+
+TEST_CASE("an arrow stands where a curve is cut off, and how far it goes where the legend does not say") {
+    Plot plot = small_plot();
+    Series& line = plot.panels[0].series[0];
+    const std::string whole = draw_svg(plot);
+    plot.panels[0].y.to = 1.7;
+    const std::string cut = draw_svg(plot);
+    CHECK(count(cut, "<path") + count(cut, "<polygon") > count(whole, "<path") + count(whole, "<polygon"));
+    CHECK(has(cut, ">line \u2191 to 2<"));
+    line.name.clear();
+    CHECK(has(draw_svg(plot), "\u2191 to 2<"));
+    plot.panels[0].y.to = 2;
+    CHECK_FALSE(has(draw_svg(plot), "\u2191"));
+}
+
+TEST_CASE("curves have dashes of their own, one alone, points and bars none") {
+    Plot plot = small_plot();
+    CHECK(dashes_in(draw_svg(plot)).empty());
+    const Series line = plot.panels[0].series[0];
+    plot.panels[0].series.resize(8, line);
+    CHECK(dashes_in(draw_svg(plot)).size() == 7); // the first is not broken
+    for (std::size_t i = 1; i < 8; ++i)
+        plot.panels[0].series[i].stroke = i % 2 ? Stroke::points : Stroke::bar;
+    CHECK(dashes_in(draw_svg(plot)).empty());
+}
+
+TEST_CASE("where dashes tell two curves of a colour apart, colours do not differ by dashes") {
+    Plot plot = small_plot();
+    const Series line = plot.panels[0].series[0];
+    plot.panels[0].series = {line, line, line, line};
+    for (std::size_t i = 0; i < 4; ++i) {
+        plot.panels[0].series[i].colour = static_cast<int>(i / 2);
+        plot.panels[0].series[i].stroke = i % 2 ? Stroke::dashes : Stroke::line;
+    }
+    CHECK(dashes_in(draw_svg(plot)).size() == 1);
+}
+
+TEST_CASE("the curves as comma-separated values: every point, with units") {
+    Plot plot = small_plot();
+    plot.panels[0].title = "a \"b\", c";
+    plot.panels[0].bands = {{"band", {{0, 1, 2}}, 0}};
+    CHECK(curves_csv(plot) == "panel,curve,x axis,x,y axis,y\n"
+                              "\"a \"\"b\"\", c\",\"line\",\"x [s]\",0,\"y [psi]\",1\n"
+                              "\"a \"\"b\"\", c\",\"line\",\"x [s]\",1,\"y [psi]\",2\n"
+                              "\"a \"\"b\"\", c\",\"line\",\"x [s]\",2,\"y [psi]\",1.5\n"
+                              "\"a \"\"b\"\", c\",\"band, lower end\",\"x [s]\",0,\"y [psi]\",1\n"
+                              "\"a \"\"b\"\", c\",\"band, upper end\",\"x [s]\",0,\"y [psi]\",2\n");
 }

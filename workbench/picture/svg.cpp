@@ -5,6 +5,7 @@
 #include "netlist/print/pieces_as_wires.hpp"
 #include "text/counted.hpp"
 #include "text/utf8.hpp"
+#include "workbench/picture/fault_marks.hpp"
 #include "workbench/picture/picture.hpp"
 #include "workbench/picture/software.hpp"
 
@@ -43,6 +44,13 @@ constexpr const char* style =
 .idle { stroke: #8898a8; stroke-dasharray: 2 3; }
 .channels rect { fill: #ffffff; stroke: #3b5b7a; stroke-width: 0.8; }
 .channels path, .head { fill: #3b5b7a; }
+)";
+
+/// Only where there are faults.
+constexpr const char* style_of_faults =
+    R"(.struck { fill: none; stroke: #16202a; stroke-width: 3.6; stroke-dasharray: 9 5; }
+.fault rect { fill: #ffffff; stroke: #16202a; stroke-width: 1; }
+.fault text { font-size: 10px; font-weight: bold; text-anchor: middle; }
 )";
 
 /// To a tenth of a pixel.
@@ -123,10 +131,11 @@ enum class View { hardware, software };
 class SvgPrinter {
 public:
     SvgPrinter(const Network& network, Picture picture, View view)
-        : n_(network), view_(view), picture_(std::move(picture)), carried_(channels_on_wires()) {}
+        : n_(network), view_(view), picture_(std::move(picture)), carried_(channels_on_wires()),
+          marks_(view == View::hardware ? fault_marks(n_, picture_) : std::vector<FaultMark>{}) {}
 
     std::string print() {
-        Box drawing = n_.nodes.empty() ? Box{} : extent_of(picture_);
+        Box drawing = extent();
         std::string legend =
             print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
         std::string title = title_of();
@@ -136,7 +145,7 @@ public:
         text_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"{}\" "
                             "height=\"{}\">\n<style>\n{}</style>\n",
                             number(drawing.left() - border), number(top), number(width), number(height), number(width),
-                            number(height), style);
+                            number(height), style + std::string(marks_.empty() ? "" : style_of_faults));
         text_ +=
             rectangle_of({{drawing.left() - border + width / 2, top + height / 2}, width, height}, "fill=\"#ffffff\"") +
             "\n";
@@ -147,12 +156,38 @@ public:
             print_wire(i);
         for (std::size_t i = 0; i < n_.nodes.size(); ++i)
             print_texts(i);
+        for (const FaultMark& mark : marks_)
+            print_mark(mark);
         for (std::size_t i = 0; i < n_.connections.size(); ++i)
             print_labels(i);
         return std::move(text_) + legend + "</svg>\n";
     }
 
 private:
+    Box extent() const {
+        if (n_.nodes.empty())
+            return {};
+        std::vector<Box> boxes{extent_of(picture_)};
+        for (const FaultMark& mark : marks_)
+            boxes.push_back(mark.box);
+        return around(boxes);
+    }
+
+    /// Over what it strikes, below the numbers of links and channels.
+    void print_mark(const FaultMark& mark) {
+        text_ += "<g class=\"fault\">" + tooltip(mark.statement);
+        text_ += mark.wire ? fmt::format("<path class=\"struck\" d=\"{}\"/>", data_of(picture_.wires[*mark.wire]))
+                           : struck_frame(grown(picture_.nodes[*mark.node].box, 3));
+        text_ += rectangle_of(mark.box, "rx=\"3\"");
+        text_ += text_at({mark.box.centre.x, mark.box.centre.y + 3.5}, "mark", mark.text) + "</g>\n";
+    }
+
+    static std::string struck_frame(const Box& box) {
+        return fmt::format("<path class=\"struck\" d=\"M{} L{} L{} L{} Z\"/>", pair({box.left(), box.top()}),
+                           pair({box.right(), box.top()}), pair({box.right(), box.bottom()}),
+                           pair({box.left(), box.bottom()}));
+    }
+
     std::string title_of() const {
         if (view_ == View::software)
             return fmt::format("{}: {}, {}", std::filesystem::path(n_.source_path).filename().string(),
@@ -199,7 +234,12 @@ private:
                              frame(picture_.nodes[index].box, node.kind->drawing));
     }
 
-    static std::string class_of(const DeviceKind& kind) { return kind.links == LinkRole::edge ? "edge" : kind.name; }
+    /// One word: those of "link adapter" would be two classes, of which one is that of a link's number.
+    static std::string class_of(const DeviceKind& kind) {
+        std::string name = kind.links == LinkRole::edge ? "edge" : kind.name;
+        std::ranges::replace(name, ' ', '-');
+        return name;
+    }
 
     void print_wire(std::size_t index) {
         const LinkConnection& wire = n_.connections[index];
@@ -310,6 +350,8 @@ private:
                 add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend,
                               class_of(*node.kind));
         add_wires_to_legend();
+        if (!marks_.empty())
+            add_to_legend(40, "<path class=\"struck\" d=\"M0 0 L36 0\"/>", "fails in the run, as it says there");
         if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority) ||
             std::ranges::any_of(n_.nodes, [](const Node& node) { return node.name.ends_with(" !"); }))
             add_to_legend(12, text_at({2, 4}, "process", "!"), "process of high priority");
@@ -355,6 +397,7 @@ private:
     View view_;
     Picture picture_;
     std::vector<std::string> carried_; ///< by each wire; "" where there is none
+    std::vector<FaultMark> marks_;
     std::string text_, legend_;
     Point legend_start_, legend_at_;
     double legend_width_ = 0, legend_right_ = 0, legend_bottom_ = 0;

@@ -3,8 +3,11 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "runtime/executive.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -49,6 +52,12 @@ void Tracks::add_buses(const Network& network) {
         if (const BusAttachment& each = network.attachments[i]; network.nodes[each.node].kind->is_master())
             add(network.nodes[each.bus].name + " <- " + network.nodes[each.node].name,
                 {each.bus, Track::Kind::bus, i + 1, {}});
+    std::map<std::size_t, std::size_t> hogs; // of each bus
+    for (std::size_t i = 0; i < network.faults.size(); ++i)
+        if (std::size_t bus = network.faults[i].node;
+            network.faults[i].link < 0 && network.nodes[bus].kind->bus == BusRole::is_bus)
+            add(fmt::format("{} <- slot {}", network.nodes[bus].name, free_slot(network, bus, hogs[bus]++)),
+                {bus, Track::Kind::bus, network.attachments.size() + i + 1, {}});
 }
 
 /// The outputs of a switch that a program sets: each says what it puts out.

@@ -50,15 +50,16 @@ Series velocity_series(const BoomData& data, const BoomModel& model, double unti
     return series;
 }
 
-Panel motion_panel(std::string title, const BoomData& data, const BoomModel& model, double until_s) {
-    Series angle = over_time("angle, from its start", data.record, of(data, Sensor::angle), until_s);
+Panel angle_panel(std::string title, const BoomData& data, double until_s) {
+    Series angle = over_time("", data.record, of(data, Sensor::angle), until_s);
     double start = angle.points.front().y;
     for (Point& point : angle.points)
         point.y -= start;
-    return {std::move(title),
-            time_axis(until_s),
-            {"angle [deg], velocity [deg/s]"},
-            {angle, velocity_series(data, model, until_s)}};
+    return {std::move(title), time_axis(until_s), {"angle, from its start [deg]"}, {angle}};
+}
+
+Panel velocity_panel(std::string title, const BoomData& data, const BoomModel& model, double until_s) {
+    return {std::move(title), time_axis(until_s), {"velocity [deg/s]"}, {velocity_series(data, model, until_s)}};
 }
 
 Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
@@ -129,8 +130,9 @@ Plot plot_of_record(std::string title, const BoomData& data, double until_s) {
 Plot plot_of_identification(const WatchedIdentification& watched, double until_s) {
     return {watched.title,
             {pressure_panel("a: line pressures", watched.data, until_s),
-             motion_panel("b: boom's motion", watched.data, watched.model, until_s), compliance_panel(watched, until_s),
-             error_panel(watched, until_s)}};
+             angle_panel("b: boom's angle", watched.data, until_s),
+             velocity_panel("b: boom's velocity", watched.data, watched.model, until_s),
+             compliance_panel(watched, until_s), error_panel(watched, until_s)}};
 }
 
 } // namespace placedpar

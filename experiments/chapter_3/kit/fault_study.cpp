@@ -45,7 +45,10 @@ Record record_of(const PlantFault& fault, const RecordSource& source, std::uint6
 }
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
-    IdentificationWay way = service_way();
+    IdentificationWay way = rising_way(); // with what an engineer would add
+    way.coding = Coding::gray;
+    way.search.elite = 1;
+    way.usable.skipped = 2;
     ComplianceSearch prepared = rising(record, {Configuration::a, {Link::boom}, {}, from}, way);
     return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
 }

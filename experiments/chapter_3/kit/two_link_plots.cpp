@@ -26,28 +26,34 @@ Panel over_time(const char* title, const char* axis, std::vector<Series> series)
     return {.title = title, .x = {.label = "time [s]"}, .y = {.label = axis}, .series = std::move(series)};
 }
 
-/// The state at a sample's instant.
-const ExcavatorState& state_at(const TwoLinkMotion& motion, double time_s) {
-    auto next = std::ranges::lower_bound(motion.motion.states, time_s - 1e-9, {}, &ExcavatorState::time_s);
-    return *next;
-}
-
 constexpr std::array<const char*, InternalStates::count> state_names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
 
-/// One state as simulated, and as estimated at the samples.
+/// One state all along.
+Series simulated_state(const TwoLinkMotion& motion, std::size_t which, int colour) {
+    Series series{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
+    const auto& states = motion.motion.states;
+    for (std::size_t i = 0; i < states.size() && states[i].time_s <= transient_shown_s; i += states_a_point)
+        series.points.push_back({states[i].time_s, true_states(states[i]).values()[which]});
+    return series;
+}
+
+double estimated_state(const ComplianceSearch& prepared, const TransientEstimate& estimate, std::size_t which) {
+    auto sample = std::ranges::find(prepared.samples, estimate.index, &CircuitSample::index);
+    return estimated_states(*sample, estimate.compliance_in3_per_psi, prepared.flow).values()[which];
+}
+
+/// The same at the samples.
+Series identified_state(const ComplianceSearch& prepared, const SearchRun& run, std::size_t which, int colour) {
+    Series series{std::string(state_names[which]) + " identified", {}, Stroke::points, colour};
+    for (const TransientEstimate& estimate : run.estimates)
+        series.points.push_back({estimate.time_s, estimated_state(prepared, estimate, which)});
+    return series;
+}
+
 void add_state(Panel& panel, std::size_t which, const TwoLinkMotion& motion, const ComplianceSearch& prepared,
                const SearchRun& run, int colour) {
-    Series truth{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
-    Series found{std::string(state_names[which]) + " identified", {}, Stroke::points, colour};
-    for (const TransientEstimate& estimate : run.estimates) {
-        auto sample = std::ranges::find(prepared.samples, estimate.index, &CircuitSample::index);
-        truth.points.push_back({estimate.time_s, true_states(state_at(motion, estimate.time_s)).values()[which]});
-        found.points.push_back(
-            {estimate.time_s,
-             estimated_states(*sample, estimate.compliance_in3_per_psi, prepared.flow).values()[which]});
-    }
-    panel.series.push_back(std::move(truth));
-    panel.series.push_back(std::move(found));
+    panel.series.push_back(simulated_state(motion, which, colour));
+    panel.series.push_back(identified_state(prepared, run, which, colour));
 }
 
 Panel over_generations(std::string title, Axis y, std::vector<Series> series) {

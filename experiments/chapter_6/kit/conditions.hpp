@@ -33,7 +33,7 @@ Tally tally_runs(const ReplayContext&, const std::string& name, const std::funct
 Tally tally_search(const ReplayContext&, const std::string& name, const PlantSearch&);
 
 /// A row: both shares with their 95 % intervals, and the median generation of convergence with its own. Shares that are
-/// expected are judged at three deviations of two samples (share_tolerance).
+/// expected are judged at four deviations of two samples (share_tolerance).
 void add_tally(Comparison&, const Tally&, const Expected& = {});
 /// A row: the 95 % interval of how many percent points more runs converged and followed than with the control.
 void add_gain(Comparison&, const Tally& control, const Tally&);

@@ -43,15 +43,14 @@ bool every_room_is_there() {
     placedpar::ProblemRegistry problems = placedpar::known_problems(1);
     return placedpar::Genome::from_string("101").field(0, 3) == 5 &&
            placedpar::known_kinds(problems).find("ga.master") &&
-           placedpar::identification::service_way().searches > 1 && !placedpar::experiments().empty();
+           placedpar::identification::thesis_way().search.elite == 0 && !placedpar::experiments().empty();
 }
 
 } // namespace
 
 int main() {
     placedpar::Simulation simulation;
-    placedpar::Channel<int> c("c");
-    c.put_on(simulation.add<placedpar::hardware::Link>().from_a_to_b());
+    placedpar::Channel<int> c("c", simulation.add<placedpar::hardware::Link>().from_a_to_b());
     int received = 0;
     simulation.process("sender", [&] { c.out().output(Channel{42}.number); });
     simulation.process("receiver", [&] { received = c.in().input(); });

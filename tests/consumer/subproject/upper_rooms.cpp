@@ -5,5 +5,5 @@
 /// What a program of its own would begin with.
 std::size_t samples_needed(const placedpar::monitor::ServiceSettings& service) {
     return service.diagnosis.search.window.length +
-           placedpar::identification::samples_for_first_generation(placedpar::identification::service_way());
+           placedpar::identification::samples_for_first_generation(placedpar::identification::thesis_way());
 }

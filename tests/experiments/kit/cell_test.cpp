@@ -22,11 +22,12 @@ TEST_CASE("a cell judged from one side has no other bound, whatever is known") {
     CHECK_FALSE(at_most(10, plain_cell("error", "state", "%", std::nan(""), 1)).within_tolerance());
 }
 
-TEST_CASE("how far two samples may be apart: three deviations of their difference") {
-    CHECK(share_tolerance(50, 50) == doctest::Approx(30));                   // 3 sqrt(2 * .25 / 50)
-    CHECK(share_tolerance(50, 200) == doctest::Approx(15));                  // four times the records, half of it
-    CHECK(share_tolerance(100, 200) == doctest::Approx(2.97).epsilon(0.01)); // 3 sqrt(2 * .0098 * .9902 / 200)
+TEST_CASE("how far two samples may be apart: four deviations of their difference") {
+    CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
+    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // four times the records, half of it
+    CHECK(share_tolerance(100, 200) == doctest::Approx(3.96).epsilon(0.01)); // 4 sqrt(2 * .0098 * .9902 / 200)
     CHECK(share_tolerance(0, 200) == doctest::Approx(share_tolerance(100, 200)));
     CHECK(deviation_tolerance(0.00004, 50, 0.000005) ==
-          doctest::Approx(0.0000221).epsilon(0.01)); // 3/7 and half a digit
+          doctest::Approx(0.0000279).epsilon(0.01));                         // 4/7 and half a digit
+    CHECK(mean_tolerance(0.00014, 49, 0.00001) == doctest::Approx(0.00009)); // 4/7 and the bias
 }

@@ -29,7 +29,7 @@ TEST_CASE("every experiment has a name, a place of its own, a line about it, and
         CHECK_FALSE(!each.run);
     }
     CHECK(experiments().front().name == "table-2-6");
-    CHECK(experiments().back().name == "processor");
+    CHECK(experiments().back().name == "evidence");
 }
 
 TEST_CASE("an experiment is judged by its first comparison, and by the others that say so") {

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 using namespace placedpar;
@@ -109,13 +111,14 @@ TEST_CASE("what is wrong with a header") {
 
 TEST_CASE("what is wrong with a reading") {
     constexpr const char* missing = "leave a row out where a reading is missing";
+    constexpr const char* skip =
+        "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such rows out";
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,nan,20,0.2\n") ==
-          fmt::format("error 7:7: \"nan\" is not a finite number | a number such as 1830.5 or -2e-3; {}\n", missing));
-    CHECK(
-        record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
-        fmt::format("error 7:7: no value | a number such as 1830.5 or -2e-3; {0}\nerror 7:11: \"inf\" is not a finite "
-                    "number | a number such as 1830.5 or -2e-3; {0}\n",
-                    missing));
+          fmt::format("error 7:7: \"nan\" is no reading | {}\n", skip));
+    CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
+          fmt::format("error 7:7: no value | {}\nerror 7:11: \"inf\" is not a finite "
+                      "number | a number such as 1830.5 or -2e-3; {}\n",
+                      skip, missing));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
           fmt::format("error 7:7: 1e300 is larger than anything measured | {}\n", missing));
     CHECK(record_faults("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
@@ -288,4 +291,78 @@ TEST_CASE("a period that needs more decimals gets them") {
     ReadRecord read = read_record(print_record(record));
     REQUIRE(read.record);
     CHECK(read.record->period_s == doctest::Approx(1 / 1024.0).epsilon(1e-6));
+}
+
+namespace {
+
+/// Every channel of the boom but its spool.
+ChannelSet all_but_spool(const ChannelSet& there) {
+    ChannelSet needed;
+    for (Sensor sensor : all_sensors)
+        if (sensor != Sensor::spool && there.contains(Link::boom, sensor))
+            needed.insert(Link::boom, sensor);
+    return needed;
+}
+
+std::string all_faults(const std::vector<Diagnostic>& faults) {
+    std::string text;
+    for (const Diagnostic& fault : faults)
+        text += fmt::format("{}:{} ", fault.location.line, fault.message);
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("a record in pieces is the record, with its lines; the header is warned of once") {
+    const std::string head = "time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [mm],crane [m]\n";
+    std::vector<std::string> lines;
+    for (int i = 0; i < 60; ++i)
+        lines.push_back(fmt::format("{:.2f},{},{},{},0\n", 0.02 * (i + (i > 40 ? 3 : 0)), 1500 + i * i, 20 + 0.1 * i,
+                                    5 + 0.01 * i));
+    std::string text = head;
+    for (const std::string& line : lines)
+        text += line;
+    const ReadRecord whole = read_record(text);
+    REQUIRE(whole.record);
+    for (std::size_t size : {5, 12, 41, 59}) {
+        RecordReader reader;
+        std::vector<double> times, pressures;
+        std::vector<Diagnostic> faults;
+        for (std::size_t first = 0; first < lines.size(); first += size) {
+            std::string piece = first == 0 ? head : "";
+            for (std::size_t i = first; i < std::min(first + size, lines.size()); ++i)
+                piece += lines[i];
+            ReadRecord read = reader.read(piece);
+            REQUIRE(read.record);
+            std::ranges::copy(read.record->time_s, std::back_inserter(times));
+            std::ranges::copy(read.record->of(Link::boom, Sensor::inlet_pressure), std::back_inserter(pressures));
+            std::ranges::copy(read.faults, std::back_inserter(faults));
+        }
+        std::ranges::copy(reader.finish(), std::back_inserter(faults));
+        std::ranges::stable_sort(faults, {}, [](const Diagnostic& fault) { return fault.location.line; });
+        CHECK(times == whole.record->time_s);
+        CHECK(pressures == whole.record->of(Link::boom, Sensor::inlet_pressure));
+        CHECK(all_faults(faults) == all_faults(whole.faults));
+    }
+    RecordReader reader;
+    REQUIRE(reader.read(head + lines[0] + lines[1] + lines[2] + lines[3] + lines[4]).record);
+    const ReadRecord back = reader.read(lines[5] + lines[4]);
+    CHECK(!back.record);
+    CHECK(all_faults(back.faults).find("8:0.02 s before the time on line 7") != std::string::npos);
+}
+
+TEST_CASE("rows that lack a needed reading are left out if asked; where none is needed an empty cell does not matter") {
+    const std::string text =
+        boom_columns + rows(0, 5) + "0.100,-,20,0.2\n" + rows(6, 11) + "0.220,1600,20,\n" + rows(12, 15);
+    CHECK(!read_record(text).record);
+    const ReadRecord skipped = read_record(text, {{}, true});
+    REQUIRE(skipped.record);
+    CHECK(skipped.record->size() == 13);
+    CHECK(skipped.record->stretches().size() == 3);
+    CHECK(all_faults(skipped.faults).find("7:readings are missing") != std::string::npos);
+    const ReadRecord without = read_record(text, {all_but_spool, true});
+    REQUIRE(without.record);
+    CHECK(without.record->size() == 14);
+    CHECK(!without.record->has(Link::boom, Sensor::spool));
+    CHECK(!read_record(text, {all_but_spool, false}).record); // the pressure of line 7 is needed
 }

@@ -52,7 +52,7 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
             std::vector<SetSample> window{random_set_sample(links.size(), random),
                                           random_set_sample(links.size(), random)};
             std::vector<Genome> strings = random_population(19, problem.bits(), random); // no multiple of a block
-            std::vector<double> fitness = problem.fitness(strings, window, 400);
+            std::vector<double> fitness = problem.fitness(strings, problem.prepared(window), 400);
             for (std::size_t i = 0; i < strings.size(); ++i) {
                 double sum = 0;
                 for (const SetSample& sample : window) {
@@ -103,7 +103,7 @@ TEST_CASE("the readings of the tests' transients fit the equations exactly") {
                 genome.set_field(16 * i++, 16, code ^ (code >> 1));
             }
             std::vector<SetSample> window = diagnosis.sets().at(set).state().window;
-            CHECK(problem.fitness({&genome, 1}, window, 400).front() ==
+            CHECK(problem.fitness({&genome, 1}, problem.prepared(window), 400).front() ==
                   doctest::Approx(400.0 * static_cast<double>(window.size())).epsilon(1e-4));
         }
     }

@@ -34,3 +34,31 @@ TEST_CASE("the state goes through JSON and on as if nothing had been") {
         CHECK(text_of(restored) == text_of(diagnosis));
     }
 }
+
+TEST_CASE("what has been judged goes through JSON, too") {
+    constexpr PerLink<double> sound{0.0150, 0.0086, 0.0200, 0.0300}, soft{0.0150, 0.0172, 0.0200, 0.0300};
+    constexpr std::size_t length = 30, movements = 7;
+    auto take = [&](Diagnosis& diagnosis, std::size_t i) {
+        const std::size_t movement = i / length;
+        Transient transient(Configuration::a, {Link::boom}, movement < 4 ? sound : soft);
+        diagnosis.take(transient.sample(100.0 * static_cast<double>(movement), i % length));
+    };
+    for (std::size_t cut : {50u, 110u, 145u, 209u}) {
+        Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
+        diagnosis.change({Configuration::a, {Link::boom}});
+        for (std::size_t i = 0; i < cut; ++i)
+            take(diagnosis, i);
+        diagnosis.change({Configuration::b, {Link::boom}}); // judges the movement: no alarm is told before a sample
+        const Diagnosis::State state = diagnosis.state();
+        CHECK(state.judged);
+        CHECK_FALSE(state.watches.at({Link::boom}).judges.front().first.empty());
+        Diagnosis restored(state_from(boost::json::parse(text_of(diagnosis)), {}), {}, 1);
+        CHECK(restored.state() == state);
+        for (std::size_t i = cut; i < length * movements; ++i) {
+            take(diagnosis, i);
+            take(restored, i);
+        }
+        CHECK(diagnosis.alarms().size() == 1);
+        CHECK(text_of(restored) == text_of(diagnosis));
+    }
+}

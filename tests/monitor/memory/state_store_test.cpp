@@ -7,7 +7,9 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
@@ -16,8 +18,7 @@ using namespace placedpar::monitor;
 
 namespace {
 
-const std::string hello = R"({"type":"hello","version":1,"machine":"m"})",
-                  configuration = R"({"type":"configuration","configuration":"a","active":["BO"]})";
+const std::string configuration = R"({"type":"configuration","configuration":"a","active":["BO"]})";
 
 std::string sample(int i) {
     double t = 0.020 * i;
@@ -35,213 +36,177 @@ std::string text_of(const Diagnoses& diagnoses) {
     return text;
 }
 
-/// What the service does with a message.
-void take(Diagnoses& diagnoses, StateStore& store, const std::string& message) {
-    diagnoses.replay("m", message);
-    store.record("m", message, 5);
+/// A store, and the diagnoses of it, with what has been told of its progress.
+struct Running {
+    Diagnoses diagnoses = none();
+    StateStore store;
+    std::mutex mutex;
+    std::vector<Progress> told;
+
+    explicit Running(const std::filesystem::path& path) : store(path, diagnoses, 100) {
+        store.start([this](Progress progress) {
+            std::lock_guard lock(mutex);
+            told.push_back(std::move(progress));
+        });
+    }
+    void hello(const std::string& machine) {
+        Hello hello;
+        hello.machine = machine;
+        hello.parameters = excavator_parameters(Parameters::excavator());
+        store.save(diagnoses.greet(hello));
+    }
+    void take(const std::string& machine, const std::string& message, std::size_t generations = 5) {
+        diagnoses.replay(machine, message);
+        store.record(machine, message, generations, {});
+        store.relieve();
+    }
+    /// Until all that was given so far is kept or lost.
+    void settle() {
+        for (bool done = store.last_ticket() == 0; !done; std::this_thread::yield()) {
+            std::lock_guard lock(mutex);
+            for (const Progress& progress : told)
+                store.note(progress);
+            done = !told.empty() && told.back().parcels >= store.last_ticket();
+        }
+    }
+};
+
+/// A copy of the state file as a kill would leave it now.
+void kill(const Scratch& from, const Scratch& to) {
+    for (const char* name : {"state", "state-wal", "state-mark"})
+        to.write(name, from.read(name));
 }
 
-/// A store that saw a hello, a configuration and samples, and was never closed properly.
-void run(const Scratch& scratch, Diagnoses& diagnoses, int samples) {
-    StateStore store(scratch / "state");
-    store.restore(diagnoses);
-    take(diagnoses, store, hello);
-    take(diagnoses, store, configuration);
-    for (int i = 0; i < samples; ++i)
-        take(diagnoses, store, sample(i));
+std::string known_after(const Scratch& scratch, std::string* said = nullptr) {
+    Diagnoses diagnoses = none();
+    StateStore store(scratch / "state", diagnoses, 100);
+    if (said)
+        *said = store.said();
+    return text_of(diagnoses);
 }
 
 } // namespace
 
 TEST_CASE("a killed service comes back to the bit") {
-    Scratch scratch;
-    Diagnoses before = none(), after = none();
-    run(scratch, before, 20);
-    CHECK(before.all().at("m").sets().begin()->second.state().generations > 0);
-    std::string said = StateStore(scratch / "state").restore(after);
-    CHECK(said.find("1 machine restored, 22 messages taken again") != std::string::npos);
-    CHECK(text_of(after) == text_of(before));
-    // What has been taken again is in the state file now.
-    Diagnoses again = none();
-    CHECK(StateStore(scratch / "state").restore(again).find("taken again") == std::string::npos);
-    CHECK(text_of(again) == text_of(before));
+    Scratch scratch, killed;
+    Running running(scratch / "state");
+    running.hello("m");
+    running.take("m", configuration);
+    for (int i = 0; i < 20; ++i)
+        running.take("m", sample(i));
+    running.settle();
+    kill(scratch, killed);
+    CHECK(running.diagnoses.all().at("m").sets().begin()->second.state().generations > 0);
+    std::string said;
+    CHECK(known_after(killed, &said) == text_of(running.diagnoses));
+    CHECK(said.find("1 machine restored, 21 messages taken again") != std::string::npos);
+    // What has been taken again is in the machine's state now.
+    CHECK(known_after(killed, &said) == text_of(running.diagnoses));
+    CHECK(said.find("1 machine restored") != std::string::npos);
+    CHECK(said.find("taken again") == std::string::npos);
 }
 
-TEST_CASE("a torn journal loses its last message at most") {
-    Scratch scratch;
-    Diagnoses whole = none();
-    run(scratch, whole, 12);
-    std::string journal = scratch.read("state.journal"), state = scratch.read("state");
-    Diagnoses shorter = none();
-    {
-        Scratch other;
-        run(other, shorter, 11);
+TEST_CASE("a long backlog goes into states, the oldest machine's first") {
+    Scratch scratch, killed;
+    Running running(scratch / "state");
+    for (const char* machine : {"a", "b", "c"}) {
+        running.hello(machine);
+        running.take(machine, configuration);
     }
-    std::size_t last = journal.rfind('\n', journal.size() - 2) + 1;
-    for (std::size_t size = last; size < journal.size(); size += 23) {
-        scratch.write("state.journal", journal.substr(0, size));
-        scratch.write("state", state);
-        Diagnoses restored = none();
-        std::string said = StateStore(scratch / "state").restore(restored);
-        CHECK(text_of(restored) == text_of(shorter));
-        CHECK((said.find("torn") != std::string::npos) == (size > last));
-    }
+    for (int i = 0; i < 12; ++i)
+        for (const char* machine : {"a", "b", "c"})
+            running.take(machine, sample(i), 5000);
+    running.settle();
+    kill(scratch, killed);
+    std::string said;
+    CHECK(known_after(killed, &said) == text_of(running.diagnoses));
+    CHECK(said.find("3 machines restored, ") != std::string::npos);
+    auto again = std::stoi(said.substr(said.find("restored, ") + 10));
+    CHECK(again <= 20); // of 39: their generations would take too long
+    CHECK(again >= 8);
 }
 
-TEST_CASE("a kill between the state file and the journal repeats nothing") {
-    Scratch scratch;
-    Diagnoses diagnoses = none();
-    run(scratch, diagnoses, 12);
-    std::string journal = scratch.read("state.journal");
-    Diagnoses restored = none();
-    StateStore(scratch / "state").restore(restored); // writes the state file
-    scratch.write("state.journal", journal);         // as if the journal had not been emptied
-    Diagnoses again = none();
-    StateStore(scratch / "state").restore(again);
-    CHECK(text_of(again) == text_of(diagnoses));
-}
-
-TEST_CASE("nothing is appended behind what a full disk lost") {
-    Scratch scratch;
-    Diagnoses diagnoses = none(), restored = none();
-    {
-        StateStore store(scratch / "state");
-        store.restore(diagnoses);
-        take(diagnoses, store, hello);
-        std::string before = text_of(diagnoses);
-        {
-            FullDisk disk(scratch.read("state.journal").size() + 20);
-            CHECK_THROWS_WITH_AS(take(diagnoses, store, configuration), doctest::Contains("cannot be appended to"),
-                                 UserError);
-            CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("cannot be written"), UserError);
+TEST_CASE("a machine that was forgotten and came again is the new one") {
+    Scratch scratch, killed;
+    Running running(scratch / "state");
+    for (int i = 0; i < 2; ++i) {
+        running.hello("m");
+        running.take("m", configuration);
+        running.take("m", sample(i));
+        if (i == 0) {
+            running.diagnoses.forget("m");
+            running.store.forget("m");
         }
-        CHECK_FALSE(store.complete());
-        CHECK(store.due());
-        for (int i = 0; i < 12; ++i)
-            take(diagnoses, store, sample(i));
-        // A kill now: what was known before the hole.
-        Scratch copy;
-        copy.write("state", scratch.read("state"));
-        copy.write("state.journal", scratch.read("state.journal"));
-        Diagnoses earlier = none();
-        StateStore(copy / "state").restore(earlier);
-        CHECK(text_of(earlier) == before);
-
-        store.write(diagnoses);
-        CHECK(store.complete());
-        CHECK_FALSE(store.due());
-        take(diagnoses, store, sample(12));
     }
-    StateStore(scratch / "state").restore(restored);
-    CHECK(text_of(restored) == text_of(diagnoses));
+    running.settle();
+    kill(scratch, killed);
+    CHECK(known_after(killed) == text_of(running.diagnoses));
+    running.diagnoses.forget("m");
+    running.store.forget("m");
+    running.settle();
+    kill(scratch, killed);
+    CHECK(known_after(killed).empty());
 }
 
-TEST_CASE("a state file that cannot be written leaves the journal as it was") {
-    Scratch scratch;
-    Diagnoses diagnoses = none(), restored = none();
+TEST_CASE("nothing is written behind what a full disk lost, until all is anew") {
+    Scratch scratch, killed;
+    Running running(scratch / "state");
+    running.hello("m");
+    running.settle();
+    std::string before = text_of(running.diagnoses);
     {
-        StateStore store(scratch / "state");
-        store.restore(diagnoses);
-        take(diagnoses, store, hello);
-        take(diagnoses, store, configuration);
-        {
-            FullDisk disk(100);
-            CHECK_THROWS_AS(store.write(diagnoses), UserError);
-        }
-        CHECK(store.complete());
-        take(diagnoses, store, sample(0));
+        FullDisk disk(scratch.read("state-wal").size() + 20);
+        running.take("m", configuration);
+        running.settle();
+        CHECK_FALSE(running.store.complete());
+        CHECK(running.told.back().trouble.find("state: cannot be written: ") != std::string::npos);
+        running.store.write_anew({}, 0);
+        running.settle();
+        CHECK_FALSE(running.store.complete());
+        CHECK_FALSE(running.store.keeping());
     }
-    StateStore(scratch / "state").restore(restored);
-    CHECK(text_of(restored) == text_of(diagnoses));
+    for (int i = 0; i < 12; ++i)
+        running.take("m", sample(i));
+    kill(scratch, killed);
+    CHECK(known_after(killed) == before);
+
+    running.store.write_anew({}, 0);
+    running.take("m", sample(12));
+    running.settle();
+    CHECK(running.store.complete());
+    kill(scratch, killed);
+    CHECK(known_after(killed) == text_of(running.diagnoses));
 }
 
-TEST_CASE("what does not come to the disk does not take the state file's name") {
+TEST_CASE("a clean end leaves one file and nothing to take again") {
     Scratch scratch;
-    Diagnoses diagnoses = none();
-    StateStore store(scratch / "state");
-    store.restore(diagnoses);
-    std::string state = scratch.read("state");
-    take(diagnoses, store, hello);
-    std::filesystem::create_symlink("/dev/null", scratch / "state.next"); // which takes all and syncs nothing
-    CHECK_THROWS_WITH_AS(store.write(diagnoses), doctest::Contains("state.next: cannot be brought to the disk"),
-                         UserError);
-    CHECK(scratch.read("state") == state);
-    CHECK(store.complete());
-}
-
-TEST_CASE("no state file: what it is instead, and what to do") {
-    Scratch scratch;
-    auto refused = [&](const char* text, const char* because) {
-        scratch.write("state", text);
-        Diagnoses diagnoses = none();
-        std::string said;
-        try {
-            StateStore(scratch / "state").restore(diagnoses);
-        } catch (const UserError& error) {
-            said = error.what();
-        }
-        CAPTURE(text);
-        CHECK(said == fmt::format("{0}: this state file cannot be used: {1}; put a whole one there, or move it and "
-                                  "{0}.journal away and begin with nothing known",
-                                  (scratch / "state").string(), because));
-        CHECK(scratch.read("state") == text);
-    };
-    refused("", "it is empty");
-    refused("{\"placedpar_monitor_state\":1,\"sett", "it breaks off after 34 bytes");
-    refused("rubbish", "it is no state file of the monitor");
-    refused("{}", "it is no state file of the monitor");
-    refused("[1]", "it is no state file of the monitor");
-    refused("{\"placedpar_monitor_state\":1}", "a part of it is missing");
-    refused("{\"placedpar_monitor_state\":\"one\"}", "a part of it is wrong: not a number");
-    scratch.write("state", "{\"placedpar_monitor_state\":7}");
-    Diagnoses diagnoses = none();
-    CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(diagnoses),
-                         doctest::Contains("it is of another version than 1; use another --state file"), UserError);
-    std::filesystem::create_directory(scratch / "folder");
-    CHECK_THROWS_WITH_AS(StateStore(scratch / "folder"), doctest::Contains("folder: it is a folder"), UserError);
-    CHECK_FALSE(std::filesystem::exists(scratch / "folder.journal"));
-    auto nowhere = (scratch / "none" / "state").string();
-    CHECK_THROWS_WITH_AS(
-        StateStore{nowhere},
-        fmt::format("--state {0}: {0}.journal: cannot be opened: No such file or directory", nowhere).c_str(),
-        UserError);
-}
-
-TEST_CASE("files that do not fit are refused by name") {
-    Scratch scratch;
-    Diagnoses diagnoses = none();
-    run(scratch, diagnoses, 3);
-    auto refused = [&](Diagnoses&& others, const char* because) {
-        CHECK_THROWS_WITH_AS(StateStore(scratch / "state").restore(others), doctest::Contains(because), UserError);
-    };
-    refused({DiagnosisSettings{}, 2, 10}, "--seed 1");
-    DiagnosisSettings small;
-    small.search.population = 60;
-    refused({small, 1, 10}, "--population 120");
-    std::string state = scratch.read("state");
-    scratch.write("state", "rubbish");
-    refused(none(), "this state file cannot be used");
-    scratch.write("state", state.substr(0, state.size() / 2));
-    refused(none(), "this state file cannot be used");
-    std::filesystem::remove(scratch / "state");
-    refused(none(), "a later state file");
-    scratch.write("state", state);
-    CHECK_NOTHROW(StateStore(scratch / "state").restore(diagnoses = none()));
+    Running running(scratch / "state");
+    running.hello("m");
+    running.take("m", configuration);
+    running.store.write_anew({}, 0);
+    running.store.finish();
+    CHECK_FALSE(std::filesystem::exists(scratch / "state-wal"));
+    std::string said;
+    CHECK(known_after(scratch, &said) == text_of(running.diagnoses));
+    CHECK(said.find("taken again") == std::string::npos);
 }
 
 TEST_CASE("machines are known with one set of parameters") {
     Diagnoses diagnoses = none();
-    diagnoses.replay("m", hello);
+    auto greet = [&](const std::string& text) -> Diagnosis& {
+        return diagnoses.greet(std::get<Hello>(parse_message(text)));
+    };
+    greet(R"({"type":"hello","version":1,"machine":"m"})");
     diagnoses.replay("m", configuration);
-    CHECK_NOTHROW(diagnoses.replay("m", hello));
+    CHECK_NOTHROW(greet(R"({"type":"hello","version":1,"machine":"m"})"));
     CHECK(diagnoses.named("m").active() == LinkSet{Link::boom});
-    CHECK_THROWS_WITH_AS(diagnoses.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01})"),
+    CHECK_THROWS_WITH_AS(greet(R"({"type":"hello","version":1,"machine":"m","period_s":0.01})"),
                          doctest::Contains("other parameters"), BadMessage);
-    diagnoses.replay("m", R"({"type":"hello","version":1,"machine":"m","period_s":0.01,"anew":true})");
+    greet(R"({"type":"hello","version":1,"machine":"m","period_s":0.01,"anew":true})");
     CHECK(diagnoses.named("m").active().empty());
-    CHECK_THROWS_AS(diagnoses.replay("x", R"({"type":"hello","version":1,"machine":"x","role":"watch"})"), BadMessage);
+    CHECK_THROWS_AS(greet(R"({"type":"hello","version":1,"machine":"x","role":"watch"})"), BadMessage);
     for (int i = 1; i < 10; ++i)
-        diagnoses.replay("", fmt::format(R"({{"type":"hello","version":1,"machine":"m{}"}})", i));
-    CHECK_THROWS_WITH_AS(diagnoses.replay("", R"({"type":"hello","version":1,"machine":"eleventh"})"),
+        greet(fmt::format(R"({{"type":"hello","version":1,"machine":"m{}"}})", i));
+    CHECK_THROWS_WITH_AS(greet(R"({"type":"hello","version":1,"machine":"eleventh"})"),
                          doctest::Contains("10 machines already"), BadMessage);
 }

@@ -11,7 +11,7 @@ class Options(ServiceTest):
     def test_every_option_takes_what_its_help_says_and_no_more(self):
         shown = subprocess.run([PROGRAM, "monitor", "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
         options = re.findall(r"(--[\w-]+) (\S+?)=(\S+)\s+(?![\s-])[^\n]*, (\S+) to (\S+)\n", shown)
-        self.assertEqual(len(options), 21)
+        self.assertEqual(len(options), 23)
         for option, unit, default, least, greatest in options:
             whole = unit in ("N", "BYTES")
             self.assertLessEqual(float(least), float(default))
@@ -27,7 +27,7 @@ class Options(ServiceTest):
         self.assertIn("--state: ", self.refusal("--state", ""))
         self.assertIn('--seed: "-1" is no whole number', self.refusal("--seed=-1"))
         ends = [f"{option}={end}" for option, _, _, least, greatest in options for end in (least, greatest)
-                if option not in ("--port", "--max-clients", "--window")]
+                if option not in ("--port", "--http", "--max-clients", "--window")]
         for least_or_greatest in (ends[::2], ends[1::2]):
             service = self.service(*least_or_greatest)
             self.assertEqual(service.stop()[0], 0)

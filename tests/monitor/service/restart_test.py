@@ -72,7 +72,7 @@ class Restart(ServiceTest):
             self.assertIn(f"stopped; {state} is written", errors)
             self.assertEqual(client.receive()["type"], "closing")
             self.assertIsNone(client.receive())
-            self.assertEqual(len(state.with_name(number.name + ".journal").read_text().splitlines()), 1)
+            self.assertEqual([path.name for path in self.folder.glob(number.name + "*")], [number.name])
             again = self.service("--state", state)
             self.assertEqual(self.client(again, "digger").welcome["samples"], 20)
             _, errors = again.stop()
@@ -110,22 +110,53 @@ class Restart(ServiceTest):
             pass
         self.assertEqual(service.stop()[0], 0)
 
-    def test_torn_journals_are_gone_on_with(self):
+    def killed(self, samples):
+        """A state file and its log, as a kill leaves them."""
         service = self.service("--state", self.state, *UNSETTLED)
         client = self.client(service, "digger")
         client.ask(**CONFIGURATION)
-        for i in range(20):
+        for i in range(samples):
             client.ask(**boom(i))
         service.stop(signal.SIGKILL)
-        journal = self.folder / "state.journal"
-        journal.write_bytes(journal.read_bytes()[:-10])
+        return self.folder / "state-wal"
+
+    def test_a_log_that_lost_its_end_is_refused(self):
+        log = self.killed(20)
+        log.write_bytes(log.read_bytes()[:-10])
+        said = self.refusal("--state", self.state, *UNSETTLED)
+        self.assertRegex(said, r"it is damaged: (\d+) transactions were committed, \d+ are there: .*state-wal was cut")
+
+    def test_a_log_or_a_mark_that_was_taken_away_is_missed(self):
+        log = self.killed(20)
+        mark = self.folder / "state-mark"
+        kept = mark.read_bytes()
+        mark.unlink()
+        self.assertIn("state-mark is missing", self.refusal("--state", self.state, *UNSETTLED))
+        mark.write_bytes(kept)
+        log.rename(self.folder / "away")
+        self.assertIn("state-wal was cut or taken away", self.refusal("--state", self.state, *UNSETTLED))
+        (self.folder / "away").rename(log)
         again = self.service("--state", self.state, *UNSETTLED)
-        self.assertEqual(self.client(again, "digger").welcome["samples"], 19)
-        self.assertIn("torn", again.stop()[1])
+        self.assertEqual(self.client(again, "digger").welcome["samples"], 20)
+
+    def test_a_damaged_log_is_refused(self):
+        log = self.killed(20)
+        damaged = bytearray(log.read_bytes())
+        damaged[len(damaged) // 2] ^= 1
+        log.write_bytes(damaged)
+        said = self.refusal("--state", self.state, *UNSETTLED)
+        self.assertIn("state-wal is damaged in its frame", said)
+        self.assertIn(f"move it, {self.state}-wal and {self.state}-mark away", said)
+
+    def test_one_service_a_file_by_any_of_its_names(self):
+        self.service("--state", self.state)
+        for name, link in (("soft", os.symlink), ("hard", os.link)):
+            link(self.state, self.folder / name)
+            self.assertIn("another placedpar monitor is using it", self.refusal("--state", self.folder / name))
 
     def test_a_full_disk_does_not_end_the_diagnosis(self):
         service = self.service("--state", self.state)
-        service.fill_disk(4000)
+        service.fill_disk(160000)
         client = self.client(service, "digger")
         client.ask(**CONFIGURATION)
         for i in range(SAMPLES):
@@ -146,10 +177,10 @@ class Restart(ServiceTest):
         for i in range(12):
             client.ask(**boom(i))
         service.fill_disk(1)
-        self.assertEqual(client.ask(**boom(12)), expected[12])
-        told = client.receive()
+        told = client.ask(**boom(12))
         self.assertEqual((told["type"], told["kept"]), ("kept", False))
-        self.assertIn("cannot be appended to", told["text"])
+        self.assertIn(f"{self.state}: cannot be written: ", told["text"])
+        self.assertEqual(client.receive(), expected[12])
         late = self.client(service, "digger", role="watch")
         self.assertEqual(late.receive(), told)
         service.free_disk()
@@ -175,7 +206,7 @@ class Restart(ServiceTest):
         self.assertEqual(client.receive_type("kept")["kept"], True)
         self.assertEqual(client.ask(**boom(20)), expected[20])
         _, errors = service.stop(signal.SIGKILL)
-        self.assertEqual(len(errors.splitlines()), 2, errors)
+        self.assertEqual(len(re.findall("a restart would forget|written again", errors)), 2, errors)
         self.assertIn("the state file is written again", errors)
         client = self.client(self.service("--state", self.state, *UNSETTLED), "digger")
         self.assertEqual(client.welcome["samples"], 21)
@@ -189,7 +220,7 @@ class Restart(ServiceTest):
         self.assertIn("--seed 1 ", self.refusal("--state", self.state, *UNSETTLED, "--seed", 2))
         self.state.write_text("rubbish")
         self.assertIn(f"{self.state}: this state file cannot be used", self.refusal("--state", self.state, *UNSETTLED))
-        self.assertIn("cannot be opened", self.refusal("--state", self.folder / "none" / "state"))
+        self.assertIn("cannot be made", self.refusal("--state", self.folder / "none" / "state"))
         self.assertIn("--address nowhere", self.refusal("--address", "nowhere"))
         self.assertIn("population", self.refusal("--population", 1))
         self.assertIn("bits", self.refusal("--bits", 40))

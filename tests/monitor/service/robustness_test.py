@@ -6,12 +6,23 @@ import socket
 import threading
 import unittest
 
-from service import CONFIGURATION, ServiceTest, boom
+from service import CONFIGURATION, SECONDS, ServiceTest, boom
 
 
 class Robustness(ServiceTest):
     def still_well(self, service):
         self.assertEqual(self.client(service).ask(type="ping")["type"], "pong")
+
+    def test_a_web_page_cannot_speak_through_a_browser(self):
+        service = self.service()
+        self.client(service, "digger").ask(type="bye")
+        body = b'{"type":"forget","machine":"digger"}\n' * 3
+        with socket.create_connection(service.address, SECONDS) as raw:
+            raw.sendall(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 111\r\n\r\n" + body)
+            answers = b"".join(iter(lambda: raw.recv(4096), b""))
+        self.assertIn(b'"wrong":"it is HTTP"', answers)
+        self.assertEqual(answers.count(b"\n"), 1)
+        self.assertEqual(self.client(service).ask(type="load")["machines"], 1)
 
     def test_garbage_is_answered_line_by_line(self):
         client = self.client(self.service())
@@ -155,7 +166,7 @@ class Robustness(ServiceTest):
         self.assertIn("half a line for 0.3 s", answers[0]["wrong"])
 
     def test_two_hundred_clients_at_once(self):
-        service = self.service()
+        service = self.service("--max-clients-per-peer", 256)
         clients = [self.client(service, f"digger-{i}") for i in range(200)]
         for client in clients:
             client.send(**CONFIGURATION)

@@ -9,6 +9,7 @@ import signal
 import socket
 import subprocess
 import tempfile
+import threading
 import unittest
 
 PROGRAM = os.environ["PLACEDPAR"]
@@ -21,19 +22,41 @@ class Service:
     def __init__(self, *arguments):
         self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True)
-        first = self.process.stdout.readline()
-        found = re.fullmatch(r"placedpar monitor: listening on (\S+) port (\d+)\n", first)
-        if not found:
-            _, errors = self.process.communicate(timeout=SECONDS)
-            raise AssertionError(f"no port in {first!r}; {errors}")
-        self.address = found[1], int(found[2])
+        self.log = []
+        self.reader = threading.Thread(target=lambda: self.log.extend(self.process.stderr))  # or it would be full
+        self.reader.start()
+        self.address = self.page = None
+        for _ in range(("--port" in arguments or "--unix" not in arguments) + ("--unix" in arguments) +
+                       ("--http" in arguments)):
+            self.note(self.process.stdout.readline())
+
+    def note(self, line):
+        """Where it listens."""
+        port = re.fullmatch(r"placedpar monitor: listening on (\S+) port (\d+)\n", line)
+        path = re.fullmatch(r"placedpar monitor: listening on (/\S+)\n", line)
+        page = re.fullmatch(r"placedpar monitor: page at (http://\S+/)\n", line)
+        if not (port or path or page):
+            self.process.wait(SECONDS)
+            raise AssertionError(f"{line!r}; {self.said()}")
+        if port:
+            self.address = port[1], int(port[2])
+        elif page:
+            self.page = page[1]
+        else:
+            self.path = path[1]
 
     def stop(self, number=signal.SIGTERM):
         """The exit code and what was said on standard error."""
         if self.process.poll() is None:
             self.process.send_signal(number)
-        _, errors = self.process.communicate(timeout=SECONDS)
-        return self.process.returncode, errors
+        self.process.wait(SECONDS)
+        return self.process.returncode, self.said()
+
+    def said(self):
+        """On standard error, so far."""
+        if self.process.poll() is not None:
+            self.reader.join(SECONDS)
+        return "".join(self.log)
 
     def fill_disk(self, file_bytes):
         """From now on no file of the service may be longer, which is like a full disk to it."""
@@ -51,8 +74,13 @@ class Service:
 class Client:
     """A connection to the service, a JSON object a line each way."""
 
-    def __init__(self, service, machine=None, **hello):
-        self.socket = socket.create_connection(service.address, timeout=SECONDS)
+    def __init__(self, service, machine=None, source="", path=None, **hello):
+        if path:
+            self.socket = socket.socket(socket.AF_UNIX)
+            self.socket.settimeout(SECONDS)
+            self.socket.connect(path)
+        else:
+            self.socket = socket.create_connection(service.address, SECONDS, (source, 0) if source else None)
         self.lines = self.socket.makefile("rb")
         if machine is not None:
             self.welcome = self.ask(type="hello", version=1, machine=machine, **hello)
@@ -105,6 +133,20 @@ def boom(index, start_s=0.0, compliance=0.0086):
 CONFIGURATION = {"type": "configuration", "configuration": "a", "active": ["BO"]}
 
 
+def move_softly(client, start_s=0.0):
+    """Three movements of a boom that is twice as soft as its kind, and all that is said until they are judged."""
+    client.send(type="baseline", links={"BO": 0.0043})
+    client.receive_type("status")
+    for movement in range(3):
+        for i in range(40):
+            client.send(**boom(i, start_s=start_s + 10 * movement))
+    client.send(type="ping")
+    said = []
+    while (message := client.receive())["type"] != "pong":
+        said.append(message)
+    return said
+
+
 class ServiceTest(unittest.TestCase):
     """A test with services, clients and a folder of its own."""
 
@@ -116,6 +158,7 @@ class ServiceTest(unittest.TestCase):
     def service(self, *arguments):
         service = Service(*arguments)
         self.addCleanup(service.process.stderr.close)
+        self.addCleanup(service.reader.join)
         self.addCleanup(service.process.stdout.close)
         self.addCleanup(service.process.wait)
         self.addCleanup(service.process.kill)

@@ -1,6 +1,7 @@
 // Wires through switches, and what carries each channel.
 
 #include "tests/netlist/good_networks.hpp"
+#include "tests/netlist/small_catalogue.hpp"
 
 #include <doctest/doctest.h>
 
@@ -124,6 +125,46 @@ TEST_CASE("the netlist tells routes: by what processors ask for, hop by hop, in 
                   "process p, q; use \"pump\" for p; use \"sink\" for q; connect p.out to q.in; place p on t[0]; place "
                   "q on t[2];");
     CHECK(route_of(by_cost) == "t[0].link[2] t[1].link[2]");
+}
+
+TEST_CASE("a linkquota keeps channels from leading through a processor, or by its higher links") {
+    auto route_with = [](const std::string& quota, const std::string& from, const std::string& to) {
+        // From hub to each of three, and a longer way round by `far`.
+        return route_of(good_text("T800 (linkquota = " + quota + ") hub; T800 a, b, c, far;" +
+                                  "connect hub.link[0] to a.link[0]; connect hub.link[1] to b.link[0];"
+                                  "connect hub.link[3] to c.link[0]; connect a.link[1] to far.link[0];"
+                                  "connect b.link[1] to far.link[1]; connect far.link[2] to c.link[1];"
+                                  "process p, q; use \"pump\" for p; use \"sink\" for q; connect p.out to q.in;"
+                                  "place p on " +
+                                  from + "; place q on " + to + ";"));
+    };
+    const std::string by_far = "a.link[1] far.link[2]", by_hub = "a.link[0] hub.link[3]";
+    CHECK(route_with("4", "a", "c") == by_hub);
+    CHECK(route_with("3", "a", "c") == by_hub);
+    CHECK(route_with("2", "a", "c") == by_far); // the third wired link is beyond the quota
+    CHECK(route_with("2", "a", "b") == "a.link[0] hub.link[1]");
+    CHECK(route_with("2", "c", "a") == "c.link[1] far.link[0]");
+    for (const char* none : {"1", "0"}) {
+        CHECK(route_with(none, "a", "b") == "a.link[1] far.link[1]");
+        CHECK(route_with(none, "hub", "c") == "hub.link[3]"); // its own channels take any
+        CHECK(route_with(none, "c", "hub") == "c.link[0]");
+        CHECK(route_with(none, "hub", "far") == "hub.link[0] a.link[1]");
+    }
+}
+
+TEST_CASE(
+    "a tolerance is warned of where a channel leads through a processor, which the real tool might lead elsewhere") {
+    auto said_with = [](const std::string& to) {
+        return render(read_netlist_text("T800 a, b; T800 (tolerance = 3) c; connect a.link[0] to b.link[0];"
+                                        "connect b.link[1] to c.link[0]; process p, q; use \"pump\" for p;"
+                                        "use \"sink\" for q; connect p.out to q.in; place p on a; place q on " +
+                                            to + ";",
+                                        small_catalogue(), {}, "n.cfs"));
+    };
+    CHECK(said_with("b").empty());
+    CHECK(
+        said_with("c").starts_with("n.cfs:1:33: warning: the attribute \"tolerance\" has no effect on the route of the "
+                                   "channel \"p.out -> q.in\"\n"));
 }
 
 TEST_CASE("a placement of a channel by a wire leads it over that wire") {

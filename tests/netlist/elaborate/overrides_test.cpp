@@ -197,6 +197,64 @@ TEST_CASE("a wire without a name is called as reports call it") {
     CHECK(says(refusal({{"lenght", "10"}}), "note: connections and their attributes: c, wire (linkspeed, length)\n"));
 }
 
+namespace {
+
+/// Two masters, of which one stands on the bus by a connection with a name, and an adapter.
+const std::string on_bus =
+    R"(VME vme; busmaster a, b; C012 (master = "a") adapter; T800 t; connection at_a, cable, spare;
+connect a.bus[0] to vme.slot[1] by at_a;
+connect b.bus[0] to vme.slot[2];
+connect adapter.bus[0] to vme.slot[3] by spare;
+connect adapter.link[0] to t.link[0] by cable;
+)";
+
+struct PlaceOnBus {
+    int level;
+    bool on_request;
+    bool operator==(const PlaceOnBus&) const = default;
+};
+
+/// Of a and b.
+std::vector<PlaceOnBus> places_on_bus(const Overrides& overrides) {
+    std::vector<PlaceOnBus> found;
+    for (const BusAttachment& each : good_text(on_bus, overrides).attachments)
+        if (each.slot < 3)
+            found.push_back({each.level, each.on_request});
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("the level and the release of a master on a bus, of one or of all") {
+    using Places = std::vector<PlaceOnBus>;
+    CHECK(places_on_bus({}) == Places{{3, false}, {3, false}});
+    CHECK(places_on_bus({{"at_a.level", "1"}, {"at_a.release", "ROR"}}) == Places{{1, true}, {3, false}});
+    CHECK(places_on_bus({{"attachment[0].level", "0"}}) == Places{{3, false}, {0, false}});
+    CHECK(places_on_bus({{"release", "ROR"}, {"level", "2"}, {"at_a.level", "3"}}) == Places{{3, true}, {2, true}});
+    Network network = good_text(on_bus, {{"release", "\"ROR\""}});
+    CHECK(network.set[0].elements == Elements{"at_a", "attachment[0]"});
+    CHECK(good_text(print_cfs(network)).hash == network.hash);
+    CHECK(good_text(on_bus, {{"length", "2"}}).set[0].elements == Elements{"cable"}); // not the places on the bus
+}
+
+TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refused") {
+    auto told = [](const char* name, const char* value) {
+        return render(read_netlist_text(on_bus, small_catalogue(), {{name, value}}));
+    };
+    CHECK(says(told("at_a.length", "1"), "--set:1:6: error: the connection \"at_a\" has no attribute \"length\"\n"));
+    CHECK(says(told("at_a.length", "1"), "note: it has level, release\n"));
+    CHECK(says(told("cable.level", "1"), "note: it has linkspeed, length\n"));
+    CHECK(says(told("spare.level", "1"), "note: it has nothing that can be set\n"));
+    CHECK(says(told("at_a.level", "4"), "illegal value of the attribute \"level\": 4\n"));
+    CHECK(says(told("at_a.level", "top"), "hint: it takes an integer from 0 to 3\n"));
+    CHECK(says(told("a.level", "1"), "hint: the place of \"a\" on its bus has: --set at_a.level=...\n"));
+    CHECK(says(told("b.release", "ROR"), "hint: the place of \"b\" on its bus has: --set attachment[0].release=...\n"));
+    CHECK(!says(told("t.release", "ROR"), "hint: "));
+    CHECK(says(told("release", "ROAK"), "hint: it is one of RWD, ROR\n"));
+    CHECK(says(told("relase", "ROR"), "hint: did you mean \"release\"?\n"));
+    CHECK(says(told("relase", "ROR"), "at_a, attachment (level, release)"));
+}
+
 TEST_CASE("what cannot be set so is told how it can") {
     auto told = [](const std::string& text, const Overrides& overrides) {
         return render(read_netlist_text(text, small_catalogue(), overrides));
@@ -235,7 +293,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                      "note: processes and their parameters: m (population, mutation, code, priority), s (cycles, "
                      "priority), other (label, size, priority)\n"
                      "note: nodes and their attributes: root, t (memory, clock, linkspeed, channelcall, "
-                     "memorycycles, routecost)\n"
+                     "memorycycles, routecost, linkquota)\n"
                      "note: connections and their attributes: c, wire (linkspeed, length)\n");
     CHECK(says(refusal({{"m.mutatoin", "3"}}), "--set:1:3: error: the process \"m\" has no parameter \"mutatoin\"\n"
                                                "    m.mutatoin=3\n"

@@ -54,7 +54,7 @@ private:
             type.find('(') != std::string::npos || chance(2)
                 ? ""
                 : fmt::format(" (clock = {}M, memory = {}k, channelcall = {}, reserved = 0{})", 1 + numbers_.below(40),
-                              1 + numbers_.below(4000), numbers_.below(200), numbers_.below(8));
+                              1 + numbers_.below(type == "T225" ? 64 : 4000), numbers_.below(200), numbers_.below(8));
         write("{}{} t{};\n", type, attributes, i);
     }
 

@@ -40,8 +40,7 @@ TEST_CASE("a host writes a message into a bus master's memory word by word") {
     Machine machine;
     auto& lane = machine.simulation.add<MemoryLane>(machine.host, machine.memory, MemoryLane::From::master,
                                                     bus_programs::conversion);
-    Channel<Words> c("c");
-    c.put_on(lane);
+    Channel<Words> c("c", lane);
     Time sent{}, received{};
     std::int32_t last = 0;
     machine.simulation.process(
@@ -73,8 +72,7 @@ TEST_CASE("a host reads a message from a bus master's memory") {
     Machine machine;
     auto& lane = machine.simulation.add<MemoryLane>(machine.host, machine.memory, MemoryLane::From::memory,
                                                     bus_programs::conversion);
-    Channel<Words> c("c");
-    c.put_on(lane);
+    Channel<Words> c("c", lane);
     Time received{};
     machine.simulation.process(
         "host", [&] { c.in().input(), received = now(); }, &machine.sun);
@@ -91,8 +89,7 @@ TEST_CASE("a bus master moves a message into another's memory as one block, in p
     auto& other = machine.simulation.add<Processor>("other");
     auto& memory = machine.simulation.add<DualPortedMemory>("other.memory");
     auto& lane = machine.simulation.add<MemoryLane>(machine.master, memory, MemoryLane::From::master, Cycles{0});
-    Channel<std::vector<std::int32_t>> c("c");
-    c.put_on(lane);
+    Channel<std::vector<std::int32_t>> c("c", lane);
     std::vector<std::int32_t> sent(20'000, 3), received;
     machine.simulation.process(
         "a", [&] { c.out().output(sent); }, &machine.bbk);

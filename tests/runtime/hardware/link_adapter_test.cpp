@@ -8,6 +8,7 @@
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/runtime/hardware/adapter_host.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,26 +23,11 @@ using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
+using test::adapter_timing;
+using test::Host;
+using test::Octets;
 
 namespace {
-
-using Octets = std::vector<std::uint8_t>;
-constexpr LinkTiming adapter_timing{.overlapped_acknowledge = false};
-
-/// A Sun on a bus with an adapter, whose link leads to a transputer.
-struct Host {
-    explicit Host(std::int64_t most_polls = 32) : program(bus_programs::sun_3_280) { program.most_polls = most_polls; }
-
-    Simulation simulation;
-    BusProgram program;
-    VmeBus& bus = simulation.add<VmeBus>("bus");
-    Workstation& sun = simulation.add<Workstation>("sun");
-    VmeMaster& master = simulation.add<VmeMaster>("sun", bus, VmePlace{}, program);
-    Processor& t800 = simulation.add<Processor>("t800");
-    Link& link = simulation.add<Link>(adapter_timing, "adapter.link[0]", "t800.link[0]");
-    LinkAdapter& adapter = simulation.add<LinkAdapter>("adapter", link, LinkAdapter::End::a);
-    AdapterProgram& driver = simulation.add<AdapterProgram>(master, adapter);
-};
 
 /// Of a register: the program, the arbitration, the cycle.
 constexpr Time register_access = duration_of(30, 25'000'000) + nanoseconds{200} + nanoseconds{310};
@@ -83,8 +69,7 @@ double kilobytes_per_second(int bytes, Time time) { return bytes / (static_cast<
 TEST_CASE("a host writes bytes to an adapter as fast as polling and the link let it") {
     for (int bytes : {1, 2, 7, 100}) {
         Host host(1'000'000);
-        Channel<Octets> c("c");
-        c.put_on(host.driver.to_link());
+        Channel<Octets> c("c", host.driver.to_link());
         Time done{};
         std::size_t received = 0;
         host.simulation.process(
@@ -109,8 +94,7 @@ TEST_CASE("the times of a single part are those of the rules") {
     };
     SUBCASE("written") {
         Host host(1'000'000);
-        Channel<Block> c("c");
-        c.put_on(host.driver.to_link());
+        Channel<Block> c("c", host.driver.to_link());
         Time done{};
         host.simulation.process(
             "host", [&] { c.out().output({}), done = now(); }, &host.sun);
@@ -123,8 +107,7 @@ TEST_CASE("the times of a single part are those of the rules") {
     }
     SUBCASE("read") {
         Host host(1'000'000);
-        Channel<Block> c("c");
-        c.put_on(host.driver.from_link());
+        Channel<Block> c("c", host.driver.from_link());
         Time done{};
         host.simulation.process(
             "host", [&] { c.in().input(), done = now(); }, &host.sun);
@@ -140,9 +123,7 @@ TEST_CASE("the times of a single part are those of the rules") {
 
 TEST_CASE("messages of every length come over whole and in order, both ways at once") {
     Host host;
-    Channel<Octets> down("down"), up("up");
-    down.put_on(host.driver.to_link());
-    up.put_on(host.driver.from_link());
+    Channel<Octets> down("down", host.driver.to_link()), up("up", host.driver.from_link());
     std::vector<Octets> sent, back;
     for (std::size_t n = 0; n < 20; ++n)
         sent.emplace_back(n, static_cast<std::uint8_t>(n));
@@ -173,8 +154,7 @@ TEST_CASE("messages of every length come over whole and in order, both ways at o
 
 TEST_CASE("a host that has polled in vain sleeps until the adapter's interrupt") {
     Host host;
-    Channel<std::int32_t> c("c");
-    c.put_on(host.driver.from_link());
+    Channel<std::int32_t> c("c", host.driver.from_link());
     Time got{};
     host.simulation.process(
         "host", [&] { c.in().input(), got = now(); }, &host.sun);
@@ -191,9 +171,7 @@ TEST_CASE("a host can wait for several adapters in an alternation") {
     auto& link = host.simulation.add<Link>(adapter_timing, "b.link[0]", "t801.link[0]");
     auto& adapter = host.simulation.add<LinkAdapter>("b", link, LinkAdapter::End::b);
     auto& driver = host.simulation.add<AdapterProgram>(host.master, adapter);
-    Channel<std::int32_t> first("first"), second("second");
-    first.put_on(host.driver.from_link());
-    second.put_on(driver.from_link());
+    Channel<std::int32_t> first("first", host.driver.from_link()), second("second", driver.from_link());
     std::string order;
     host.simulation.process(
         "host",
@@ -211,8 +189,7 @@ TEST_CASE("a host can wait for several adapters in an alternation") {
 
 TEST_CASE("a transputer that never answers is a deadlock, and the host is named in it") {
     Host host;
-    Channel<std::int32_t> c("c");
-    c.put_on(host.driver.from_link());
+    Channel<std::int32_t> c("c", host.driver.from_link());
     host.simulation.process(
         "host", [&] { c.in().input(); }, &host.sun);
     RunResult result = host.simulation.run();
@@ -236,7 +213,10 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
         std::vector<Octets> received(nodes);
         for (std::size_t i = 0; i < nodes; ++i) {
             channels.emplace_back("c" + std::to_string(i));
-            channels.back().put_on(at_once ? broadcast.lane(i) : drivers[i]->to_link());
+            if (at_once)
+                broadcast.carry(channels.back(), i);
+            else
+                channels.back().put_on(drivers[i]->to_link());
             host.simulation.process("node" + std::to_string(i),
                                     [&, i, &c = channels.back()] { received[i] = c.in().input(); });
         }
@@ -261,4 +241,148 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
     CHECK(one_by_one >= 2 * nodes * 152 * register_access);
     CHECK(at_once >= (nodes + 1) * 152 * register_access);
     CHECK(at_once < (nodes + 2) * 152 * register_access);
+}
+
+namespace {
+
+/// A host whose bus has several adapters, with a transputer at each, and a broadcast to all of them on channels c0, c1
+/// ...
+template <class T>
+struct BroadcastingHost : Host {
+    explicit BroadcastingHost(std::size_t nodes, std::int64_t most_polls = 32) : Host(most_polls) {
+        std::vector<AdapterProgram*> drivers{&driver};
+        while (drivers.size() < nodes) {
+            std::string name = "a" + std::to_string(drivers.size());
+            auto& wire = simulation.add<Link>(adapter_timing, name, "t" + std::to_string(drivers.size()));
+            auto& one_more = simulation.add<LinkAdapter>(name, wire, LinkAdapter::End::a);
+            drivers.push_back(&simulation.add<AdapterProgram>(master, one_more));
+        }
+        broadcast = &simulation.add<AdapterBroadcast>(drivers);
+        for (std::size_t i = 0; i < nodes; ++i)
+            broadcast->carry(channels.emplace_back("c" + std::to_string(i)), i);
+    }
+
+    Channel<T>& channel(std::size_t i) { return *std::next(channels.begin(), static_cast<std::ptrdiff_t>(i)); }
+    void add_receivers() {
+        for (std::size_t i = 0; i < channels.size(); ++i) {
+            auto receive = [&c = channel(i)] { c.in().input(); };
+            simulation.process("node" + std::to_string(i), {channel(i).in()}, receive);
+        }
+    }
+
+    AdapterBroadcast* broadcast;
+    std::list<Channel<T>> channels;
+};
+
+/// As time_of_writing: the status of each adapter is polled in turn, and the byte written once.
+Time time_of_broadcasting(int bytes, std::size_t adapters) {
+    Time t{}, free{};
+    auto poll_all = [&] {
+        for (std::size_t i = 0; i < adapters; ++i)
+            do
+                t += register_access;
+            while (t < free);
+    };
+    for (int i = 0; i < bytes; ++i) {
+        poll_all();
+        t += register_access;
+        free = t + adapter_timing.acknowledge_latency() + adapter_timing.restart_latency();
+    }
+    poll_all();
+    return t;
+}
+
+} // namespace
+
+TEST_CASE("a broadcast takes the time of its accesses, to the picosecond") {
+    for (std::size_t nodes : {std::size_t{1}, std::size_t{2}, std::size_t{5}})
+        for (int bytes : {1, 2, 60}) {
+            CAPTURE(nodes);
+            CAPTURE(bytes);
+            BroadcastingHost<Octets> host(nodes, 1'000'000);
+            Time done{};
+            host.add_receivers();
+            host.simulation.process(
+                "host",
+                [&] {
+                    par_for(nodes, [&](std::size_t i) {
+                        host.channel(i).out().output(Octets(static_cast<std::size_t>(bytes), 1));
+                    });
+                    done = now();
+                },
+                &host.sun);
+            CHECK(host.simulation.run().ending == Ending::completed);
+            CHECK(done == time_of_broadcasting(4, nodes) + time_of_broadcasting(bytes, nodes));
+            CHECK(done == static_cast<std::int64_t>(host.master.bytes_accessed()) * register_access);
+            CHECK(host.broadcast->messages() == 1);
+            CHECK(host.broadcast->bytes() == static_cast<std::uint64_t>(4 + bytes));
+        }
+}
+
+TEST_CASE("what is output on the channels of a broadcast is one message") {
+    auto run = [](auto first, auto second) {
+        BroadcastingHost<decltype(first)> host(2);
+        host.add_receivers();
+        host.simulation.process(
+            "host",
+            [&] { par([&] { host.channel(0).out().output(first); }, [&] { host.channel(1).out().output(second); }); },
+            &host.sun);
+        host.simulation.run();
+    };
+    CHECK_NOTHROW(run(Octets{1, 2}, Octets{1, 2}));
+    CHECK_THROWS_WITH_AS(run(Octets{1, 2}, Octets{1, 2, 3}),
+                         doctest::Contains("channel c1 is broadcast with c0, but its message has 4 + 3 bytes, not 4 + "
+                                           "2 bytes"),
+                         BroadcastError);
+    CHECK_THROWS_WITH_AS(run(Octets{1, 2}, Octets{1, 3}),
+                         doctest::Contains("channel c1 is broadcast with c0, but its message is another one"),
+                         BroadcastError);
+    struct WithoutEquality {
+        double number = 0;
+    };
+    CHECK_THROWS_WITH_AS(run(WithoutEquality{}, WithoutEquality{}), doctest::Contains("their type has no =="),
+                         BroadcastError);
+}
+
+TEST_CASE("one who outputs the channels of a broadcast one after the other is stuck, and the report says why") {
+    BroadcastingHost<std::int32_t> host(3);
+    host.add_receivers();
+    auto output_in_order = [&] {
+        for (Channel<std::int32_t>& each : host.channels)
+            each.out().output(7);
+    };
+    host.simulation.process("host", {host.channel(0).out(), host.channel(1).out(), host.channel(2).out()},
+                            output_in_order, &host.sun);
+    SUBCASE("at the end of the run") {
+        RunResult result = host.simulation.run();
+        CHECK(result.ending == Ending::stuck);
+        REQUIRE(result.deadlock);
+        CHECK(result.deadlock->cycle == std::vector<std::string>{"host"});
+        REQUIRE(result.deadlock->held_up.size() == 1);
+        CHECK(result.deadlock->held_up[0] == "c0: until c1, c2 are output, too: one message goes to all of them, which "
+                                             "a program outputs in a PAR");
+    }
+    SUBCASE("while others could go on") {
+        host.simulation.process("other", [] { wait_for(milliseconds{5}); });
+        RunResult result = host.simulation.run(milliseconds{1});
+        CHECK(result.ending == Ending::time_limit);
+        REQUIRE(result.deadlock);
+        CHECK(result.deadlock->processes.size() == 4);
+    }
+}
+
+TEST_CASE("a receiver that does not come holds up the others, and they are not taken for those at fault") {
+    BroadcastingHost<std::int32_t> host(3);
+    for (std::size_t i : {0, 2})
+        host.simulation.process("node" + std::to_string(i), [&c = host.channel(i)] { c.in().input(); });
+    Channel<int> never("never");
+    host.simulation.process("node1", {host.channel(1).in()}, [&] { never.in().input(); });
+    host.simulation.process(
+        "host", [&] { par_for(3, [&](std::size_t i) { host.channel(i).out().output(7); }); }, &host.sun);
+    RunResult result = host.simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle.empty());
+    REQUIRE(!result.deadlock->held_up.empty());
+    CHECK(result.deadlock->held_up[0].find(": until c1 is taken, too") != std::string::npos);
 }

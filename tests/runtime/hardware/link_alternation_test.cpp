@@ -161,8 +161,7 @@ TEST_CASE("random programs that alternate over links complete, every message in 
 TEST_CASE("a message of one byte that an alternation has taken does not end the next input") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
-    Channel<Numbered> channel("channel");
-    channel.put_on(link.from_a_to_b());
+    Channel<Numbered> channel("channel", link.from_a_to_b());
     std::vector<int> received;
     simulation.process("sender", [&] {
         for (int number : {1, 2})

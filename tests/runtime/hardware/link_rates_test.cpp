@@ -26,9 +26,7 @@ double rate(const LinkTiming& timing, bool both_ways) {
     constexpr std::uint32_t bytes = 100'000;
     Simulation simulation;
     Link& link = simulation.add<Link>(timing);
-    Channel<Block> there("there"), back("back");
-    there.put_on(link.from_a_to_b());
-    back.put_on(link.from_b_to_a());
+    Channel<Block> there("there", link.from_a_to_b()), back("back", link.from_b_to_a());
     for (Channel<Block>* channel : {&there, &back})
         if (channel == &there || both_ways) {
             simulation.process("sender", [channel] { channel->out().output(Block{bytes}); });
@@ -52,9 +50,7 @@ double half_round_trip(std::uint32_t words) {
     Processor& near = simulation.add<Processor>("near", 20'000'000, instructions::toolset_channel_call);
     Processor& far = simulation.add<Processor>("far", 20'000'000, instructions::toolset_channel_call);
     Link& link = simulation.add<Link>();
-    Channel<Block> ping("ping"), pong("pong");
-    ping.put_on(link.from_a_to_b());
-    pong.put_on(link.from_b_to_a());
+    Channel<Block> ping("ping", link.from_a_to_b()), pong("pong", link.from_b_to_a());
     Time took{};
     simulation.process(
         "near",

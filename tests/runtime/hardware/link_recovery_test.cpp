@@ -55,8 +55,7 @@ Told lose_packet(std::uint32_t bytes, std::uint32_t packet, bool every_byte) {
     LinkFault fault{.from = begin_of(packet), .until = begin_of(packet) + 1ns};
     (acknowledge ? fault.wire_from_a : fault.wire_from_b) = false;
     const FaultEffect& effect = link.suffer(fault);
-    Channel<Letter> c("c");
-    c.put_on(link.from_a_to_b());
+    Channel<Letter> c("c", link.from_a_to_b());
     Told told;
     simulation.process("sender", [&] {
         told.sender = output_or_fail(c.out(), Letter{1, bytes}, Time{1ms});
@@ -102,8 +101,7 @@ TEST_CASE("without a time-out a lost byte is a deadlock, in which the two are na
     Simulation simulation;
     Link& link = simulation.add<Link>();
     link.suffer({.from = Time{3us}});
-    Channel<Letter> c("c");
-    c.put_on(link.from_a_to_b());
+    Channel<Letter> c("c", link.from_a_to_b());
     simulation.process("sender", [&] { c.out().output({1, 100}); });
     simulation.process("receiver", [&] { c.in().input(); });
     RunResult result = simulation.run();
@@ -116,8 +114,7 @@ TEST_CASE("a lost message is a partial deadlock when a time limit ends the run")
     Simulation simulation;
     Link& link = simulation.add<Link>();
     link.suffer({.from = Time{3us}});
-    Channel<Letter> c("c");
-    c.put_on(link.from_a_to_b());
+    Channel<Letter> c("c", link.from_a_to_b());
     simulation.process("sender", {c.out()}, [&] { c.out().output({1, 100}); });
     simulation.process("receiver", {c.in()}, [&] { c.in().input(); });
     simulation.process("clock", [&] {
@@ -133,8 +130,7 @@ TEST_CASE("a lost message is a partial deadlock when a time limit ends the run")
 TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, until the receiver resets its end") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
-    Channel<Letter> c("c");
-    c.put_on(link.from_a_to_b());
+    Channel<Letter> c("c", link.from_a_to_b());
     simulation.process("sender", [&] {
         CHECK(!output_or_fail(c.out(), Letter{1, 10}, Time{10us}));
         CHECK(reset(c.out()) == 0);
@@ -153,8 +149,7 @@ TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, unti
 
     Simulation again;
     Link& other = again.add<Link>();
-    Channel<Letter> d("d");
-    d.put_on(other.from_a_to_b());
+    Channel<Letter> d("d", other.from_a_to_b());
     again.process("sender", [&] {
         CHECK(!output_or_fail(d.out(), Letter{1, 10}, Time{10us}));
         reset(d.out());
@@ -172,8 +167,7 @@ TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, unti
 TEST_CASE("an end at which a message was given up refuses the next one until it is reset") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
-    Channel<Letter> c("c");
-    c.put_on(link.from_a_to_b());
+    Channel<Letter> c("c", link.from_a_to_b());
     simulation.process("sender", [&] {
         output_or_fail(c.out(), Letter{}, Time{1us});
         c.out().output({});
@@ -190,8 +184,7 @@ TEST_CASE("a processor that halts executes nothing from that moment on, and its 
     halting.halt_at(1ms);
     Link& link = simulation.add<Link>();
     link.suffer({.from = Time{1ms}, .wire_from_b = false});
-    Channel<int> c("c");
-    c.put_on(link.from_a_to_b());
+    Channel<int> c("c", link.from_a_to_b());
     int steps = 0, received = 0;
     simulation.process(
         "steps",

@@ -4,15 +4,18 @@
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/hardware/router.hpp"
+#include "runtime/parallel.hpp"
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
+#include "tests/runtime/hardware/routed_machine.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <list>
 #include <numeric>
 #include <stdexcept>
@@ -25,6 +28,12 @@ using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
 using test::cycle;
+using test::Graph;
+using test::hypercube;
+using test::line;
+using test::ring;
+using test::RoutedMachine;
+using test::torus;
 
 namespace {
 
@@ -74,9 +83,7 @@ TEST_CASE("two channels each way over one link: every message arrives, in the or
 TEST_CASE(
     "an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
     TwoNodes nodes;
-    Channel<int> late("late"), prompt("prompt");
-    late.put_on(nodes.carrier(true));
-    prompt.put_on(nodes.carrier(true));
+    Channel<int> late("late", nodes.carrier(true)), prompt("prompt", nodes.carrier(true));
     Time late_output{}, late_input{}, prompt_output{};
     nodes.simulation.process(
         "outputs late", [&] { late.out().output(1), late_output = now(); }, &nodes.a);
@@ -94,8 +101,7 @@ TEST_CASE(
 
 TEST_CASE("the stated price: a packet each way on the link, two handlings on each processor") {
     TwoNodes nodes;
-    Channel<std::array<char, 100>> c("c");
-    c.put_on(nodes.carrier(true));
+    Channel<std::array<char, 100>> c("c", nodes.carrier(true));
     Time output{}, input{};
     nodes.simulation.process(
         "outputs", [&] { c.out().output({}), output = now(); }, &nodes.a);
@@ -123,116 +129,13 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
 
 TEST_CASE("a router that has nothing to do does not keep a run from completing") {
     TwoNodes nodes;
-    Channel<int> c("c");
-    c.put_on(nodes.carrier(true));
+    Channel<int> c("c", nodes.carrier(true));
     nodes.simulation.process(
         "computes", [] { compute(Cycles{10}); }, &nodes.a);
     CHECK(nodes.simulation.run().ending == Ending::completed);
 }
 
 namespace {
-
-/// Processors and the links between them.
-struct Graph {
-    std::size_t nodes;
-    std::vector<std::pair<std::size_t, std::size_t>> links;
-};
-
-Graph ring(std::size_t n) {
-    Graph graph{n, {}};
-    for (std::size_t i = 0; i < n; ++i)
-        graph.links.emplace_back(i, (i + 1) % n);
-    return graph;
-}
-
-Graph torus(std::size_t rows, std::size_t columns) {
-    Graph graph{rows * columns, {}};
-    for (std::size_t r = 0; r < rows; ++r)
-        for (std::size_t c = 0; c < columns; ++c) {
-            graph.links.emplace_back(r * columns + c, r * columns + (c + 1) % columns);
-            graph.links.emplace_back(r * columns + c, (r + 1) % rows * columns + c);
-        }
-    return graph;
-}
-
-Graph hypercube(std::size_t dimensions) {
-    Graph graph{std::size_t{1} << dimensions, {}};
-    for (std::size_t i = 0; i < graph.nodes; ++i)
-        for (std::size_t d = 0; d < dimensions; ++d)
-            if ((i & (std::size_t{1} << d)) == 0)
-                graph.links.emplace_back(i, i | std::size_t{1} << d);
-    return graph;
-}
-
-/// A simulation of it, with a router at every processor.
-class RoutedMachine {
-public:
-    explicit RoutedMachine(const Graph& graph) : graph_(graph) {
-        for (std::size_t i = 0; i < graph.nodes; ++i) {
-            processors.push_back(&simulation.add<Processor>("t" + std::to_string(i)));
-            routers.push_back(&simulation.add<Router>(processors.back()));
-        }
-        for (auto [a, b] : graph.links) {
-            links.push_back(&simulation.add<Link>());
-            shared_.push_back(&simulation.add<RouterLink>(*links.back(), *routers[a], *routers[b]));
-        }
-    }
-
-    /// Along these processors, each a neighbour of the one before.
-    Carrier& route(const std::vector<std::size_t>& way) {
-        std::vector<Hop> hops;
-        for (std::size_t i = 0; i + 1 < way.size(); ++i)
-            hops.push_back(hop(way[i], way[i + 1]));
-        return simulation.add<Route>(hops);
-    }
-
-    /// Any way that passes no processor twice, shortest or not.
-    std::vector<std::size_t> random_way(std::size_t from, std::size_t to, RandomStream& random) const {
-        std::vector<std::size_t> way;
-        do {
-            way = {from};
-            while (way.back() != to) {
-                auto next = neighbours_not_on(way);
-                if (next.empty())
-                    break;
-                way.push_back(next[random.below(static_cast<std::uint32_t>(next.size()))]);
-            }
-        } while (way.back() != to);
-        return way;
-    }
-
-    Simulation simulation;
-    std::vector<Processor*> processors;
-    std::vector<Router*> routers;
-    std::vector<Link*> links;
-
-private:
-    Hop hop(std::size_t from, std::size_t to) const {
-        for (std::size_t i = 0; i < graph_.links.size(); ++i)
-            for (bool forth : {true, false})
-                if (graph_.links[i] == (forth ? std::pair(from, to) : std::pair(to, from)))
-                    return {*shared_[i], forth};
-        throw std::logic_error("no neighbours");
-    }
-
-    std::vector<std::size_t> neighbours_not_on(const std::vector<std::size_t>& way) const {
-        std::vector<std::size_t> found;
-        for (auto [a, b] : graph_.links)
-            for (auto [from, to] : {std::pair(a, b), std::pair(b, a)})
-                if (from == way.back() && std::ranges::find(way, to) == way.end())
-                    found.push_back(to);
-        return found;
-    }
-
-    Graph graph_;
-    std::vector<RouterLink*> shared_;
-};
-
-Graph line(std::size_t n) {
-    Graph graph = ring(n);
-    graph.links.pop_back();
-    return graph;
-}
 
 struct Text {
     std::size_t number, bytes;
@@ -287,8 +190,7 @@ std::vector<std::vector<std::size_t>> all_talk_to_all(std::size_t nodes, std::ui
 
 TEST_CASE("a transfer over two links takes what its parts take, to the picosecond") {
     RoutedMachine machine(line(3));
-    Channel<std::array<char, 10>> c("c");
-    c.put_on(machine.route({0, 1, 2}));
+    Channel<std::array<char, 10>> c("c", machine.route({0, 1, 2}));
     Time begin{}, input{}, output{};
     machine.simulation.process(
         "outputs",
@@ -326,8 +228,7 @@ TEST_CASE("a transfer over two links takes what its parts take, to the picosecon
 TEST_CASE("what computes at a processor between is slowed down by the packets passed on, and by nothing else") {
     auto end_of_computing = [](int messages) {
         RoutedMachine machine(line(3));
-        Channel<std::array<char, 100>> c("c");
-        c.put_on(machine.route({0, 1, 2}));
+        Channel<std::array<char, 100>> c("c", machine.route({0, 1, 2}));
         Time end{};
         machine.simulation.process(
             "outputs",
@@ -358,9 +259,7 @@ TEST_CASE("what computes at a processor between is slowed down by the packets pa
 
 TEST_CASE("a short message overtakes a long one, on every link that they share") {
     RoutedMachine machine(line(3));
-    Channel<Text> long_one("long"), short_one("short");
-    long_one.put_on(machine.route({0, 1, 2}));
-    short_one.put_on(machine.route({0, 1, 2}));
+    Channel<Text> long_one("long", machine.route({0, 1, 2})), short_one("short", machine.route({0, 1, 2}));
     Time long_done{}, short_sent{}, short_done{};
     machine.simulation.process(
         "outputs long",
@@ -423,6 +322,110 @@ TEST_CASE("all processors talk to all others at once, by any routes: nothing is 
         }
 }
 
+TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 64: nothing is lost or stuck") {
+    for (auto [graph, channels] : {std::pair(torus(16, 16), 300), std::pair(hypercube(6), 300)}) {
+        RoutedMachine machine(graph);
+        RandomStream random(1, "channels");
+        std::list<Channel<Text>> all;
+        std::size_t received = 0, bytes = 0, packets_passed_on = 0;
+        for (int i = 0; i < channels; ++i) {
+            auto nodes = static_cast<std::uint32_t>(graph.nodes);
+            std::size_t from = random.below(nodes), to = (from + 1 + random.below(nodes - 1)) % nodes;
+            std::vector<std::size_t> way = machine.shortest_way(from, to);
+            Channel<Text>& c = all.emplace_back("c");
+            c.put_on(machine.route(way));
+            Text text{random.below(1000), 1 + random.below(600)};
+            std::size_t packets = (text.bytes + 255) / 256;
+            bytes += (way.size() - 1) * (text.bytes + 2 * packets * Packet::header_bytes); // and acknowledges
+            packets_passed_on += (way.size() - 2) * 2 * packets;
+            machine.simulation.process(
+                "sends", [&c, text] { c.out().output(text); }, machine.processors[from]);
+            machine.simulation.process(
+                "takes", [&c, &received, text] { received += c.in().input().number == text.number; },
+                machine.processors[to]);
+        }
+        CHECK(machine.simulation.run().ending == Ending::completed);
+        CHECK(received == static_cast<std::size_t>(channels));
+        std::size_t carried = 0, passed_on = 0;
+        for (const Link* link : machine.links)
+            carried += link->from_a_to_b().bytes_carried() + link->from_b_to_a().bytes_carried();
+        for (const Router* router : machine.routers)
+            passed_on += router->packets_passed_on();
+        CHECK(carried == bytes);
+        CHECK(passed_on == packets_passed_on);
+    }
+}
+
+namespace {
+
+/// The channel from each processor to the one that is so many further on, by the shortest way.
+class AllToAll {
+public:
+    explicit AllToAll(const Graph& graph) : machine_(graph), nodes_(graph.nodes), channels_(graph.nodes) {
+        for (std::size_t from = 0; from < nodes_; ++from)
+            for (std::size_t further = 1; further < nodes_; ++further)
+                add(from, further);
+    }
+
+    /// Each outputs to the next and inputs from the one before, then to the one after that, and so on.
+    RunResult run() {
+        for (std::size_t i = 0; i < nodes_; ++i)
+            machine_.simulation.process(
+                "p",
+                [this, i] {
+                    for (std::size_t further = 1; further < nodes_; ++further)
+                        exchange(i, further);
+                },
+                machine_.processors[i]);
+        return machine_.simulation.run();
+    }
+
+    std::size_t hops = 0, received = 0;
+
+    std::size_t packets_passed_on() const {
+        return std::accumulate(machine_.routers.begin(), machine_.routers.end(), std::size_t{0},
+                               [](std::size_t sum, const Router* router) { return sum + router->packets_passed_on(); });
+    }
+
+private:
+    void add(std::size_t from, std::size_t further) {
+        auto way = machine_.shortest_way(from, (from + further) % nodes_);
+        hops += way.size() - 1;
+        channels_[from].emplace_back("c").put_on(machine_.route(way));
+    }
+    void exchange(std::size_t i, std::size_t further) {
+        std::size_t before = (i + nodes_ - further) % nodes_;
+        par(
+            [&] {
+                channels_[i][further - 1].out().output({i, 100});
+            },
+            [&] { received += channels_[before][further - 1].in().input().number == before; });
+    }
+
+    RoutedMachine machine_;
+    std::size_t nodes_;
+    std::vector<std::deque<Channel<Text>>> channels_; ///< by sender
+};
+
+void check_all_to_all(const Graph& graph) {
+    AllToAll all(graph);
+    CHECK(all.run().ending == Ending::completed);
+    std::size_t messages = graph.nodes * (graph.nodes - 1);
+    CHECK(all.received == messages);
+    CHECK(all.packets_passed_on() == 2 * (all.hops - messages)); // and acknowledges
+}
+
+} // namespace
+
+TEST_CASE("each of 36 processors of a torus outputs to all others, over the processors between") {
+    check_all_to_all(torus(6, 6));
+}
+
+// A minute: ctest -C studies -L studies
+TEST_CASE("each of 256 processors of a torus outputs to all others" * doctest::skip()) {
+    check_all_to_all(torus(16, 16));
+}
+
 TEST_CASE("routers add no room: processes that would wait for each other still do") {
     RoutedMachine machine(ring(5));
     std::list<Channel<int>> channels;
@@ -446,9 +449,7 @@ TEST_CASE("routers add no room: processes that would wait for each other still d
 
 TEST_CASE("a message that waits at the end of its route is one for an alternation") {
     RoutedMachine machine(line(3));
-    Channel<int> far("far"), near("near");
-    far.put_on(machine.route({0, 1, 2}));
-    near.put_on(machine.route({1, 2}));
+    Channel<int> far("far", machine.route({0, 1, 2})), near("near", machine.route({1, 2}));
     std::vector<int> taken;
     machine.simulation.process(
         "far", [&] { far.out().output(1); }, machine.processors[0]);

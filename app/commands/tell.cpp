@@ -1,0 +1,103 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "monitor/service/errand.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+namespace json = boost::json;
+
+struct TellOptions {
+    monitor::ServicePlace place;
+    std::vector<std::string> words;
+    std::size_t for_s = 8 * 3600;
+};
+
+/// One of what can be said, and how many words come with it.
+struct Saying {
+    const char* name;
+    std::size_t least_words, most_words;
+    const char* words;
+};
+constexpr Saying sayings[]{
+    {"alarms", 0, 0, ""},
+    {"load", 0, 0, ""},
+    {"forget", 1, 1, " MACHINE"},
+    {"acknowledge", 2, 6, " MACHINE ALARM [LINK...]"},
+    {"shelve", 2, 6, " MACHINE ALARM [LINK...]"},
+};
+
+[[noreturn]] void refuse_words(const std::string& wrong) {
+    std::string right;
+    for (const Saying& each : sayings)
+        right += fmt::format("{}{}{}", right.empty() ? "" : ", ", each.name, each.words);
+    throw UserError(fmt::format("{}; expected one of: {}", wrong, right));
+}
+
+std::string message_of(const TellOptions& options) {
+    const std::vector<std::string>& words = options.words;
+    const auto* saying = std::ranges::find(sayings, words[0], &Saying::name);
+    if (saying == std::end(sayings))
+        refuse_words(fmt::format("\"{}\" cannot be said", words[0]));
+    std::size_t more = words.size() - 1;
+    if (more < saying->least_words || more > saying->most_words)
+        refuse_words(fmt::format("{} has {} words behind it", words[0], more));
+    json::object message{{"type", words[0]}};
+    if (more >= 1)
+        message["machine"] = words[1];
+    if (more >= 2) {
+        message["alarm"] = words[2];
+        message["links"] = json::array(words.begin() + 3, words.end());
+    }
+    if (words[0] == "shelve")
+        message["for_s"] = options.for_s;
+    return json::serialize(message);
+}
+
+ExitCode tell(const TellOptions& options) {
+    std::string message = message_of(options);
+    if (options.place.port == 0 && options.place.unix_path.empty())
+        throw UserError("where is the monitor? --port N, or --unix PATH");
+    print_out(monitor::ask_service(options.place, message));
+    return ExitCode::success;
+}
+
+Action declare_tell(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<TellOptions>();
+    command
+        .add_option("WORDS", options->words,
+                    "alarms; load; forget MACHINE; acknowledge or shelve MACHINE ALARM LINK...")
+        ->required();
+    command.add_option("--address", options->place.address, "where it listens")->capture_default_str();
+    add_number(command, "--port", options->place.port, 1, 65535, "the port there");
+    add_file(command, "--unix", options->place.unix_path, "a socket in the file system, in place of a port", "PATH");
+    add_file(command, "--token-file", options->place.token_file, "the word that it wants to hear");
+    add_number(command, "--for", options->for_s, 0, 30 * 86400,
+               "seconds on the shelf; 0 takes an alarm from there; 28800 unless said");
+    return [options] { return tell(*options); };
+}
+
+} // namespace
+
+/// Says one thing to a running monitor, and prints its answer, a line of JSON.
+extern const Command tell_command{
+    .name = "tell",
+    .about = "Tells a running monitor to forget a machine, or that an alarm has been seen",
+    .place = 13,
+    .declare = declare_tell,
+};
+
+} // namespace placedpar

@@ -1,0 +1,58 @@
+#include "app/identify/question.hpp"
+
+#include "identification/compliance_search.hpp"
+#include "identification/offset_calibration.hpp"
+#include "identification/on_line/population_sets.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace placedpar {
+
+using namespace hydraulics;
+using namespace identification;
+
+std::optional<AreasFrom> areas_asked(const IdentifyOptions& options) {
+    if (options.areas.empty())
+        return std::nullopt;
+    return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
+}
+
+double offset_asked(const std::string& text) {
+    double inches = 0;
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), inches);
+    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(inches) <= greatest_spool_offset_in))
+        throw UserError(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}", text,
+                                    greatest_spool_offset_in, greatest_spool_offset_in));
+    return inches;
+}
+
+RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const ChannelSet&)> links) {
+    auto needed = [asked = areas_asked(options), links = std::move(links)](const ChannelSet& there) {
+        ChannelSet needed;
+        for (Link link : links_of(links(there)))
+            for (const ChannelSet of_link = channels_needed(link, areas_from(there, link, asked));
+                 Sensor sensor : all_sensors)
+                if (of_link.contains(link, sensor))
+                    needed.insert(link, sensor);
+        return needed;
+    };
+    return {needed, options.missing == "skip"};
+}
+
+boost::json::array warnings_json(const std::vector<Diagnostic>& warnings) {
+    boost::json::array array;
+    for (const Diagnostic& warning : warnings)
+        array.push_back({{"line", warning.location.line},
+                         {"column", warning.location.column},
+                         {"message", warning.message},
+                         {"hint", warning.hint}});
+    return array;
+}
+
+} // namespace placedpar

@@ -1,0 +1,145 @@
+#include "app/identify/ways.hpp"
+
+#include "app/identify/question.hpp"
+#include "app/options/link_options.hpp"
+#include "app/options/netlist_options.hpp"
+#include "app/signals.hpp"
+#include "app/standard_error.hpp"
+#include "identification/flags.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
+#include "text/user_error.hpp"
+#include "workbench/identification_report.hpp"
+#include "workbench/load.hpp"
+#include "workbench/process_search.hpp"
+#include "workbench/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+using namespace hydraulics;
+using namespace identification;
+
+namespace {
+
+IdentificationWay way_of(const IdentifyOptions& options) {
+    IdentificationWay way = thesis_way();
+    way.bits = options.bits;
+    if (!options.coding.empty())
+        way.coding = Coding::named(options.coding);
+    way.search.elite = options.elite.value_or(way.search.elite);
+    way.search.population = options.population;
+    way.search.window.trials = options.trials;
+    way.search.window.length = options.window;
+    way.search.window.bias = options.bias;
+    way.usable.count = options.samples.value_or(way.usable.count);
+    way.usable.rising = options.rising;
+    way.search.validate();
+    if (std::size_t needed = samples_for_first_generation(way); way.usable.count < needed)
+        throw UserError(
+            fmt::format("--samples {}: expected at least {}, for the first generation", way.usable.count, needed));
+    return way;
+}
+
+/// Do the boom's areas come from its spool, as it is read or by A.1?
+bool uses_spool(const Record& record, const Question& question) {
+    return question.links.contains(Link::boom) &&
+           areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
+}
+
+/// A record, and what was asked of it.
+struct Case {
+    Parameters machine;
+    LoadedRecord loaded;
+    IdentificationWay way;
+    Question question;
+    bool calibrates = false;                ///< --offset auto, and it matters
+    std::optional<SpoolOffset> calibration; ///< where the record shows the offset
+};
+
+std::string print_calibration(const std::optional<SpoolOffset>& found) {
+    if (!found)
+        return "spool offset: not calibrated, for the record has no second of steady motion\n";
+    return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
+                       found->offset_in, found->deviation_in, found->samples);
+}
+
+/// By its own steady motion.
+void calibrate(Case& asked) {
+    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool);
+    if (asked.calibrates)
+        asked.calibration = calibrate_spool_offset(asked.loaded.record, link_calibrations(asked.machine),
+                                                   flow_constants(asked.machine));
+    if (asked.calibration)
+        asked.question.spool_offset_in = asked.calibration->offset_in;
+}
+
+Case read_case(const IdentifyOptions& options) {
+    Case asked;
+    asked.way = way_of(options);
+    const LinkSet links = options.links.empty() ? LinkSet{Link::boom} : links_of(options.links);
+    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options)};
+    bool automatic = options.offset.empty() || options.offset == "auto";
+    if (!automatic && options.offset != "none")
+        asked.question.spool_offset_in = offset_asked(options.offset);
+    asked.machine = load_machine(options.machine, print_warnings);
+    asked.loaded =
+        load_record(options.record, needs_of(options, [links](const ChannelSet&) { return links; }), print_warnings);
+    if (!uses_spool(asked.loaded.record, asked.question)) {
+        if (asked.question.spool_offset_in)
+            throw UserError(fmt::format("--offset {}: the areas of these links do not come from the boom's "
+                                        "spool, so that it has no effect",
+                                        options.offset));
+    } else if (automatic) {
+        calibrate(asked);
+    }
+    return asked;
+}
+
+/// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
+ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
+                        boost::json::object& json) {
+    InterruptedBySignals interruption;
+    RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .interruption = &interruption});
+    print_out(fmt::format("\n{}\n", print_report(report, search.network)));
+    if (report.result.ending != Ending::completed)
+        return exit_code_of(report.result.ending);
+    std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
+    for (std::size_t j = 0; j < native.links.size(); ++j)
+        print_out(fmt::format("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
+                              symbol_of(native.links[j].link), here[j], there[j],
+                              here[j] == there[j] ? "the same" : "not the same"));
+    json["by_processes"] = boost::json::array(there.begin(), there.end());
+    return here == there ? ExitCode::success : ExitCode::missed_tolerance;
+}
+
+} // namespace
+
+ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json) {
+    const Case asked = read_case(options);
+    json["warnings"] = warnings_json(asked.loaded.warnings);
+    identification::ComplianceSearch prepared = prepare(asked.loaded.record, asked.machine, asked.question, asked.way);
+    Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
+    if (asked.calibration)
+        flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
+    std::optional<ProcessSearch> processes;
+    if (!options.netlist.empty())
+        processes = search_by_processes(
+            {options.netlist, overrides_of(options.set), read_options_of(options.read), options.json}, prepared,
+            asked.way, print_warnings);
+    if (asked.calibrates)
+        print_out(print_calibration(asked.calibration));
+    print_out(print_identified(identified, prepared, asked.way));
+    for (auto& [key, value] : identified_json(identified, prepared))
+        json[key] = value;
+    ExitCode ended = processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+    bool doubted = options.strict && identified.flagged();
+    return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
+}
+
+} // namespace placedpar

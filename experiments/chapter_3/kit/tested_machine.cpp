@@ -1,0 +1,39 @@
+#include "experiments/chapter_3/kit/tested_machine.hpp"
+
+#include <limits>
+
+namespace placedpar {
+
+using namespace hydraulics;
+using namespace identification;
+
+namespace {
+
+constexpr double pause_s = 2.5;
+
+/// Verdicts need no population: the searches wait for ever.
+DiagnosisSettings without_searches() {
+    DiagnosisSettings settings;
+    settings.gate.slope_psi_per_s = std::numeric_limits<double>::infinity();
+    return settings;
+}
+
+} // namespace
+
+TestedMachine::TestedMachine(const RecordSource& source, AreasFrom from, std::uint64_t seed)
+    : digger_(source, from, seed),
+      diagnosis_("digger", excavator_parameters(Parameters::excavator()), without_searches(), seed) {
+    diagnosis_.change({Configuration::a, digger_.links()});
+}
+
+void TestedMachine::move(const PlantFault& fault, double compliance_factor, std::uint64_t number) {
+    const Record movement = digger_.movement(fault, compliance_factor, number);
+    for (std::size_t i = 0; i < movement.size(); ++i)
+        diagnosis_.take(digger_.sample(movement, i, next_s_));
+    next_s_ += movement.time_s.back() + pause_s;
+    // At rest again. After a gap what there was of a movement is judged.
+    diagnosis_.take(digger_.sample(movement, 0, next_s_));
+    next_s_ += pause_s;
+}
+
+} // namespace placedpar

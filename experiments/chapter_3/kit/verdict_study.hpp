@@ -1,0 +1,34 @@
+#pragma once
+
+#include "experiments/chapter_3/kit/fault_study.hpp"
+#include "experiments/kit/comparison.hpp"
+#include "experiments/kit/experiment.hpp"
+#include "hydraulics/circuit/link_calibration.hpp"
+#include "identification/on_line/alarm.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+/// Movements of a sound machine among which an alarm is a false one, and those within which a fault is to be found.
+inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
+
+/// What is wrong with a machine, and what it is to be called.
+struct TestedFault {
+    PlantFault fault;
+    double compliance_factor;                   ///< times the machine's own
+    identification::AlarmKind called;           ///< of the boom
+    bool from_first_day = false;                ///< or after three sound movements
+    double units = 1;                           ///< of WayUnits
+    double least_found = 90, least_called = 95; ///< %: of the machines, and of those found
+};
+
+std::vector<TestedFault> tested_faults(hydraulics::AreasFrom from);
+
+/// What the on-line diagnosis says of machines of their own (tested_machine.hpp), as many as the replay has seeds, at
+/// each of the three levels of noise: sound ones, and ones that become faulty after three sound movements or are so
+/// from the first. `from`: what it is told of the valve.
+Comparison verdict_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
+                              hydraulics::AreasFrom from);
+
+} // namespace placedpar

@@ -1,0 +1,255 @@
+#include "experiments/kit/experiment.hpp"
+#include "experiments/kit/experiment_runs.hpp"
+#include "gaprocs/processes/share.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::array speedup_alphas{8, 16, 24};
+constexpr std::array speedup_processors{2, 3, 4, 6, 8, 12, 16, 20, 24, 28};
+/// Computing takes that many times as long, so that beside it communication takes nothing.
+constexpr int speedup_work_alone = 1000;
+
+/// With which breeding and its own share keep the master's processor as busy as a slave's. Of equation 4.5's t_p a
+/// slave has s and the master m: n s + m = 1 and s = m + 1 / alpha give m / s = (alpha - n) / (alpha + 1), n being the
+/// slaves.
+double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
+
+/// Equation 4.9. The master evaluates as its slaves do, as on the thesis's machine: n is all processors.
+double formula_4_9(double alpha, double processors) { return (alpha + 1) / (alpha / processors + 1); }
+
+/// "100 % efficiency" up to "the maximum achievable speedup factor" (4.2), which is that of infinitely many processors.
+double formula_pipelined(double alpha, double processors) { return std::min(processors, alpha + 1); }
+
+constexpr std::size_t whole_evaluations = 30 * 10; ///< of a population of 30 and a window of 10
+
+/// The shares of a generation, the master's last, in parts of it.
+std::vector<double> parts_of_whole_evaluations(int processors, double own_share) {
+    std::vector<double> parts;
+    auto slaves = static_cast<std::size_t>(processors - 1);
+    for (const Share& share : deal(30, 10, slaves, Split::evaluations, own_share))
+        parts.push_back(static_cast<double>(share.evaluations()) / whole_evaluations);
+    return parts;
+}
+
+/// As the formulas, where 300 evaluations are dealt out whole: all wait for the largest share.
+double whole_4_9(int alpha, int processors) {
+    auto parts = parts_of_whole_evaluations(processors, 1);
+    return (alpha + 1) / (alpha * *std::ranges::max_element(parts) + 1);
+}
+double whole_pipelined(int alpha, int processors) {
+    auto parts = parts_of_whole_evaluations(processors, balanced_share(alpha, processors - 1));
+    parts.back() += 1.0 / alpha; // the master breeds as well
+    return (1 + 1.0 / alpha) / *std::ranges::max_element(parts);
+}
+
+/// Equation 4.9 with n t_c2, in generations of one processor.
+double formula_4_9_with(double communication, int alpha, int processors) {
+    return 1 / (1 / formula_4_9(alpha, processors) + communication);
+}
+
+struct SpeedupPoint {
+    int alpha, processors, populations, work;
+    auto operator<=>(const SpeedupPoint&) const = default;
+};
+
+Overrides overrides_of(const SpeedupPoint& point) {
+    int slaves = point.processors - 1;
+    return {{"alpha", std::to_string(point.alpha)},
+            {"slaves", std::to_string(slaves)},
+            {"populations", std::to_string(point.populations)},
+            {"own_share", point.populations == 1 ? "1.0" : fmt::format("{:.6f}", balanced_share(point.alpha, slaves))},
+            {"work", std::to_string(point.work)},
+            {"samples", "12"}};
+}
+
+/// The netlist with any of these settings, each run once.
+class SpeedupRuns {
+public:
+    explicit SpeedupRuns(const ReplayContext& context) : context_(context) {}
+
+    const RunReport& run(const SpeedupPoint& point) {
+        if (auto found = runs_.find(point); found != runs_.end())
+            return found->second;
+        context_.progress(fmt::format("alpha {}, {} processors", point.alpha, point.processors));
+        RunReport report =
+            run_to_the_end(context_.examples / "65-pipeline" / "pipeline.cfs", overrides_of(point), context_);
+        fingerprint_.mix(report.result.fingerprint);
+        return runs_.emplace(point, std::move(report)).first->second;
+    }
+
+    /// Generations of a population in the time in which one processor that does everything makes one.
+    double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
+
+    /// Equation 4.9's n t_c2, measured as the thesis did: a generation's communication with nothing to evaluate.
+    double communication(const SpeedupPoint& point) {
+        return run(point).measured("master[0]", "C_time2") / alone(point).measured("master[0]", "T_exe");
+    }
+
+    /// Whether every population's generations are those of its twin without a pipeline, and of one processor.
+    bool are_the_same_generations() {
+        std::map<std::string, std::string> populations;
+        for (const auto& [point, report] : runs_)
+            for (int master = 0; master < point.populations; ++master) {
+                auto name = fmt::format("master[{}]", master);
+                auto generations = report.measured_text(name, "populations");
+                if (populations.emplace(name, generations).first->second != generations)
+                    return false;
+            }
+        return true;
+    }
+
+    std::size_t count() const { return runs_.size(); }
+    std::uint64_t fingerprint() const { return fingerprint_.value(); }
+
+private:
+    static constexpr const char* rate_name = "generations_per_second";
+
+    const RunReport& alone(SpeedupPoint point) {
+        point.processors = point.populations = 1;
+        return run(point);
+    }
+
+    double rate(const SpeedupPoint& point) {
+        const RunReport& report = run(point);
+        double sum = 0;
+        for (int master = 0; master < point.populations; ++master)
+            sum += report.measured(fmt::format("master[{}]", master), rate_name);
+        return sum;
+    }
+
+    const ReplayContext& context_;
+    std::map<SpeedupPoint, RunReport> runs_;
+    Fingerprint fingerprint_;
+};
+
+template <class CellOf>
+Comparison speedup_table(std::string name, std::string against, CellOf cell_of) {
+    Comparison comparison{.name = std::move(name), .against = std::move(against)};
+    for (int processors : speedup_processors)
+        for (int alpha : speedup_alphas)
+            comparison.add(
+                cell_of(fmt::format("{} processors", processors), fmt::format("alpha = {}", alpha), alpha, processors));
+    return comparison;
+}
+
+Comparison run_figure_4_6(SpeedupRuns& runs) {
+    return speedup_table("Figure 4.6: speedup, not pipelined, communication taking nothing", "(4.9)",
+                         [&](auto row, auto column, int alpha, int processors) {
+                             double known = whole_4_9(alpha, processors);
+                             return judged_cell(row, column, "", known,
+                                                runs.speedup({alpha, processors, 1, speedup_work_alone}), .01 * known,
+                                                2);
+                         });
+}
+
+Comparison run_figure_4_7(SpeedupRuns& runs) {
+    Comparison comparison =
+        speedup_table("Figure 4.7: speedup, pipelined, communication taking nothing", "ideal",
+                      [&](auto row, auto column, int alpha, int processors) {
+                          double known = whole_pipelined(alpha, processors);
+                          return judged_cell(row, column, "", known,
+                                             runs.speedup({alpha, processors, 2, speedup_work_alone}), .03 * known, 2);
+                      });
+    comparison.judged = true;
+    comparison.notes =
+        "ideal: as many as there are processors, up to alpha + 1\n"
+        "of 300 evaluations each processor has whole ones, and the largest share counts: in both figures\n";
+    return comparison;
+}
+
+Comparison run_on_t800s(SpeedupRuns& runs) {
+    Comparison comparison = speedup_table(
+        "on T800s in a chain, not pipelined", "(4.9)", [&](auto row, auto column, int alpha, int processors) {
+            SpeedupPoint point{alpha, processors, 1, 1};
+            return compared_cell(row, column, "", formula_4_9_with(runs.communication(point), alpha, processors),
+                                 runs.speedup(point), 2);
+        });
+    comparison.notes = "(4.9) with n t_c2 as it was measured in each run (C_time2)\n";
+    return comparison;
+}
+
+Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
+    return speedup_table("on T800s in a chain, pipelined", "", [&](auto row, auto column, int alpha, int processors) {
+        return plain_cell(row, column, "", runs.speedup({alpha, processors, 2, 1}), 2);
+    });
+}
+
+Comparison run_same_generations(SpeedupRuns& runs) {
+    Comparison comparison{.name = "the generations", .judged = true};
+    comparison.add(at_least(1, plain_cell(fmt::format("the same in all {} runs [1: yes]", runs.count()), "populations",
+                                          "", runs.are_the_same_generations() ? 1 : 0, 0)));
+    return comparison;
+}
+
+Series speedup_series(SpeedupRuns& runs, std::string name, int alpha, int populations, int work, int colour) {
+    Series series{.name = std::move(name), .points = {{1, 1}}, .stroke = Stroke::points, .colour = colour};
+    for (int processors : speedup_processors)
+        series.points.push_back(
+            {static_cast<double>(processors), runs.speedup({alpha, processors, populations, work})});
+    return series;
+}
+
+/// A figure: the formula as a line, simulated with communication that takes nothing, and on T800s.
+Panel speedup_panel(SpeedupRuns& runs, std::string title, int populations, double (*formula)(double, double)) {
+    Panel panel{
+        .title = std::move(title), .x = {.label = "processors"}, .y = {.label = "speedup", .from = 0, .to = 26}};
+    for (int colour = 0; int alpha : speedup_alphas) {
+        panel.series.push_back(
+            curve({.name = fmt::format("alpha {}, formula", alpha), .colour = colour}, 108, [&](int i) {
+                return Point{1 + .25 * i, formula(alpha, 1 + .25 * i)};
+            }));
+        panel.series.push_back(
+            speedup_series(runs, fmt::format("... simulated"), alpha, populations, speedup_work_alone, colour));
+        Series on_t800s = speedup_series(runs, "... on T800s", alpha, populations, 1, colour++);
+        on_t800s.stroke = Stroke::dashes;
+        panel.series.push_back(std::move(on_t800s));
+    }
+    return panel;
+}
+
+std::vector<NamedPlot> speedup_plots(SpeedupRuns& runs) {
+    return {{"figures-4-6-4-7",
+             {"Speedup over the number of processors",
+              {speedup_panel(runs, "Figure 4.6: not pipelined", 1, formula_4_9),
+               speedup_panel(runs, "Figure 4.7: pipelined", 2, formula_pipelined)}}}};
+}
+
+Replay replay_speedup(const ReplayContext& context) {
+    SpeedupRuns runs(context);
+    Replay replay{
+        .comparisons = {run_figure_4_6(runs), run_figure_4_7(runs), run_on_t800s(runs), run_pipelined_on_t800s(runs)}};
+    replay.comparisons.push_back(run_same_generations(runs));
+    replay.constants =
+        "   workload:   10 errors of an individual take table-e1's cycles, its breeding 1 / alpha of that; a thousand\n"
+        "               times both where communication takes nothing\n"
+        "   own share:  (alpha - slaves) / (alpha + 1) of a slave's with a pipeline, from the two processors'\n"
+        "               work being equal; 1 without\n";
+    replay.fingerprint = runs.fingerprint();
+    replay.plots = speedup_plots(runs);
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment figures_4_6_4_7_experiment{
+    .name = "figures-4-6-4-7",
+    .about = "speedup of algorithm A with and without a pipeline",
+    .chapter = "4",
+    .number = 1,
+    .run = replay_speedup,
+};
+
+} // namespace placedpar

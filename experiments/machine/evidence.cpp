@@ -1,0 +1,98 @@
+#include "experiments/kit/experiment.hpp"
+#include "runtime/fingerprint.hpp"
+#include "runtime/hardware/constants.hpp"
+#include "workbench/problems.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+using hardware::Constant;
+using hardware::Mark;
+
+constexpr std::string_view machine = "machine", evidence = "evidence";
+
+/// Every published figure that the other experiments of the machine compare with, in one table.
+class PublishedFigures {
+public:
+    void add(const Replay& replay) {
+        fingerprint_.mix(replay.fingerprint);
+        for (const Comparison& comparison : replay.comparisons)
+            for (Cell cell : comparison.cells) {
+                cell.column = "figure";
+                all_.add(cell);
+            }
+    }
+    const Comparison& all() const { return all_; }
+    std::uint64_t fingerprint() const { return fingerprint_.value(); }
+
+private:
+    Comparison all_{.name = "published figures", .against = "publ.", .judged = true};
+    Fingerprint fingerprint_;
+};
+
+Network network_of(const ReplayContext& context, const char* netlist) {
+    return load_network(context.examples / netlist, {}, known_problems(context.seed), context.warn);
+}
+
+/// What the thesis's program costs, as Table E.1's netlist states it.
+std::vector<Constant> of_the_thesis(const Network& cluster) {
+    constexpr std::string_view group = "the thesis's program";
+    const ProcessInstance& master = *std::ranges::find(cluster.processes, "master", &ProcessInstance::name);
+    auto stated = [&](const char* parameter) {
+        return static_cast<double>(std::get<std::int64_t>(master.parameters.at(parameter)));
+    };
+    using enum Mark;
+    return {
+        {group, "an individual's error at one sample", stated("cycles_per_error"), "cycles", workload,
+         "Table E.1, P_time2 without slaves"},
+        {group, "the genetic operators, an individual", stated("cycles_per_individual"), "cycles", workload,
+         "Table E.1, S_time2 without slaves"},
+        {group, "a word of measurements, made ready", stated("cycles_per_measurement_word"), "cycles", calibrated,
+         "Table E.1, C_time2 with 3 slaves"},
+        {group, "an individual's string", stated("string_bytes"), "bytes", workload, "appendix E: 240 of 120"},
+        {group, "an individual's fitness", stated("fitness_bytes"), "bytes", workload, "appendix E: 240 of 120"},
+        {group, "measurements of a sample", stated("measurement_bytes"), "bytes", workload, "appendix E"},
+    };
+}
+
+Constant of_the_toolset(const Network& ping_pong) {
+    return {"INMOS C toolset",
+            "a call of ChanIn or ChanOut",
+            static_cast<double>(ping_pong.nodes.front().integer("channelcall")),
+            "cycles",
+            Mark::calibrated,
+            "half a round trip, to start (Poznan, 2008)"};
+}
+
+std::vector<Constant> every_constant(const ReplayContext& context) {
+    std::vector<Constant> all = hardware::constants();
+    all.push_back(of_the_toolset(network_of(context, "38-poznan/ping-pong.cfs")));
+    for (const Constant& each : of_the_thesis(network_of(context, "03-table-e1/cluster.cfs")))
+        all.push_back(each);
+    return all;
+}
+
+Replay replay_evidence(const ReplayContext& context) {
+    PublishedFigures figures;
+    for (const Experiment& each : experiments())
+        if (each.chapter == machine && each.name != evidence)
+            figures.add(each.run(context));
+    return {.comparisons = {figures.all()},
+            .constant_table = every_constant(context),
+            .fingerprint = figures.fingerprint()};
+}
+
+} // namespace
+
+extern const Experiment evidence_experiment{
+    .name = evidence,
+    .about = "every constant of a time with its source, and every published figure beside the model's",
+    .chapter = machine,
+    .number = 4,
+    .run = replay_evidence,
+};
+
+} // namespace placedpar

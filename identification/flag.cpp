@@ -1,0 +1,44 @@
+#include "identification/flag.hpp"
+
+#include "identification/circuit_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace placedpar::identification {
+
+std::string_view name_of(FlagKind kind) {
+    constexpr std::array<std::string_view, 13> names{
+        "lower_bound", "upper_bound", "no_excitation", "misfit", "still_valve", "unsettled", "inconsistent",
+        "halves",      "uncertain",   "offset",        "vacuum", "frozen",      "falls"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+bool at_lower_bound(double compliance, double step) { return compliance <= 2 * step; }
+
+bool at_upper_bound(double compliance, double step) {
+    return compliance >= CircuitProblem::largest_in3_per_psi - 3 * step;
+}
+
+Flag lower_bound_flag() {
+    return {FlagKind::lower_bound, "at the lower bound of the search: the record asks for a compliance of 0 or below, "
+                                   "as an offset of the spool makes it"};
+}
+
+Flag upper_bound_flag() {
+    return {FlagKind::upper_bound, fmt::format("at the upper bound of the search, {} in^3/psi: the true value may be "
+                                               "above",
+                                               CircuitProblem::largest_in3_per_psi)};
+}
+
+Flag uncertain_flag(double compliance, double standard_error) {
+    double share = standard_error / compliance;
+    std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
+    return {FlagKind::uncertain,
+            fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are "
+                        "the spool, the units and the machine's constants right?",
+                        size, 100 * uncertain_share)};
+}
+
+} // namespace placedpar::identification

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace placedpar::identification {
+
+/// Why a compliance should not be believed as it stands.
+enum class FlagKind : unsigned char {
+    lower_bound,   ///< the answer is at the search's lower bound
+    upper_bound,   ///< at its upper bound
+    no_excitation, ///< the pressure hardly moves
+    misfit,        ///< the circuit's equations miss the flow by more than the bias allows
+    still_valve,   ///< the valve reading never changes
+    unsettled,     ///< the best individuals of the last generations disagree
+    inconsistent,  ///< the population sets disagree: cross-check 1 of thesis 3.3
+    halves,        ///< the two halves of the samples do
+    uncertain,     ///< the standard error is too large a share of the answer
+    offset,        ///< an offset of the spool was found that may be a leak
+    vacuum,        ///< a pressure is below vacuum
+    frozen,        ///< the pressure's sensor freezes
+    falls          ///< the piston goes back while oil flows in
+};
+
+/// As results for machines name it: "lower_bound".
+std::string_view name_of(FlagKind);
+
+struct Flag {
+    FlagKind kind;
+    std::string text; ///< a sentence for people, with its figures
+};
+
+/// The standard error, as a share of the compliance, above which it is flagged. Ours: at 10 % one answer in three is
+/// off by more than the thesis's 10 %.
+inline constexpr double uncertain_share = 0.1;
+
+/// A spool offset can make the data ask for a negative compliance, or one beyond the range of the search, which then
+/// stays at the end of its range. `step` is the resolution of the search.
+bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
+bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
+
+Flag lower_bound_flag();
+Flag upper_bound_flag();
+Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
+
+} // namespace placedpar::identification

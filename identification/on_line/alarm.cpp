@@ -1,0 +1,102 @@
+#include "identification/on_line/alarm.hpp"
+
+#include "identification/on_line/population_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace placedpar::identification {
+
+using namespace hydraulics;
+
+namespace {
+
+// Pump 1 feeds bucket and boom, pump 2 swing and stick; through the cross-over each may feed others too.
+constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, LinkSet{Link::stick, Link::swing}};
+
+std::optional<AlarmKind> alarm_of(VerdictKind kind) {
+    switch (kind) {
+    case VerdictKind::compliance: return AlarmKind::compliance;
+    case VerdictKind::leak: return AlarmKind::leak;
+    case VerdictKind::offset: return AlarmKind::offset;
+    case VerdictKind::drift: return AlarmKind::drift;
+    case VerdictKind::sensor: return AlarmKind::sensor;
+    case VerdictKind::sound:
+    case VerdictKind::not_enough_evidence: break;
+    }
+    return std::nullopt;
+}
+
+/// What is off by how much, and where to look.
+std::string what_is_off(const LinkVerdict& link) {
+    auto by = [&](Way way) { return link.verdict.deviation.by[static_cast<Eigen::Index>(way)]; };
+    auto error = [&](Way way) { return link.verdict.deviation.standard_error(way); };
+    switch (link.verdict.kind) {
+    case VerdictKind::compliance: {
+        constexpr double percent = 100 * WayUnits::compliance_share;
+        return fmt::format("the compliance is off by {:+.0f} % (standard error {:.0f} %): {}",
+                           percent * by(Way::compliance), percent * error(Way::compliance),
+                           by(Way::compliance) > 0 ? "air in the oil, or a hose that gives"
+                                                   : "a stiffer hose, or a line that is partly shut");
+    }
+    case VerdictKind::leak:
+        return fmt::format("a leak of {:.4f} in^3/(s psi) (standard error {:.4f}): look at hose, cylinder and seals",
+                           link.units.leak_in3_per_s_psi * by(Way::leak),
+                           link.units.leak_in3_per_s_psi * error(Way::leak));
+    case VerdictKind::offset:
+        return fmt::format("the spool's reading is off by {:+.4f} in (standard error {:.4f}): look at its sensor",
+                           link.units.offset_in * by(Way::offset), link.units.offset_in * error(Way::offset));
+    case VerdictKind::drift:
+        return fmt::format(
+            "the spool is off by {:+.4f} in (standard error {:.4f}) from what the voltage asks for: look "
+            "at the servo-valve",
+            -link.units.offset_in * by(Way::offset), link.units.offset_in * error(Way::offset));
+    default:
+        return "the readings are impossible: below vacuum, frozen, of a wrong sign or unit, or of a valve that is shut "
+               "while the piston moves: look at the sensors";
+    }
+}
+
+Alarm alarm_of(Link link, AlarmKind kind, const LinkVerdict& verdict) {
+    std::string sure =
+        kind == AlarmKind::sensor
+            ? ""
+            : fmt::format("; {}, by {} movements", how_sure(verdict.verdict.probability), verdict.verdict.movements);
+    return {kind, {link}, fmt::format("{}: {}{}", name_of(link), what_is_off(verdict), sure)};
+}
+
+void check_branch(LinkSet branch, const PerLink<LinkVerdict>& verdicts, std::vector<Alarm>& alarms) {
+    const std::vector<Link> links = links_of(branch);
+    auto kind = [&](Link link) { return alarm_of(verdicts[index_of(link)].verdict.kind); };
+    const auto first = kind(links.front());
+    if (first && first != AlarmKind::sensor &&
+        std::ranges::all_of(links, [&](Link link) { return kind(link) == first; })) {
+        alarms.push_back({AlarmKind::branch, branch,
+                          fmt::format("{} and {} are off in the same way ({}): look at what they share, their pump's "
+                                      "flow and what supplies their valves",
+                                      name_of(links[0]), name_of(links[1]), name_of(*first))});
+        return;
+    }
+    for (Link link : links)
+        if (auto alarm = kind(link))
+            alarms.push_back(alarm_of(link, *alarm, verdicts[index_of(link)]));
+}
+
+} // namespace
+
+std::string_view name_of(AlarmKind kind) {
+    constexpr std::array<std::string_view, 6> names{"compliance", "leak", "offset", "drift", "sensor", "branch"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Alarm> find_alarms(const PerLink<LinkVerdict>& verdicts) {
+    std::vector<Alarm> alarms;
+    for (LinkSet branch : branches)
+        check_branch(branch, verdicts, alarms);
+    std::ranges::stable_sort(alarms, {}, &Alarm::kind);
+    return alarms;
+}
+
+} // namespace placedpar::identification

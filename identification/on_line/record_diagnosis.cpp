@@ -1,0 +1,77 @@
+#include "identification/on_line/record_diagnosis.hpp"
+
+#include "hydraulics/circuit/line_fit.hpp"
+
+#include <algorithm>
+
+namespace placedpar::identification {
+
+using namespace hydraulics;
+
+namespace {
+
+LinkFinding finding_of(Link link, const LinkEstimate& estimate, double since_s, const DiagnosisSettings& settings) {
+    const LinkEstimate::State& state = estimate.state();
+    if (!estimate.compliance_in3_per_psi() || state.time_s < since_s)
+        return {link,
+                std::nullopt,
+                0,
+                {},
+                {{FlagKind::no_excitation, "no excitation: the pressure hardly moves, so that noise would decide"}}};
+    const bool settled = estimate.settled_in3_per_psi() && state.settled_time_s >= since_s;
+    return {link, settled ? estimate.settled_in3_per_psi() : estimate.compliance_in3_per_psi(),
+            settled ? state.settled_error_in3_per_psi : state.standard_error_in3_per_psi, estimate.spread_in3_per_psi(),
+            settled ? estimate.settled_flags(settings) : estimate.flags(settings)};
+}
+
+WholeMovement whole_movement(const Deviation& deviation, double health_in3_per_psi) {
+    const WayUnits units = WayUnits::of(health_in3_per_psi);
+    return {deviation, units, health_in3_per_psi + units.compliance_in3_per_psi * deviation.by[0]};
+}
+
+} // namespace
+
+std::vector<MovementFinding> RecordDiagnosis::take(const Record& piece) {
+    std::vector<MovementFinding> found;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+        const SampleOutcome outcome = diagnosis_.take(sample_of(piece, i, diagnosis_.active(), readers_));
+        follow(piece.time_s[i], outcome, found);
+    }
+    return found;
+}
+
+std::vector<MovementFinding> RecordDiagnosis::end() {
+    std::vector<MovementFinding> found;
+    const SampleOutcome outcome = diagnosis_.end_movements();
+    follow(diagnosis_.time_s().value_or(0), outcome, found);
+    return found;
+}
+
+void RecordDiagnosis::follow(double time_s, const SampleOutcome& outcome, std::vector<MovementFinding>& found) {
+    const double centre_s = time_s - static_cast<double>(line_fit_points / 2) * diagnosis_.parameters().period_s;
+    for (LinkSet set : diagnosis_.sets_in_use()) {
+        Progress& progress = progress_[set];
+        const Movement::State* movement = diagnosis_.movement(set);
+        if (movement && !progress.moves)
+            progress.from_s = centre_s - static_cast<double>(Movement::slope_reach) * diagnosis_.parameters().period_s;
+        if (movement && movement->closed == 0)
+            progress.to_s = centre_s;
+        if (!movement && progress.moves)
+            found.push_back(finding(set, progress, outcome));
+        progress.moves = movement != nullptr;
+    }
+}
+
+MovementFinding RecordDiagnosis::finding(LinkSet set, const Progress& progress, const SampleOutcome& outcome) const {
+    MovementFinding finding{set, progress.from_s, progress.to_s, {}};
+    const auto found = diagnosis_.sets().find(set);
+    for (Link link : links_of(set))
+        finding.links.push_back(
+            finding_of(link, found->second.state().estimates[position_in(set, link)], progress.from_s, settings_));
+    const auto judged = std::ranges::find(outcome.judged, set, &JudgedMovement::set);
+    for (std::size_t i = 0; judged != outcome.judged.end() && i < finding.links.size(); ++i)
+        finding.links[i].whole = whole_movement(judged->links[i], diagnosis_.health_in3_per_psi(finding.links[i].link));
+    return finding;
+}
+
+} // namespace placedpar::identification

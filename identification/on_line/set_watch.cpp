@@ -1,0 +1,108 @@
+#include "identification/on_line/set_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar::identification {
+
+using namespace hydraulics;
+
+namespace {
+
+/// A piston that goes back faster than this on average, while oil flows in, has an angle of the wrong sign; ours.
+constexpr double least_inflow_in3_per_s = 1;
+
+/// A piston that goes out faster than this, but for what the hose gives off, is driven by oil; ours.
+constexpr double driven_in3_per_s = 10;
+/// Half a second: a boom that swings after its valve has shut comes back earlier.
+constexpr std::size_t longest_swing = 25;
+
+/// What no machine gives: a compliance below 0, a spool off by more than .05 in; either by two standard errors more.
+bool impossible(const Deviation& deviation, AreasFrom valve) {
+    constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
+    const double compliance = deviation.by[static_cast<Eigen::Index>(Way::compliance)];
+    const double offset = std::abs(deviation.by[static_cast<Eigen::Index>(Way::offset)]);
+    return compliance + errors * deviation.standard_error(Way::compliance) < no_compliance ||
+           (valve == AreasFrom::spool && offset - errors * deviation.standard_error(Way::offset) > furthest_offset);
+}
+
+/// One reading all through a movement, or a piston that goes back while oil flows in.
+bool senseless(const MovementSamples& movement, std::size_t junction) {
+    bool frozen = true;
+    double flow_in3_per_s = 0;
+    for (const JunctionSamples& samples : movement.moving) {
+        frozen = frozen && samples[junction].inlet_psi == movement.moving.front()[junction].inlet_psi;
+        flow_in3_per_s += samples[junction].piston_flow_in3_per_s / static_cast<double>(movement.moving.size());
+    }
+    return frozen || flow_in3_per_s < -least_inflow_in3_per_s;
+}
+
+} // namespace
+
+SetWatch::SetWatch(LinkSet links)
+    : state_{{}, std::vector<AreasFrom>(links.size()), {}, std::vector<std::size_t>(links.size())} {
+    state_.judges.resize(links.size());
+}
+
+SetWatch::Judged SetWatch::take(const SetProblem& problem, const SetSample& sample, std::span<const AreasFrom> valves,
+                                std::span<const double> health_in3_per_psi) {
+    std::ranges::copy(valves, state_.valves.begin());
+    Movement movement(std::move(state_.movement));
+    const bool over = movement.take(problem.circuit(), problem.flow(), problem.by_junction(sample));
+    state_.movement = movement.state();
+    return over ? end_movement(problem, health_in3_per_psi) : std::nullopt;
+}
+
+bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi) {
+    bool noted = false;
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const LinkSample& link = sample[i];
+        const double flow =
+            cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, health_in3_per_psi[i]);
+        std::size_t& count = state_.moving_shut[i];
+        count = link.inlet_in2 <= 0 && flow > driven_in3_per_s ? count + 1 : 0;
+        if (count != longest_swing)
+            continue;
+        note_impossible(i);
+        noted = true;
+    }
+    return noted;
+}
+
+SetWatch::Judged SetWatch::end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi) {
+    std::ranges::fill(state_.moving_shut, 0);
+    Movement movement(std::move(state_.movement));
+    const MovementSamples samples = movement.finish();
+    state_.movement = movement.state();
+    std::vector<LinkInHealth> by_junction;
+    for (std::size_t position : problem.positions())
+        by_junction.push_back({health_in3_per_psi[position], state_.valves[position]});
+    const auto found = deviations(problem.circuit(), problem.flow(), by_junction, samples);
+    if (!found)
+        return std::nullopt;
+    Judged judged(found->size());
+    note_senseless(problem, samples, *found);
+    for (std::size_t j = 0; j < found->size(); ++j) {
+        const std::size_t position = problem.positions()[j];
+        LinkJudge judge(std::move(state_.judges[position]));
+        judge.take((*found)[j], state_.valves[position]);
+        state_.judges[position] = judge.state();
+        (*judged)[position] = (*found)[j];
+    }
+    return judged;
+}
+
+void SetWatch::note_impossible(std::size_t position) {
+    LinkJudge judge(std::move(state_.judges[position]));
+    judge.note_impossible();
+    state_.judges[position] = judge.state();
+}
+
+void SetWatch::note_senseless(const SetProblem& problem, const MovementSamples& movement,
+                              std::span<const Deviation> deviations) {
+    for (std::size_t j = 0; j < problem.positions().size(); ++j)
+        if (senseless(movement, j) || impossible(deviations[j], state_.valves[problem.positions()[j]]))
+            note_impossible(problem.positions()[j]);
+}
+
+} // namespace placedpar::identification

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "hydraulics/circuit/circuit.hpp"
+#include "hydraulics/circuit/flow_constants.hpp"
+#include "hydraulics/circuit/link_calibration.hpp"
+#include "identification/verdict/movement.hpp"
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace placedpar::identification {
+
+/// In what way a link can be off. A compliance that is too great or small misses flow in step with the slope of the
+/// pressure, up while it rises and down while it falls; a leak in step with the pressure, at rest as well; an offset
+/// of the spool, or a drift of voltage against spool, only while oil flows through the valve.
+enum class Way : unsigned char { compliance, leak, offset };
+
+inline constexpr std::array<Way, 3> all_ways{Way::compliance, Way::leak, Way::offset};
+
+/// How much of each way is called one unit: what a verdict is asked to find (ours).
+struct WayUnits {
+    double compliance_in3_per_psi;      ///< 20 % of the link's compliance
+    double leak_in3_per_s_psi = 0.0014; ///< a leak of 5 %: of the steady 50 in^3/s at 1750 psi
+    double offset_in = 0.005;           ///< by which the spool's reading is too high
+    static constexpr double compliance_share = 0.2;
+
+    /// REQUIRES: compliance above 0.
+    static WayUnits of(double compliance_in3_per_psi) { return {compliance_share * compliance_in3_per_psi}; }
+};
+
+/// What the equations themselves are off by from one movement to the next, in units, however long it is; ours.
+inline constexpr double repeats_within = 0.15;
+
+/// By how much a link is off in each way, in units of WayUnits, by one movement or by several.
+struct Deviation {
+    Eigen::Vector3d by = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+
+    double standard_error(Way) const;
+    /// The inverse of the covariance, what does not repeat from movement to movement (repeats_within) added to it.
+    Eigen::Matrix3d information() const;
+    friend bool operator==(const Deviation&, const Deviation&) = default;
+};
+
+/// What is known of a link before a movement.
+struct LinkInHealth {
+    double compliance_in3_per_psi;
+    /// Areas that are read themselves have no offset.
+    hydraulics::AreasFrom areas = hydraulics::AreasFrom::spool;
+};
+
+/// Fewer samples of a movement say nothing (ours).
+inline constexpr std::size_t fewest_moving = 12;
+
+/// What a movement says of the links of a circuit, in the order of its junctions: weighted least squares of the flow
+/// that the equations miss (3.5 to 3.7, 3.10, 3.11; signed) on compliance, leak and offset of every link, and of
+/// A v + C dP/dt + k_l P = 0 at rest, whatever the spool reads.
+///
+/// The noise of the slopes, which is seen in their differences, would make compliances too small; it is taken out of
+/// the normal equations (W. Fuller, Measurement Error Models, 1987). Errors of 5-point slopes are correlated over
+/// neighbouring samples: half of the covariance is that of W. Newey and K. West (Econometrica 55, 1987; lag 5), which
+/// is too small where few samples matter, and half that of white errors of slopes that overlap. None with fewer than
+/// fewest_moving moving samples, or where the slopes are hardly more than noise.
+std::optional<std::vector<Deviation>> deviations(const hydraulics::Circuit& circuit,
+                                                 const hydraulics::FlowConstants& flow,
+                                                 std::span<const LinkInHealth> links, const MovementSamples& movement);
+
+} // namespace placedpar::identification

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "hydraulics/circuit/circuit.hpp"
+#include "hydraulics/circuit/flow_constants.hpp"
+#include "hydraulics/circuit/link_sample.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace placedpar::identification {
+
+/// One LinkSample for each link, in the order of the circuit's junctions.
+using JunctionSamples = std::vector<hydraulics::LinkSample>;
+
+/// What is kept of one movement of an operator: the samples at rest before the valves open, and those that follow
+/// while all of them are open. All that a restart needs.
+struct MovementSamples {
+    std::vector<JunctionSamples> at_rest, moving; ///< oldest first
+
+    friend bool operator==(const MovementSamples&, const MovementSamples&) = default;
+};
+
+/// Cuts a stream of samples into movements. All lengths are ours.
+class Movement {
+public:
+    struct State {
+        MovementSamples samples;
+        std::vector<JunctionSamples> shut; ///< the newest: of the rest, if the valves stay shut for two samples more
+        std::size_t opened = 0;            ///< samples since the valves opened
+        std::size_t closed = 0;            ///< samples since they shut, after a movement
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+
+    /// Samples whose slopes, of five points, reach into another state of the valve are left out, and one more, since
+    /// the path to a cylinder opens between samples and is judged by readings.
+    static constexpr std::size_t slope_reach = 3;
+    static constexpr std::size_t slope_ahead = 2;     ///< so far they reach when the valves shut, which ends a movement
+    static constexpr std::size_t most_at_rest = 50;   ///< a second
+    static constexpr std::size_t most_moving = 200;   ///< four seconds
+    static constexpr std::size_t shut_for = 3;        ///< samples, after which a movement is over
+    static constexpr double open_by_psi = 25;         ///< as UsableSamples
+    static constexpr double least_inlet_in2 = 0.0125; ///< .01 in of spool beyond the dead band
+
+    Movement() = default;
+    explicit Movement(State state) : state_(std::move(state)) {}
+    const State& state() const { return state_; }
+    friend bool operator==(const Movement&, const Movement&) = default;
+
+    /// Is the movement over with this sample? REQUIRES: one sample for each junction, one after the other in time.
+    bool take(const hydraulics::Circuit& circuit, const hydraulics::FlowConstants& flow, JunctionSamples sample);
+    /// Is there one under way?
+    bool under_way() const { return !state_.samples.moving.empty(); }
+    /// Its samples; the next movement begins with nothing.
+    MovementSamples finish();
+
+private:
+    void rest(JunctionSamples sample);
+    bool move(JunctionSamples sample);
+
+    State state_;
+};
+
+} // namespace placedpar::identification

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "identification/verdict/deviation.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace placedpar::identification {
+
+/// What is suspected: a link is off in one way, in one sense. A leak takes only.
+struct Suspicion {
+    Way way;
+    double units;
+};
+
+/// Tests one after the other whether a link has left a deviation, Page's cumulative sums (Biometrika 41, 1954): for
+/// each suspicion the logarithm of the likelihood of the suspected deviation over that of none, added up over the
+/// movements, never below 0. One movement says no more than `most_of_one`, since errors that are not normal have
+/// longer tails than the likelihood knows; so it takes two at least. What the link is compared with is known from few
+/// movements itself: of a sum s over movements of information I that is worth s / (1 + I b), b half its stated
+/// variance.
+class SequentialTest {
+public:
+    static constexpr std::array<Suspicion, 5> suspicions{
+        {{Way::compliance, 1}, {Way::compliance, -1}, {Way::leak, 1}, {Way::offset, 1}, {Way::offset, -1}}};
+    static constexpr double most_of_one = 6, raised_at = 6.5; ///< ours; the rates: examples/14-faults
+    /// A suspicion is dropped when its sum is back at 0, and none is worth more than this: three movements clear it.
+    static constexpr double most = 13;
+
+    /// All that a restart needs.
+    struct State {
+        std::array<double, suspicions.size()> sums{};
+        std::array<double, suspicions.size()> informations{}; ///< of the movements since the sum was 0
+        bool raised = false;
+        Deviation total;           ///< of the movements since all sums were 0
+        std::size_t movements = 0; ///< so many
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+
+    SequentialTest() = default;
+    explicit SequentialTest(const State& state) : state_(state) {}
+    const State& state() const { return state_; }
+    friend bool operator==(const SequentialTest&, const SequentialTest&) = default;
+
+    /// One more movement: how far off the link was, beyond `from`, in units; `scale` of them are suspected of each way.
+    void take(const Deviation& movement, const Deviation& from, const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
+    bool raised() const { return state_.raised; }
+    /// The mean of the movements that count; none before one does.
+    std::optional<Deviation> mean() const;
+
+private:
+    /// One suspicion's share of take(); what its sum is worth then.
+    double add(std::size_t suspicion, const Eigen::Vector3d& seen, const Eigen::Matrix3d& information,
+               const Eigen::Matrix3d& from_covariance, const Eigen::Vector3d& scale);
+
+    State state_;
+};
+
+} // namespace placedpar::identification

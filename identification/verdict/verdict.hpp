@@ -1,0 +1,83 @@
+#pragma once
+
+#include "hydraulics/circuit/link_calibration.hpp"
+#include "identification/verdict/deviation.hpp"
+#include "identification/verdict/sequential_test.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::identification {
+
+/// What is said of a link.
+enum class VerdictKind : unsigned char {
+    sound,
+    compliance,         ///< of hose, oil and cylinder: greater or smaller
+    leak,               ///< past the piston, or out of the line
+    offset,             ///< the spool is not where its sensor says
+    drift,              ///< the spool is not where the servo-valve's voltage says
+    sensor,             ///< readings that no machine gives
+    not_enough_evidence ///< movements too few, too short or too noisy
+};
+
+std::string_view name_of(VerdictKind);
+/// "87 % sure"; nobody is surer than "more than 99 %".
+std::string how_sure(double probability);
+std::optional<VerdictKind> verdict_named(std::string_view);
+
+struct Verdict {
+    VerdictKind kind = VerdictKind::not_enough_evidence;
+    /// How sure it is, of what was equally likely before. Of a fault: its share of sound and the three ways, each by
+    /// the size that explains most. Of sound: its share of sound and what SequentialTest suspects, a unit each.
+    double probability = 0;
+    Deviation deviation;       ///< mean over the movements that count, from what the link is compared with
+    std::size_t movements = 0; ///< that count
+};
+
+/// Of sound and the ways, by what a mean deviation is explained best: for each way the best size of it alone.
+/// What the valve's areas were found from decides what an offset is called.
+Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);
+
+/// Judges one link movement by movement: against itself, as its first movements were, and against its kind, so that
+/// what has been wrong from the first day shows.
+class LinkJudge {
+public:
+    /// Movements whose mean, weighted by what each knows, is the link's own state of health.
+    static constexpr std::size_t movements_of_baseline = 3;
+    /// A machine differs from its kind by up to a unit in health: twice as much is suspected.
+    static constexpr double units_beyond_kind = 2;
+    /// By the voltage a compliance comes out half a unit too great, since the valve's dead time is not known.
+    static constexpr double servo_units_beyond_kind = 3;
+
+    struct State {
+        std::vector<Deviation> first; ///< up to movements_of_baseline
+        SequentialTest::State from_itself, from_kind;
+        hydraulics::AreasFrom valve = hydraulics::AreasFrom::spool; ///< of the last movement
+        bool impossible_now = false;                                ///< a reading since the last movement
+        bool impossible = false; ///< one since the last movement whose readings made sense
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+
+    LinkJudge() = default;
+    explicit LinkJudge(State state) : state_(std::move(state)) {}
+    const State& state() const { return state_; }
+    friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
+
+    /// A movement is over. One with impossible readings says nothing.
+    void take(const Deviation& movement, hydraulics::AreasFrom valve);
+    /// A reading that no machine gives: the verdict is sensor until a movement has none.
+    void note_impossible() { state_.impossible_now = state_.impossible = true; }
+    Verdict verdict() const;
+    /// What the link is compared with: the mean of its first movements, from its kind; none before there are enough.
+    std::optional<Deviation> baseline() const;
+
+private:
+    State state_;
+};
+
+} // namespace placedpar::identification

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "text/user_error.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace placedpar::monitor {
+
+/// In SQLite's words, and the system's where it has any. `damage()`: the file is not what SQLite wrote.
+class DatabaseError : public UserError {
+public:
+    DatabaseError(const std::string& what, bool damage) : UserError(what), damage_(damage) {}
+    bool damage() const { return damage_; }
+
+private:
+    bool damage_;
+};
+
+/// An open database of SQLite. All its functions, and those of its statements, throw DatabaseError. One thread at a
+/// time.
+class Database {
+public:
+    /// Makes the file when there is none.
+    explicit Database(const std::filesystem::path& path);
+
+    /// Is the write-ahead log to be put into the file when this closes? It is, unless told otherwise.
+    void put_log_into_file(bool at_end);
+
+    /// Any number of statements without parameters, whose results nobody wants.
+    void run(const std::string& sql);
+    /// The first column of the first row; 0 or "" when there is none.
+    std::int64_t integer(const std::string& sql);
+    std::string text(const std::string& sql);
+
+    sqlite3* handle() const { return handle_.get(); }
+
+private:
+    struct Close {
+        void operator()(sqlite3* handle) const;
+    };
+    std::unique_ptr<sqlite3, Close> handle_;
+};
+
+/// A statement with parameters ?1, ?2... REQUIRES: its database outlives it.
+class Statement {
+public:
+    Statement(Database& database, const std::string& sql);
+
+    /// Binds all parameters in their order and begins anew.
+    template <typename... Values>
+    Statement& bind(const Values&... values) {
+        reset();
+        int index = 0;
+        (bind_one(++index, values), ...);
+        return *this;
+    }
+    /// Goes to the next row; is there one?
+    bool step();
+    /// Binds, and does it.
+    template <typename... Values>
+    void run(const Values&... values) {
+        bind(values...);
+        while (step()) {
+        }
+        reset();
+    }
+
+    /// Binds, and gives the first column of the first row; 0 when there is none.
+    template <typename... Values>
+    std::int64_t only_integer(const Values&... values) {
+        std::int64_t found = bind(values...).step() ? integer(0) : 0;
+        reset();
+        return found;
+    }
+    /// Reads no further: an unfinished statement keeps the write-ahead log from beginning anew.
+    void reset();
+
+    /// Columns of the present row, from 0; valid until the next step.
+    std::int64_t integer(int column) const;
+    double number(int column) const;
+    std::optional<double> optional_number(int column) const;
+    std::string text(int column) const;
+
+private:
+    void bind_one(int index, std::int64_t value);
+    void bind_one(int index, std::uint64_t value) { bind_one(index, static_cast<std::int64_t>(value)); }
+    void bind_one(int index, double value);
+    void bind_one(int index, const std::optional<double>& value);
+    void bind_one(int index, std::string_view value);
+    void bind_one(int index, const std::string& value) { bind_one(index, std::string_view(value)); }
+
+    struct Finalize {
+        void operator()(sqlite3_stmt* statement) const;
+    };
+    sqlite3* database_;
+    std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+} // namespace placedpar::monitor

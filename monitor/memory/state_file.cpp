@@ -1,0 +1,259 @@
+#include "monitor/memory/state_file.hpp"
+
+#include "monitor/memory/checksum.hpp"
+#include "monitor/memory/diagnosis_json.hpp"
+#include "monitor/memory/state_identity.hpp"
+#include "monitor/memory/wal_check.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar::monitor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Damage of what SQLite itself has no checksums for.
+[[noreturn]] void refuse_damaged(const std::string& what) {
+    throw std::runtime_error(fmt::format("it is damaged: {}", what));
+}
+
+std::int64_t row_checksum(const KeptMessage& m) { return checksum_of(fmt::format("{}", m.number), m.machine, m.text); }
+
+std::int64_t row_checksum(const KeptState& s) { return checksum_of(s.machine, fmt::format("{}", s.taken), s.state); }
+
+std::string way_out(const fs::path& path) {
+    return fmt::format("; put a whole one there, or move it, {0}-wal and {0}-mark away and begin with nothing known",
+                       path.string());
+}
+
+std::uint64_t unsigned_of(std::int64_t number) { return static_cast<std::uint64_t>(number); }
+
+} // namespace
+
+/// Prepared once: most of them run with every sample.
+struct StateFile::Statements {
+    explicit Statements(Database& d)
+        : insert_message(d, "INSERT INTO messages VALUES(?1, ?2, ?3, ?4)"),
+          trim_messages(d, "DELETE FROM messages WHERE number <= ?1"),
+          put_machine(d, "INSERT INTO machines VALUES(?1, ?2, ?3, ?4) ON CONFLICT(name) DO UPDATE SET "
+                         "taken = excluded.taken, state = excluded.state, checksum = excluded.checksum"),
+          delete_machine(d, "DELETE FROM machines WHERE name = ?1"),
+          write_ledger(d, "UPDATE ledger SET settings = ?1, trimmed = ?2, last = ?3, machines = ?4, digest = ?5, "
+                          "transactions = ?6, running = ?7, checksum = ?8") {}
+
+    Statement insert_message, trim_messages, put_machine, delete_machine, write_ledger;
+};
+
+StateFile::StateFile(const fs::path& path, const std::string& settings, std::uint64_t most_history,
+                     StateContent& content)
+    : path_(path), settings_(settings) {
+    require_path_of_file(path_);
+    if (!fs::exists(path_))
+        create_state_file(path_, settings_);
+    lock_.emplace(path_);
+    path_ = fs::canonical(path_); // SQLite's own files are beside it, not beside a link
+    auto refuse = [&](const std::string& why) {
+        throw UserError(fmt::format("{}: this state file cannot be used: {}", path.string(), why));
+    };
+    try {
+        open(content, most_history);
+    } catch (const OtherFile& other) {
+        refuse(other.what());
+    } catch (const DatabaseError& error) {
+        if (!error.damage())
+            refuse(error.what());
+        refuse(fmt::format("it is damaged: {}{}", error.what(), way_out(path_)));
+    } catch (const std::runtime_error& error) {
+        refuse(fmt::format("{}{}", error.what(), way_out(path_)));
+    }
+}
+
+StateFile::~StateFile() {
+    try {
+        close();
+    } catch (const DatabaseError&) { // the mark is left, and the next start looks at it
+    }
+}
+
+void StateFile::close() {
+    if (!whole_)
+        return;
+    course_.running = false;
+    commit({});
+    statements_.reset();
+    history_.reset();
+    database_.reset();
+    if (!fs::exists(path_.string() + "-wal"))
+        mark_->remove();
+}
+
+void StateFile::open(StateContent& content, std::uint64_t most_history) {
+    require_identity(*lock_);
+    content.said = check_wal(path_);
+    database_.emplace(path_);
+    database_->put_log_into_file(false); // what is refused is left as it is
+    database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = FULL");
+    if (database_->text("PRAGMA journal_mode = WAL") != "wal")
+        throw DatabaseError("SQLite cannot keep a write-ahead log there", false);
+    require_integrity(*database_);
+    read_ledger();
+    require_mark();
+    read_machines(content);
+    read_messages(content);
+    history_.emplace(*database_, most_history);
+    history_->check();
+    statements_ = std::make_unique<Statements>(*database_);
+    content.last_message = ledger_.last;
+    begin_running();
+}
+
+void StateFile::require_mark() {
+    std::optional<std::uint64_t> mark = Mark::read(path_);
+    if (course_.running && !mark)
+        refuse_damaged(fmt::format("{}-mark is missing, so nobody can say whether all is there", path_.string()));
+    if (mark && *mark > course_.transactions)
+        refuse_damaged(fmt::format("{} transactions were committed, {} are there: {}-wal was cut or taken away, or an "
+                                   "older file put in place of this one",
+                                   *mark, course_.transactions, path_.string()));
+}
+
+/// That a program runs is in the file itself, not only in the log, which may be taken away.
+void StateFile::begin_running() {
+    database_->put_log_into_file(true);
+    mark_.emplace(path_, course_.transactions);
+    course_.running = true;
+    commit({});
+    database_->integer("PRAGMA wal_checkpoint(TRUNCATE)"); // while others read it, the log is put there later
+}
+
+void StateFile::read_ledger() {
+    Statement row(*database_,
+                  "SELECT settings, trimmed, last, machines, digest, transactions, running, checksum FROM ledger");
+    if (!row.step())
+        refuse_damaged("its ledger is empty");
+    std::string was = row.text(0);
+    auto numbers = fmt::format("{} {} {} {} {} {}", row.integer(1), row.integer(2), row.integer(3), row.integer(4),
+                               row.integer(5), row.integer(6));
+    if (checksum_of(was, numbers) != row.integer(7))
+        refuse_damaged("its ledger has another checksum");
+    ledger_.trimmed = unsigned_of(row.integer(1));
+    ledger_.last = unsigned_of(row.integer(2));
+    course_ = {unsigned_of(row.integer(5)), row.integer(6) != 0};
+    if (was != settings_)
+        throw OtherFile(fmt::format("it was written with {}, this is {}; use the same options, or another --state file",
+                                    was, settings_));
+}
+
+void StateFile::read_machines(StateContent& content) {
+    Statement rows(*database_, "SELECT name, taken, state, checksum FROM machines ORDER BY name");
+    while (rows.step()) {
+        KeptState state{rows.text(0), unsigned_of(rows.integer(1)), rows.text(2)};
+        if (row_checksum(state) != rows.integer(3))
+            refuse_damaged(fmt::format("the state of \"{}\" has another checksum", state.machine));
+        set_machine(state.machine, rows.integer(3));
+        content.machines.push_back(std::move(state));
+    }
+    if (ledger_.digest != database_->integer("SELECT digest FROM ledger") ||
+        static_cast<std::int64_t>(content.machines.size()) != database_->integer("SELECT machines FROM ledger"))
+        refuse_damaged("its machines are not those of its ledger");
+}
+
+void StateFile::read_messages(StateContent& content) {
+    Statement rows(*database_, "SELECT number, machine, text, checksum FROM messages ORDER BY number");
+    std::uint64_t next = ledger_.trimmed + 1;
+    for (; rows.step(); ++next) {
+        KeptMessage message{unsigned_of(rows.integer(0)), rows.text(1), rows.text(2)};
+        if (row_checksum(message) != rows.integer(3) || message.number != next)
+            refuse_damaged(fmt::format("message {} is not what was written", next));
+        content.messages.push_back(std::move(message));
+    }
+    if (next != ledger_.last + 1)
+        refuse_damaged(fmt::format("messages {} to {} are missing", next, ledger_.last));
+}
+
+void StateFile::write_ledger() {
+    auto machines = static_cast<std::int64_t>(ledger_.machines.size());
+    std::int64_t running = course_.running;
+    auto numbers = fmt::format("{} {} {} {} {} {}", ledger_.trimmed, ledger_.last, machines, ledger_.digest,
+                               course_.transactions, running);
+    statements_->write_ledger.run(settings_, ledger_.trimmed, ledger_.last, machines, ledger_.digest,
+                                  course_.transactions, running, checksum_of(settings_, numbers));
+}
+
+void StateFile::commit(std::span<const Parcel> parcels) {
+    ++course_.transactions;
+    whole_ = false;
+    database_->run("BEGIN IMMEDIATE");
+    try {
+        apply(parcels);
+        write_ledger();
+        database_->run("COMMIT");
+        mark_->write(course_.transactions);
+        whole_ = true;
+    } catch (const std::exception&) {
+        try {
+            database_->run("ROLLBACK");
+        } catch (const DatabaseError&) { // SQLite has done so itself
+        }
+        throw;
+    }
+}
+
+void StateFile::apply(std::span<const Parcel> parcels) {
+    for (const Parcel& parcel : parcels) {
+        if (parcel.all_anew_at)
+            begin_anew(*parcel.all_anew_at);
+        for (const Entry& entry : parcel.entries)
+            std::visit([&](const auto& each) { keep(each); }, entry);
+    }
+}
+
+void StateFile::begin_anew(std::uint64_t last_message) {
+    database_->run("DELETE FROM machines; DELETE FROM messages");
+    ledger_ = {last_message, last_message, {}, 0};
+}
+
+/// In the ledger; without a checksum there is no such machine.
+void StateFile::set_machine(const std::string& name, std::optional<std::int64_t> checksum) {
+    if (auto found = ledger_.machines.find(name); found != ledger_.machines.end()) {
+        ledger_.digest ^= found->second;
+        ledger_.machines.erase(found);
+    }
+    if (checksum) {
+        ledger_.digest ^= *checksum;
+        ledger_.machines[name] = *checksum;
+    }
+}
+
+void StateFile::keep(const KeptMessage& message) {
+    statements_->insert_message.run(message.number, message.machine, message.text, row_checksum(message));
+    ledger_.last = message.number;
+}
+
+void StateFile::keep(const KeptState& state) {
+    std::int64_t checksum = row_checksum(state);
+    statements_->put_machine.run(state.machine, state.taken, state.state, checksum);
+    set_machine(state.machine, checksum);
+}
+
+void StateFile::keep(const UnwrittenState& state) {
+    keep(KeptState{state.machine, state.taken, boost::json::serialize(state_json(*state.state))});
+}
+
+void StateFile::keep(const ForgottenMachine& forgotten) {
+    statements_->delete_machine.run(forgotten.machine);
+    set_machine(forgotten.machine, std::nullopt);
+    history_->forget(forgotten.machine);
+}
+
+void StateFile::keep(const TrimmedMessages& messages) {
+    statements_->trim_messages.run(messages.up_to);
+    ledger_.trimmed = messages.up_to;
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,150 @@
+#include "monitor/memory/state_identity.hpp"
+
+#include "monitor/memory/checksum.hpp"
+#include "monitor/memory/history.hpp"
+#include "text/standard_streams.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+
+namespace placedpar::monitor {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t application_id = 0x50506d6f; // "PPmo"
+constexpr std::uint32_t file_version = 2;
+
+/// The settings stand in the ledger, since a change of any makes what is known useless.
+std::string schema() {
+    return std::string("CREATE TABLE ledger(id INTEGER PRIMARY KEY CHECK(id = 1), settings TEXT NOT NULL, "
+                       "trimmed INTEGER NOT NULL, last INTEGER NOT NULL, machines INTEGER NOT NULL, "
+                       "digest INTEGER NOT NULL, transactions INTEGER NOT NULL, running INTEGER NOT NULL, "
+                       "checksum INTEGER NOT NULL);"
+                       "CREATE TABLE machines(name TEXT PRIMARY KEY, taken INTEGER NOT NULL, state TEXT NOT NULL, "
+                       "checksum INTEGER NOT NULL);"
+                       "CREATE TABLE messages(number INTEGER PRIMARY KEY, machine TEXT NOT NULL, text TEXT NOT NULL, "
+                       "checksum INTEGER NOT NULL);") +
+           History::schema;
+}
+
+/// Brings a file, or a folder's names, to the disk itself.
+void sync_path(const fs::path& path) {
+    int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0 || ::fsync(file) != 0) {
+        int reason = errno;
+        if (file >= 0)
+            ::close(file);
+        throw UserError(fmt::format("{}: cannot be brought to the disk: {}", path.string(), std::strerror(reason)));
+    }
+    ::close(file);
+}
+
+/// 32 bits of SQLite's header, https://www.sqlite.org/fileformat2.html, section 1.3.
+std::uint32_t header_word(std::string_view header, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value = value << 8 | static_cast<unsigned char>(header[at + i]);
+    return value;
+}
+
+/// Gives the file its name unless another has come to have it meanwhile.
+void publish(const fs::path& made, const fs::path& path) {
+    sync_path(made);
+    if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) != 0) {
+        int reason = errno;
+        fs::remove(made);
+        if (reason != EEXIST)
+            throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), std::strerror(reason)));
+    }
+    sync_path(fs::absolute(path).parent_path());
+}
+
+} // namespace
+
+void require_path_of_file(const fs::path& path) {
+    if (is_standard_stream(path))
+        throw UserError("-: standard output is no state file; name a file, it need not exist yet");
+    if (fs::exists(path)) {
+        if (!fs::is_regular_file(path))
+            throw UserError(fmt::format("{}: it is {}, no state file; name a file, it need not exist yet",
+                                        path.string(), fs::is_directory(path) ? "a folder" : "a device"));
+        return;
+    }
+    if (fs::is_symlink(path))
+        throw UserError(fmt::format("{}: it is a symbolic link to a file that is not there; put that back, or remove "
+                                    "the link",
+                                    path.string()));
+    for (const char* part : {"-wal", "-mark"})
+        if (fs::exists(path.string() + part))
+            throw UserError(fmt::format("{0}: it is not there, and what was written to it last is: {0}{1}; put it "
+                                        "back, or move that away, too, and begin with nothing known",
+                                        path.string(), part));
+    if (fs::exists(path.string() + ".journal"))
+        throw UserError(fmt::format("{0}: it is not there, and {0}.journal is: the journal of an earlier placedpar "
+                                    "monitor, which this one does not read; move it away and begin with nothing known",
+                                    path.string()));
+}
+
+void create_state_file(const fs::path& path, const std::string& settings) {
+    fs::path made = path;
+    made += fmt::format(".new-{}", ::getpid());
+    try {
+        Database database(made);
+        database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // it is synced before it has its name
+        database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, file_version));
+        database.run(schema());
+        Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, 0, 0, 0, ?2)")
+            .run(settings, checksum_of(settings, "0 0 0 0 0 0"));
+    } catch (const DatabaseError& error) {
+        std::error_code ignored;
+        fs::remove(made, ignored);
+        throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), error.what()));
+    }
+    publish(made, path);
+}
+
+void require_identity(const FileLock& file) {
+    std::string header = file.beginning(100);
+    if (header.empty())
+        throw std::runtime_error("it is empty");
+    if (header.find("placedpar_monitor_state") != header.npos)
+        throw OtherFile("it was written by an earlier placedpar monitor, as JSON, which this one does not read; use "
+                        "another --state file");
+    if (header.find("placedpar-monitor-journal") != header.npos)
+        throw OtherFile("it is the journal of an earlier placedpar monitor, which this one does not read; use another "
+                        "--state file");
+    if (header.size() < 100 || !header.starts_with(std::string_view("SQLite format 3\0", 16)))
+        throw std::runtime_error("it is no state file of the monitor");
+    if (header_word(header, 68) != application_id)
+        throw OtherFile(fmt::format("it is a database of another program (its application_id is {:#010x}, a state "
+                                    "file's is {:#010x}); use another --state file",
+                                    header_word(header, 68), application_id));
+    if (header_word(header, 60) != file_version)
+        throw OtherFile(fmt::format("it is of version {}, this program reads {}; use another --state file",
+                                    header_word(header, 60), file_version));
+}
+
+void require_integrity(Database& database) {
+    std::string found = database.text("PRAGMA integrity_check(1)");
+    if (found != "ok")
+        throw std::runtime_error(fmt::format("it is damaged: {}", found));
+    std::string tables, expected = schema();
+    Statement all(database, "SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL ORDER BY rowid");
+    while (all.step())
+        tables += all.text(0) + ";";
+    if (tables != expected)
+        throw std::runtime_error("it is damaged: its tables are not those of a state file");
+}
+
+} // namespace placedpar::monitor

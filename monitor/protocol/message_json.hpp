@@ -1,0 +1,13 @@
+#pragma once
+
+#include <boost/json.hpp>
+
+#include <string_view>
+
+namespace placedpar::monitor {
+
+/// The object in a line, read once. Throws BadMessage, with the column, when it is no JSON, no object or deeper than
+/// any message, and with the path, such as "links.BO.inlet_psi", when a field stands twice in one object.
+boost::json::value read_message_json(std::string_view line);
+
+} // namespace placedpar::monitor

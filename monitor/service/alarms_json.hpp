@@ -1,0 +1,16 @@
+#pragma once
+
+#include "monitor/memory/entries.hpp"
+
+#include <boost/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace placedpar::monitor {
+
+boost::json::array alarms_json(const std::vector<KeptAlarm>& alarms);
+/// The answer to "alarms".
+std::string alarms_line(const std::vector<KeptAlarm>& alarms);
+
+} // namespace placedpar::monitor

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <chrono>
+
+namespace placedpar::monitor {
+
+/// This computer's time in seconds since 1970, to the millisecond: for what people read, nothing is decided by it.
+inline double now_at() {
+    auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+    return static_cast<double>(std::chrono::duration_cast<std::chrono::milliseconds>(since_1970).count()) / 1000;
+}
+
+} // namespace placedpar::monitor

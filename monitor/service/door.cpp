@@ -1,0 +1,161 @@
+#include "monitor/service/door.hpp"
+
+#include "text/user_error.hpp"
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <fmt/format.h>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace placedpar::monitor {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using asio::local::stream_protocol;
+using boost::system::error_code;
+
+namespace {
+
+asio::ip::address network_of(const asio::ip::address& address) {
+    if (!address.is_v6() || address.is_loopback())
+        return address;
+    auto bytes = address.to_v6().to_bytes();
+    if (address.to_v6().is_v4_mapped())
+        return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
+    std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
+    return asio::ip::address_v6(bytes);
+}
+
+tcp::endpoint tcp_end(const asio::generic::stream_protocol::endpoint& end) {
+    tcp::endpoint found;
+    std::memcpy(found.data(), end.data(), std::min(end.size(), found.capacity()));
+    return found;
+}
+
+Caller caller_of(Door::Socket& socket) {
+    error_code error;
+    auto end = socket.remote_endpoint(error);
+    if (error)
+        return {"nobody", "nobody"};
+    if (end.protocol().family() == AF_UNIX) {
+        ucred who{};
+        socklen_t size = sizeof who;
+        ::getsockopt(socket.native_handle(), SOL_SOCKET, SO_PEERCRED, &who, &size);
+        return {fmt::format("user {}", who.uid), fmt::format("process {} of user {}", who.pid, who.uid)};
+    }
+    tcp::endpoint tcp = tcp_end(end);
+    return {network_of(tcp.address()).to_string(), fmt::format("{} port {}", tcp.address().to_string(), tcp.port())};
+}
+
+/// Throws UserError unless the path is free, or a socket where nobody listens any more: that is removed.
+void clear_path(const std::string& path) {
+    namespace fs = std::filesystem;
+    if (!fs::exists(fs::symlink_status(path)))
+        return;
+    if (!fs::is_socket(fs::symlink_status(path)))
+        throw UserError(fmt::format("--unix {}: there is something else, no socket; another path", path));
+    asio::io_context io;
+    stream_protocol::socket socket(io);
+    error_code error;
+    socket.connect(stream_protocol::endpoint(path), error);
+    if (error != asio::error::connection_refused)
+        throw UserError(fmt::format("--unix {}: somebody listens there already; another path", path));
+    fs::remove(path);
+}
+
+} // namespace
+
+bool is_loopback(const std::string& address) {
+    error_code error;
+    asio::ip::address parsed = asio::ip::make_address(address, error);
+    return !error && parsed.is_loopback();
+}
+
+Door Door::at_port(asio::io_context& io, const std::string& address, std::uint16_t port, const std::string& option) {
+    error_code error;
+    asio::ip::address parsed = asio::ip::make_address(address, error);
+    if (error)
+        throw UserError(fmt::format("--address {}: it is no address, expected one such as 127.0.0.1 or ::1", address));
+    tcp::endpoint end(parsed, port);
+    Acceptor acceptor(io);
+    acceptor.open(end.protocol(), error);
+    if (!error)
+        acceptor.set_option(asio::socket_base::reuse_address(true), error);
+    if (!error)
+        acceptor.bind(end, error);
+    if (!error)
+        acceptor.listen(asio::socket_base::max_listen_connections, error);
+    if (error)
+        throw UserError(fmt::format("cannot listen on {} port {}: {}; another {}, or 0 for any free one", address, port,
+                                    error.message(), option));
+    Door door(io, std::move(acceptor));
+    door.port_ = tcp_end(door.acceptor_.local_endpoint()).port();
+    return door;
+}
+
+Door Door::at_path(asio::io_context& io, const std::string& path) {
+    constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
+    if (path.size() > longest)
+        throw UserError(fmt::format("--unix {}: it has more than {} bytes; a shorter path", path, longest));
+    clear_path(path);
+    stream_protocol::endpoint end(path);
+    Acceptor acceptor(io);
+    error_code error;
+    acceptor.open(end.protocol(), error);
+    mode_t former = ::umask(0117); // to read and write, for user and group
+    if (!error)
+        acceptor.bind(end, error);
+    ::umask(former);
+    if (!error)
+        acceptor.listen(asio::socket_base::max_listen_connections, error);
+    if (error)
+        throw UserError(fmt::format("--unix {}: {}; another path", path, error.message()));
+    Door door(io, std::move(acceptor));
+    door.path_ = path;
+    return door;
+}
+
+Door::~Door() { close(); }
+
+void Door::open(std::function<void(Socket, const Caller&)> welcome) {
+    welcome_ = std::move(welcome);
+    accept();
+}
+
+void Door::accept() {
+    acceptor_.async_accept([this](const error_code& error, Socket socket) {
+        if (!acceptor_.is_open())
+            return;
+        if (!error) {
+            Caller caller = caller_of(socket);
+            welcome_(std::move(socket), caller);
+            accept();
+            return;
+        }
+        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many open files: some client will go
+        retry_.async_wait([this](const error_code&) {
+            if (acceptor_.is_open())
+                accept();
+        });
+    });
+}
+
+void Door::close() {
+    if (!acceptor_.is_open())
+        return;
+    error_code ignored;
+    acceptor_.close(ignored);
+    retry_.cancel();
+    if (!path_.empty())
+        ::unlink(path_.c_str());
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <boost/asio/basic_socket_acceptor.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace placedpar::monitor {
+
+/// Who is at the other end of a connection.
+struct Caller {
+    std::string peer; ///< whom limits are for: an address, of IPv6 the network of 64 bits, "user 1000" of this computer
+    std::string name; ///< for people: with the port
+};
+
+/// A place where connections come in: a port, or a socket in the file system.
+class Door {
+public:
+    using Socket = boost::asio::generic::stream_protocol::socket;
+    using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
+
+    /// Throws UserError. `option` is what it is called on the command line: "--port".
+    static Door at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
+                        const std::string& option);
+    /// Takes the place of a socket where nobody listens any more. Only this user and group may connect.
+    static Door at_path(boost::asio::io_context& io, const std::string& path);
+    ~Door();
+    Door(Door&&) = default;
+    Door& operator=(Door&&) = delete;
+
+    /// From now on; `welcome` is given each connection. REQUIRES: the door stays where it is until it is closed and the
+    /// loop has turned.
+    void open(std::function<void(Socket, const Caller&)> welcome);
+    /// Removes the socket from the file system, too.
+    void close();
+
+    std::uint16_t port() const { return port_; }
+
+private:
+    Door(boost::asio::io_context& io, Acceptor acceptor) : acceptor_(std::move(acceptor)), retry_(io) {}
+    void accept();
+
+    Acceptor acceptor_;
+    boost::asio::steady_timer retry_;
+    std::function<void(Socket, const Caller&)> welcome_;
+    std::uint16_t port_ = 0;
+    std::string path_;
+};
+
+/// Does this address lead to this computer only? False if it is no address.
+bool is_loopback(const std::string& address);
+
+} // namespace placedpar::monitor

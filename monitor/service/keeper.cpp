@@ -1,0 +1,74 @@
+#include "monitor/service/keeper.hpp"
+
+#include "monitor/service/clock.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::monitor {
+
+namespace {
+
+/// Beginning anew takes the states of all machines: it is tried less and less often.
+constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
+
+} // namespace
+
+void Keeper::record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,
+                    std::vector<Entry> history) {
+    if (!store_)
+        return;
+    outbox_.wait_for(store_->record(machine, line, generations, std::move(history)));
+    outbox_.hold(from, line.size()); // a client that asks for no answers, too, is to be no faster than the disk
+    store_->relieve();
+}
+
+void Keeper::save(const identification::Diagnosis& diagnosis) {
+    if (store_)
+        outbox_.wait_for(store_->save(diagnosis));
+}
+
+void Keeper::forget(const std::string& machine) {
+    if (store_)
+        outbox_.wait_for(store_->forget(machine));
+}
+
+void Keeper::change_history(Entry entry) {
+    if (store_)
+        outbox_.wait_for(store_->change_history(std::move(entry)));
+}
+
+bool Keeper::note(const Progress& progress) {
+    store_->note(progress);
+    bool was_well = well();
+    if (store_->complete())
+        trouble_.clear();
+    else if (!progress.trouble.empty())
+        trouble_ = progress.trouble;
+    if (well() == was_well)
+        return false;
+    pause_ = first_pause;
+    next_attempt_ = Clock::now() + pause_;
+    complain_(well() ? "the state file is written again, with all that is known"
+                     : fmt::format("{}; going on, but a restart would forget", trouble_));
+    return true;
+}
+
+void Keeper::tick(const AlarmBoard& alarms) {
+    if (!store_ || store_->keeping() || Clock::now() < next_attempt_)
+        return;
+    pause_ = std::min(2 * pause_, longest_pause);
+    next_attempt_ = Clock::now() + pause_;
+    store_->write_anew(alarms.all(), now_at());
+}
+
+void Keeper::finish(const AlarmBoard& alarms) {
+    if (!store_)
+        return;
+    store_->write_anew(alarms.all(), now_at());
+    store_->finish();
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,154 @@
+#include "monitor/service/metrics.hpp"
+
+#include "identification/on_line/population_sets.hpp"
+#include "monitor/protocol/json_text.hpp"
+#include "monitor/service/alarms_json.hpp"
+#include "monitor/service/clock.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+
+namespace placedpar::monitor {
+
+using namespace hydraulics;
+using namespace identification;
+
+namespace json = boost::json;
+
+namespace {
+
+/// Calls do_this(diagnosis, name of the set, link, estimate) for everything that is estimated.
+void for_each_estimate(
+    const Diagnoses& diagnoses,
+    const std::function<void(const Diagnosis&, std::string_view, std::string_view, const LinkEstimate&)>& do_this) {
+    for (const auto& [name, diagnosis] : diagnoses.all())
+        for (const auto& [set, population] : diagnosis.sets()) {
+            std::vector<Link> links = links_of(set);
+            for (std::size_t i = 0; i < links.size(); ++i)
+                do_this(diagnosis, name_of_set(set), symbol_of(links[i]), population.state().estimates[i]);
+        }
+}
+
+/// One number of the whole service.
+std::string metric(const char* name, const char* type, const char* about, double value) {
+    return fmt::format(
+        "# HELP placedpar_monitor_{0} {1}\n# TYPE placedpar_monitor_{0} {2}\nplacedpar_monitor_{0} {3}\n", name, about,
+        type, value);
+}
+
+std::string load_metrics(const Load& load) {
+    auto number = [](auto count) { return static_cast<double>(count); };
+    return metric("clients", "gauge", "Connections.", number(load.clients)) +
+           metric("machines", "gauge", "Machines known.", number(load.machines)) +
+           metric("queued_bytes", "gauge", "Waiting to be sent.", number(load.queued_bytes)) +
+           metric("samples_total", "counter", "Samples taken.", number(load.samples)) +
+           metric("generations_total", "counter", "Generations searched.", number(load.generations)) +
+           metric("work_seconds_total", "counter", "Time spent on messages.", load.work_s) +
+           metric("cpu_seconds_total", "counter", "Processor time of the thread that serves.", load.cpu_s) +
+           metric("uptime_seconds", "gauge", "Since the start.", load.uptime_s) +
+           metric("longest_turn_seconds", "gauge", "The longest time that nobody was heard.", load.longest_turn_s);
+}
+
+std::string alarm_metrics(const std::vector<KeptAlarm>& alarms) {
+    std::string text = "# HELP placedpar_monitor_alarm Holds: 1, or 0 while it is on the shelf.\n"
+                       "# TYPE placedpar_monitor_alarm gauge\n";
+    for (const KeptAlarm& alarm : alarms)
+        text += fmt::format("placedpar_monitor_alarm{{machine=\"{}\",alarm=\"{}\",links=\"{}\",acknowledged=\"{}\"}} "
+                            "{}\n",
+                            alarm.machine, alarm.kind, alarm.links, alarm.acknowledged_at ? "yes" : "no",
+                            alarm.shelved_until && *alarm.shelved_until > now_at() ? 0 : 1);
+    return text;
+}
+
+std::string compliance_metrics(const Diagnoses& diagnoses) {
+    std::string text = "# HELP placedpar_monitor_compliance_in3_per_psi The newest settled compliance.\n"
+                       "# TYPE placedpar_monitor_compliance_in3_per_psi gauge\n";
+    for_each_estimate(diagnoses, [&](const Diagnosis& diagnosis, std::string_view set, std::string_view link,
+                                     const LinkEstimate& estimate) {
+        if (auto settled = estimate.settled_in3_per_psi())
+            text += fmt::format(
+                "placedpar_monitor_compliance_in3_per_psi{{machine=\"{}\",set=\"{}\",link=\"{}\"}} {:.6g}\n",
+                diagnosis.name(), set, link, *settled);
+    });
+    return text;
+}
+
+json::value or_null(const std::optional<double>& number) {
+    return number ? json::value(*number) : json::value(nullptr);
+}
+
+/// What is said of the links that have been judged.
+json::array verdicts_json(const Diagnosis& diagnosis) {
+    json::array verdicts;
+    for (Link link : all_links)
+        if (const Verdict verdict = diagnosis.verdict(link).verdict; verdict.kind != VerdictKind::not_enough_evidence)
+            verdicts.push_back(json::object{{"link", symbol_of(link)},
+                                            {"verdict", name_of(verdict.kind)},
+                                            {"sure", how_sure(verdict.probability)}});
+    return verdicts;
+}
+
+json::object machine_json(const Diagnosis& diagnosis) {
+    json::value configuration;
+    if (diagnosis.configuration())
+        configuration = std::string(1, name_of(*diagnosis.configuration()));
+    return {{"machine", diagnosis.name()},           {"samples", diagnosis.samples()},
+            {"time_s", or_null(diagnosis.time_s())}, {"configuration", configuration},
+            {"verdicts", verdicts_json(diagnosis)},  {"estimates", json::array()}};
+}
+
+} // namespace
+
+std::string metrics_text(const Sight& sight) {
+    return load_metrics(sight.load) +
+           metric("kept", "gauge", "1: a restart would know everything.", sight.kept ? 1 : 0) +
+           alarm_metrics(sight.alarms) + compliance_metrics(*sight.diagnoses);
+}
+
+std::string sight_json(const Sight& sight) {
+    json::array machines;
+    for (const auto& [name, diagnosis] : sight.diagnoses->all())
+        machines.push_back(machine_json(diagnosis));
+    std::size_t place = 0;
+    for_each_estimate(*sight.diagnoses, [&](const Diagnosis& diagnosis, std::string_view set, std::string_view link,
+                                            const LinkEstimate& estimate) {
+        while (std::string_view(machines[place].at("machine").as_string()) != diagnosis.name())
+            ++place;
+        machines[place]
+            .at("estimates")
+            .as_array()
+            .push_back(json::object{{"set", set},
+                                    {"link", link},
+                                    {"compliance", or_null(estimate.compliance_in3_per_psi())},
+                                    {"settled", or_null(estimate.settled_in3_per_psi())},
+                                    {"excited", estimate.excited()}});
+    });
+    const Load& load = sight.load;
+    return json_line({{"at", now_at()},
+                      {"kept", sight.kept},
+                      {"trouble", sight.trouble},
+                      {"clients", load.clients},
+                      {"samples", load.samples},
+                      {"samples_per_s", load.rates.samples_per_s},
+                      {"cpu_of_core", load.rates.cpu_of_core},
+                      {"uptime_s", load.uptime_s},
+                      {"longest_turn_s", load.longest_turn_s},
+                      {"machines", std::move(machines)},
+                      {"alarms", alarms_json(sight.alarms)}});
+}
+
+std::string history_json(const std::vector<KeptEstimate>& estimates, const std::vector<KeptAlarm>& alarms) {
+    json::array array;
+    for (const KeptEstimate& each : estimates)
+        array.push_back(json::object{{"at", each.at},
+                                     {"time_s", each.time_s},
+                                     {"set", each.set},
+                                     {"link", each.link},
+                                     {"compliance", each.compliance_in3_per_psi},
+                                     {"error", or_null(each.error_in3_per_psi)}});
+    return json_line({{"estimates", std::move(array)}, {"alarms", alarms_json(alarms)}});
+}
+
+} // namespace placedpar::monitor

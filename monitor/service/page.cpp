@@ -1,0 +1,161 @@
+#include "monitor/service/page.hpp"
+
+namespace placedpar::monitor {
+
+const char* const page_html = R"page(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>placedpar monitor</title>
+<link rel="icon" href="data:,">
+<style>
+:root { --paper: #fff; --ink: #1c2733; --faint: #667; --line: #d4d9df; --alarm: #b3261e; --good: #1b6e3c; }
+body { background: var(--paper); color: var(--ink); font: 15px/1.4 sans-serif; margin: 0 auto; max-width: 72em; padding: 1em; }
+h1 { font-size: 1.3em; margin: 0; } h2 { font-size: 1.1em; margin: 1.4em 0 .3em; }
+table { border-collapse: collapse; width: 100%; }
+th, td { border-bottom: 1px solid var(--line); padding: .25em .6em .25em 0; text-align: left; vertical-align: top; }
+th { color: var(--faint); font-weight: normal; } td.number { font-variant-numeric: tabular-nums; }
+tr.chosen td:first-child { font-weight: bold; } tr.machine { cursor: pointer; }
+.alarm { color: var(--alarm); font-weight: bold; } .faint { color: var(--faint); } .good { color: var(--good); }
+#load { color: var(--faint); } svg { width: 100%; height: auto; } svg text { font: 12px sans-serif; fill: var(--ink); }
+</style>
+</head>
+<body>
+<h1>placedpar monitor</h1>
+<div id="load">asking the monitor ...</div>
+<h2>Alarms that hold</h2><div id="alarms"></div>
+<h2>Machines</h2><div id="machines"></div>
+<h2 id="title"></h2><div id="chart"></div><div id="past"></div>
+<script>
+"use strict";
+const colours = ["#0057b8", "#b35900", "#1b6e3c", "#7a2a8c", "#8c1d40", "#3d5a6c"];
+const marks = ["circle", "square", "triangle"];
+let chosen = null;
+const by = id => document.getElementById(id);
+function made(tag, text, kind) {
+  const element = document.createElement(tag);
+  if (text !== undefined) element.textContent = text;
+  if (kind) element.className = kind;
+  return element;
+}
+function table(heads, rows, none) {
+  if (rows.length === 0) return made("p", none, "faint");
+  const all = made("table"), head = made("tr");
+  heads.forEach(text => head.append(made("th", text)));
+  all.append(head, ...rows);
+  return all;
+}
+function row(cells) {
+  const all = made("tr");
+  cells.forEach(cell => { const td = made("td"); td.append(cell); all.append(td); });
+  return all;
+}
+const time = at => at === null ? "" : new Date(1000 * at).toLocaleString();
+const compliance = c => c === null ? "" : c.toFixed(5);
+function showLoad(d) {
+  const line = made("span", `${d.machines.length} machines, ${d.clients} connections, ` +
+    `${d.samples_per_s.toFixed(0)} samples/s, ${(100 * d.cpu_of_core).toFixed(1)} % of a core, ` +
+    `longest turn ${(1000 * d.longest_turn_s).toFixed(1)} ms, up ${(d.uptime_s / 3600).toFixed(2)} h; `);
+  by("load").replaceChildren(line, d.kept ? made("span", "all is kept", "good") : made("span", "not kept: " + d.trouble, "alarm"));
+}
+function alarmRow(a, now) {
+  const state = [a.acknowledged_at ? "seen " + time(a.acknowledged_at) : "not acknowledged"];
+  if (a.shelved_until && a.shelved_until > now) state.push("on the shelf until " + time(a.shelved_until));
+  if (a.cleared_at) state.push("cleared " + time(a.cleared_at));
+  return row([time(a.raised_at), a.machine, made("span", a.alarm, "alarm"), a.links.join(" "), a.text, state.join("; ")]);
+}
+const alarmHeads = ["raised", "machine", "alarm", "links", "", "state"];
+function showMachines(d) {
+  const rows = d.machines.map(m => {
+    const found = m.estimates.filter(e => e.settled !== null).map(e => `${e.link} ${compliance(e.settled)} (${e.set})`);
+    const said = m.verdicts.map(v => `${v.link} ${v.verdict}, ${v.sure}`);
+    const alarms = d.alarms.filter(a => a.machine === m.machine).length;
+    const tr = row([m.machine, m.configuration ?? "", String(m.samples), said.join("; "), found.join(", "),
+      alarms ? made("span", String(alarms), "alarm") : ""]);
+    tr.classList.add("machine");
+    if (m.machine === chosen) tr.classList.add("chosen");
+    tr.onclick = () => { chosen = m.machine; refresh(); };
+    return tr;
+  });
+  by("machines").replaceChildren(table(["machine", "configuration", "samples", "verdicts", "settled compliances [in³/psi]", "alarms"],
+    rows, "none has said hello yet"));
+}
+function svg(tag, attributes, text) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  if (text !== undefined) element.textContent = text;
+  return element;
+}
+function mark(kind, x, y, colour) {
+  if (kind === "square") return svg("rect", {x: x - 4, y: y - 4, width: 8, height: 8, fill: colour});
+  if (kind === "triangle") return svg("path", {d: `M${x - 5} ${y + 4}h10l-5 -9z`, fill: colour});
+  return svg("circle", {cx: x, cy: y, r: 4, fill: colour});
+}
+function chart(points, alarms) {
+  const w = 900, h = 320, left = 70, right = 130, top = 14, bottom = 34;
+  const low = p => p.compliance - (p.error ?? 0), high = p => p.compliance + (p.error ?? 0);
+  let from = Math.min(...points.map(p => p.at)), to = Math.max(...points.map(p => p.at));
+  if (to - from < 1) { from -= 1; to += 1; }
+  const most = 1.1 * Math.max(...points.map(high)), least = Math.min(0, ...points.map(low));
+  const x = at => left + (w - left - right) * (at - from) / (to - from);
+  const y = c => h - bottom - (h - top - bottom) * (c - least) / (most - least);
+  const all = svg("svg", {viewBox: `0 0 ${w} ${h}`, role: "img"});
+  all.append(svg("title", {}, "compliances over time"));
+  for (let i = 0; i <= 4; ++i) {
+    const c = least + (most - least) * i / 4, at = from + (to - from) * i / 4;
+    all.append(svg("line", {x1: left, x2: w - right, y1: y(c), y2: y(c), stroke: "#d4d9df"}),
+      svg("text", {x: left - 6, y: y(c) + 4, "text-anchor": "end"}, c.toFixed(4)),
+      svg("text", {x: x(at), y: h - 12, "text-anchor": "middle"}, new Date(1000 * at).toLocaleTimeString()));
+  }
+  all.append(svg("text", {x: left, y: top - 2}, "in³/psi"));
+  for (const a of alarms) if (a.raised_at >= from && a.raised_at <= to)
+    all.append(svg("line", {x1: x(a.raised_at), x2: x(a.raised_at), y1: top, y2: h - bottom, stroke: "#b3261e", "stroke-dasharray": "4 3"}),
+      svg("text", {x: x(a.raised_at) + 3, y: top + 10, style: "fill:#b3261e"}, a.alarm));
+  const names = [...new Set(points.map(p => `${p.link} by ${p.set}`))].sort();
+  names.forEach((name, i) => {
+    const colour = colours[i % colours.length], kind = marks[i % marks.length];
+    const mine = points.filter(p => `${p.link} by ${p.set}` === name).sort((a, b) => a.at - b.at);
+    all.append(svg("polyline", {points: mine.map(p => `${x(p.at)},${y(p.compliance)}`).join(" "), fill: "none", stroke: colour}));
+    for (const p of mine) {
+      if (p.error !== null)
+        all.append(svg("path", {d: `M${x(p.at) - 4} ${y(low(p))}h8m-4 0V${y(high(p))}m-4 0h8`, fill: "none", stroke: colour}));
+      all.append(mark(kind, x(p.at), y(p.compliance), colour));
+    }
+    all.append(mark(kind, w - right + 18, top + 10 + 20 * i, colour), svg("text", {x: w - right + 30, y: top + 14 + 20 * i}, name));
+  });
+  return all;
+}
+async function showPast(now) {
+  by("title").textContent = chosen ? `${chosen}: compliances over time, with their standard errors` : "";
+  if (!chosen) { by("chart").replaceChildren(); by("past").replaceChildren(); return; }
+  const d = await ask("history?machine=" + encodeURIComponent(chosen));
+  by("chart").replaceChildren(d.estimates.length ? chart(d.estimates, d.alarms)
+    : made("p", "no transient has ended yet, or the monitor has no state file", "faint"));
+  by("past").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, now)), "no alarm so far"));
+}
+async function ask(path) {
+  const answer = await fetch(path, {cache: "no-store"});
+  if (!answer.ok) throw new Error(await answer.text());
+  return answer.json();
+}
+async function refresh() {
+  try {
+    const d = await ask("sight");
+    if (chosen === null && d.machines.length) chosen = (d.alarms[0] ?? d.machines[0]).machine;
+    showLoad(d);
+    by("alarms").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, d.at)), "none"));
+    showMachines(d);
+    await showPast(d.at);
+  } catch (error) {
+    by("load").replaceChildren(made("span", "the monitor does not answer: " + error.message, "alarm"));
+  }
+}
+refresh();
+setInterval(refresh, 2000);
+</script>
+</body>
+</html>
+)page";
+
+} // namespace placedpar::monitor

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "monitor/service/limits.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <string>
+
+namespace placedpar::monitor {
+
+/// What each peer has taken of what there is for all: so that none can take everything. Peers are named as Caller::peer
+/// is.
+class Peers {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    explicit Peers(const ServiceLimits& limits) : limits_(limits) {}
+
+    /// One more connection; false, and nothing changes, when it has as many as it may.
+    bool connect(const std::string& peer);
+    /// REQUIRES: connect() gave true.
+    void disconnect(const std::string& peer);
+
+    bool may_introduce(const std::string& peer) const;
+    void introduced(const std::string& peer, const std::string& machine);
+    void forgotten(const std::string& machine);
+
+    /// One more takeover of a machine's control; false, and nothing changes, when there were too many in the last
+    /// minute.
+    bool take_over(const std::string& peer, Clock::time_point now);
+
+private:
+    const ServiceLimits& limits_;
+    std::map<std::string, std::size_t> connections_, machines_;
+    std::map<std::string, std::string> introduced_; ///< peers by machine
+    std::map<std::string, std::deque<Clock::time_point>> takeovers_;
+};
+
+} // namespace placedpar::monitor

@@ -1,0 +1,58 @@
+#include "monitor/service/roster.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::monitor {
+
+void Roster::leave(Client& client) {
+    clients_.erase(&client);
+    if (!client.hello)
+        return;
+    const std::string& machine = client.hello->machine;
+    of_machine_[machine].erase(&client);
+    if (of_machine_[machine].empty())
+        of_machine_.erase(machine);
+    if (control_of(machine) == &client)
+        control_.erase(machine);
+}
+
+Client* Roster::join(Client& client) {
+    of_machine_[client.hello->machine].insert(&client);
+    if (client.hello->role != Role::control)
+        return nullptr;
+    return std::exchange(control_[client.hello->machine], &client);
+}
+
+const std::set<Client*>& Roster::of(const std::string& machine) const {
+    static const std::set<Client*> nobody;
+    auto found = of_machine_.find(machine);
+    return found == of_machine_.end() ? nobody : found->second;
+}
+
+Client* Roster::control_of(const std::string& machine) const {
+    auto found = control_.find(machine);
+    return found == control_.end() ? nullptr : found->second;
+}
+
+namespace {
+
+std::size_t count_staying(const std::set<Client*>& clients) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(clients, [](const Client* client) { return !client->leaving && !client->finishing(); }));
+}
+
+} // namespace
+
+std::size_t Roster::staying(const std::string& machine) const { return count_staying(of(machine)); }
+
+std::size_t Roster::size() const { return count_staying(clients_); }
+
+std::size_t Roster::queued_bytes() const {
+    std::size_t bytes = 0;
+    for (const Client* client : clients_)
+        bytes += client->queued_bytes();
+    return bytes;
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,78 @@
+#include "monitor/service/site.hpp"
+
+#include "monitor/service/page.hpp"
+
+#include <boost/asio/post.hpp>
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace placedpar::monitor {
+
+namespace {
+
+constexpr std::uint64_t most_rows = 500; ///< of either kind, on the page
+constexpr const char *json_type = "application/json", *html_type = "text/html; charset=utf-8",
+                     *metrics_type = "text/plain; version=0.0.4; charset=utf-8";
+
+} // namespace
+
+Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token,
+           std::function<void(const std::string&)> say)
+    : io_(io), dispatcher_(dispatcher), store_(store),
+      web_(
+          std::move(token),
+          [this](const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply) {
+              answer(path, query, trusted, reply);
+          },
+          std::move(say)) {}
+
+void Site::answer(const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply) {
+    if (path == "/healthz")
+        reply(health());
+    else if (!trusted)
+        reply(
+            {401, "text/plain; charset=utf-8", "the token is wanted: as a bearer's, or as the password of anybody\n"});
+    else if (path == "/")
+        reply({200, html_type, page_html});
+    else if (path == "/sight")
+        reply({200, json_type, sight_json(dispatcher_.sight())});
+    else if (path == "/metrics")
+        reply({200, metrics_type, metrics_text(dispatcher_.sight())});
+    else if (path == "/history")
+        answer_history(query, reply);
+    else
+        reply({404, "text/plain; charset=utf-8", "there are /, /sight, /history, /metrics and /healthz\n"});
+}
+
+WebAnswer Site::health() const {
+    Sight sight = dispatcher_.sight();
+    if (sight.kept)
+        return {200, "text/plain; charset=utf-8", "ok\n"};
+    return {503, "text/plain; charset=utf-8", fmt::format("not kept: {}\n", sight.trouble)};
+}
+
+/// The thread that writes looks, so that nobody waits for the disk.
+void Site::answer_history(const std::string& query, const Web::Reply& reply) {
+    constexpr std::string_view name = "machine=";
+    if (!query.starts_with(name)) {
+        reply({400, "text/plain; charset=utf-8", "of which machine? /history?machine=NAME\n"});
+        return;
+    }
+    if (!store_) {
+        reply({200, json_type, history_json({}, {})});
+        return;
+    }
+    store_->look([this, reply, machine = query.substr(name.size())](History& history) {
+        WebAnswer answer{200, json_type, ""};
+        try {
+            answer.text = history_json(history.estimates(machine, most_rows), history.alarms(machine, most_rows));
+        } catch (const std::exception& error) {
+            answer = {500, "text/plain; charset=utf-8", fmt::format("{}\n", error.what())};
+        }
+        boost::asio::post(io_, [reply, answer = std::move(answer)] { reply(answer); });
+    });
+}
+
+} // namespace placedpar::monitor

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "monitor/memory/state_store.hpp"
+#include "monitor/service/dispatcher.hpp"
+#include "monitor/service/web.hpp"
+
+#include <boost/asio/io_context.hpp>
+
+#include <string>
+
+namespace placedpar::monitor {
+
+/// What is where for browsers: "/" the page, "/sight" and "/history" what it asks, "/metrics" for Prometheus and
+/// "/healthz", which alone needs no token: 200 while all is kept, else 503.
+class Site {
+public:
+    /// `store` may be null: there is no history. REQUIRES: all outlive it.
+    Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token,
+         std::function<void(const std::string&)> say);
+
+    void welcome(Door::Socket socket, const Caller& caller) { web_.welcome(std::move(socket), caller); }
+    void close() { web_.close(); }
+
+private:
+    void answer(const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply);
+    WebAnswer health() const;
+    void answer_history(const std::string& query, const Web::Reply& reply);
+
+    boost::asio::io_context& io_;
+    Dispatcher& dispatcher_;
+    StateStore* store_;
+    Web web_;
+};
+
+} // namespace placedpar::monitor

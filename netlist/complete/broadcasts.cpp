@@ -1,0 +1,178 @@
+#include "netlist/complete/broadcasts.hpp"
+
+#include "netlist/language/syntax.hpp"
+#include "netlist/network/names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace placedpar {
+
+const DraftPlacement* Broadcasts::placement_of(const ChannelEnd& end) const {
+    if (end.at_edge())
+        return nullptr;
+    auto found = c_.draft.placements.find({end.process, end.port});
+    return found == c_.draft.placements.end() ? nullptr : &found->second.front();
+}
+
+std::optional<Broadcasts::Placed> Broadcasts::placed(const NetworkChannel& channel) const {
+    for (const auto* end : {&channel.from, &channel.to})
+        if (const auto* by = placement_of(*end);
+            by != nullptr && c_.draft.nodes[by->where.node].kind->bus == BusRole::is_bus)
+            return Placed{*end, *by};
+    return std::nullopt;
+}
+
+std::vector<std::size_t> Broadcasts::adapter_ways(std::size_t bus) const {
+    std::vector<std::size_t> ways;
+    for (std::size_t i = 0; i < c_.network.connections.size(); ++i)
+        if (const auto& way = connection(i).over_bus; way && way->wire != nowhere && slave_of(connection(i)).bus == bus)
+            ways.push_back(i);
+    return ways;
+}
+
+bool Broadcasts::is_master(std::size_t node, std::size_t bus) const {
+    return c_.draft.nodes[node].kind->is_master() && std::ranges::any_of(attachments(), [&](const BusAttachment& each) {
+               return each.node == node && each.bus == bus;
+           });
+}
+
+RouteHop Broadcasts::way_of(const NetworkChannel& channel, const Placed& placed) const {
+    require_output(channel, placed);
+    if (channel.from.node == nowhere || channel.to.node == nowhere)
+        throw StatementRefused{}; // reported
+    require_master(channel, placed);
+    const DraftPlacement* told = placement_of(channel.to);
+    std::optional<std::size_t> best;
+    auto cost = [&](std::size_t way) { return std::pair(load_[2 * way + 1], connection(way).b.link); };
+    for (std::size_t way : adapter_ways(placed.bus()))
+        if (const LinkConnection& each = connection(way);
+            each.a.node == channel.from.node && each.b.node == channel.to.node &&
+            (told == nullptr || told->where == each.b) && (!best || cost(way) < cost(*best)))
+            best = way;
+    if (!best)
+        refuse_receiver(channel, placed);
+    return {*best, true};
+}
+
+void Broadcasts::require_output(const NetworkChannel& channel, const Placed& placed) const {
+    std::string what =
+        fmt::format("the channel \"{}\" is placed on the bus \"{}\"", channel.name, node_name(placed.bus()));
+    const char* leads =
+        "what is placed on a bus leads from a process on one of its masters to processes at the links of "
+        "its link adapters";
+    if (channel.from.at_edge() || channel.to.at_edge())
+        refuse(placed.by.at, what + ", and an end of it is at an edge", leads);
+    if (&placed.end == &channel.from)
+        return;
+    bool from_master = channel.from.node != nowhere && is_master(channel.from.node, placed.bus());
+    refuse(placed.by.at, what + " at its input",
+           from_master
+               ? fmt::format("place its output: place {} on {};", end_name(channel.from), node_name(placed.bus()))
+               : leads,
+           {{"it is connected here", channel.connected}});
+}
+
+void Broadcasts::require_master(const NetworkChannel& channel, const Placed& placed) const {
+    if (is_master(channel.from.node, placed.bus()))
+        return;
+    std::vector<std::string> masters;
+    for (const BusAttachment& each : attachments())
+        if (is_master(each.node, placed.bus()))
+            masters.push_back(node_name(each.node));
+    const DraftProcess& sender = c_.draft.processes[channel.from.process];
+    refuse(
+        placed.by.at,
+        fmt::format("the channel \"{}\" is placed on the bus \"{}\", but \"{}\" is on \"{}\", which is no master of it",
+                    channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
+        masters.empty() ? "nobody asks for this bus: workstations and bus masters do"
+                        : fmt::format("its masters are {}", fmt::join(masters, ", ")),
+        {{"the process is placed here", sender.placed}});
+}
+
+void Broadcasts::refuse_receiver(const NetworkChannel& channel, const Placed& placed) const {
+    if (c_.buses_refused)
+        throw StatementRefused{}; // reported
+    const DraftProcess& receiver = c_.draft.processes[channel.to.process];
+    const DraftPlacement* told = placement_of(channel.to);
+    std::vector<SecondPlace> others{{"the receiver is placed here", receiver.placed}};
+    if (told != nullptr)
+        others.push_back({fmt::format("it is to come in by {}", link_name(c_.draft.nodes, told->where)), told->at});
+    refuse(placed.by.at,
+           fmt::format("the channel \"{}\" cannot be broadcast on the bus \"{}\": {}", channel.name,
+                       node_name(placed.bus()), why_not(channel, placed.bus())),
+           hint_at_adapters(channel, placed.bus()), std::move(others));
+}
+
+std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) const {
+    std::string receiver =
+        fmt::format("\"{}\" is on \"{}\"", c_.draft.processes[channel.to.process].name, node_name(channel.to.node));
+    if (channel.from.node == channel.to.node)
+        return receiver + ", as its sender";
+    for (std::size_t way : adapter_ways(bus))
+        if (const LinkConnection& each = connection(way);
+            each.b.node == channel.to.node && each.a.node != channel.from.node)
+            return fmt::format("{}, and the link adapter \"{}\" before it is used by \"{}\", not by \"{}\"", receiver,
+                               node_name(slave_of(each).node), node_name(each.a.node), node_name(channel.from.node));
+    if (is_master(channel.to.node, bus))
+        return receiver + ", whose memory is on the bus, and which is at no link adapter";
+    return fmt::format("{}, {}", receiver,
+                       placement_of(channel.to) ? "and no link adapter leads there by that link"
+                                                : "which is at the link of no link adapter");
+}
+
+/// Where the sender's adapters lead.
+std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::size_t bus) const {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> ends;
+    for (std::size_t way : adapter_ways(bus))
+        if (connection(way).a.node == channel.from.node)
+            ends.push_back(link_name(c_.draft.nodes, connection(way).b));
+    std::string master = node_name(channel.from.node);
+    if (ends.empty())
+        return fmt::format("no link adapter of \"{}\" on \"{}\" leads to a processor", master, node_name(bus));
+    bool more = ends.size() > most;
+    ends.resize(std::min(ends.size(), most));
+    return fmt::format("those of \"{}\" lead to {}{}", master, fmt::join(ends, ", "), more ? ", ..." : "");
+}
+
+void Broadcasts::check() const {
+    std::map<std::size_t, std::vector<const NetworkChannel*>> out; // by connection: channels from its a to its b
+    for (const NetworkChannel& channel : c_.network.channels)
+        for (const RouteHop& hop : channel.placement.route)
+            if (hop.from_a_to_b)
+                out[hop.connection].push_back(&channel);
+    for (const NetworkChannel& channel : c_.network.channels)
+        if (channel.placement.broadcast_on != nowhere)
+            check(channel, out[channel.placement.route.front().connection]);
+}
+
+/// Of two of one broadcast the second is at fault.
+void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
+    const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
+    bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;
+    if (&other == &broadcast || (both && &other > &broadcast))
+        return;
+    const LinkConnection& way = connection(broadcast.placement.route.front().connection);
+    bool same = both && are_one_broadcast(broadcast, other);
+    c_.reporter.error(
+        placed(broadcast)->by.at,
+        fmt::format("the channel \"{}\" is broadcast over the link adapter \"{}\", over which \"{}\" leads, too",
+                    broadcast.name, node_name(slave_of(way).node), other.name),
+        same ? "a broadcast reaches each of its adapters once: one process there takes the message, and passes it on"
+             : "a broadcast has its ways out to its adapters for itself; place the other channel on another link",
+        {{"the other is connected here", other.connected}});
+}
+
+void Broadcasts::refuse(const Location& at, std::string message, std::string hint,
+                        std::vector<SecondPlace> others) const {
+    c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
+    throw StatementRefused{};
+}
+
+} // namespace placedpar

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "netlist/complete/complete.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// Channels that the netlist places on a bus, `place p.out[i] on vme;`. Those of one port array on one bus are one
+/// broadcast: what is written on the bus reaches the link adapters before all their receivers at once.
+class Broadcasts {
+public:
+    /// REQUIRES: they outlive it. `load` as of RouteSearch.
+    Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
+
+    /// The end of a channel that is placed on a bus, and where.
+    struct Placed {
+        const ChannelEnd& end;
+        const DraftPlacement& by;
+        std::size_t bus() const { return by.where.node; }
+    };
+    std::optional<Placed> placed(const NetworkChannel&) const;
+
+    /// The way over the bus to the adapter, and by its link to the receiver's processor: of several the one that the
+    /// fewest channels use, then the one at the lowest link of the receiver. Throws StatementRefused after reporting.
+    RouteHop way_of(const NetworkChannel&, const Placed&) const;
+    /// Reports each channel that is not alone on such a way. REQUIRES: all channels are carried.
+    void check() const;
+
+private:
+    const LinkConnection& connection(std::size_t index) const { return c_.network.connections[index]; }
+    const BusAttachment& slave_of(const LinkConnection& way) const { return attachments()[way.over_bus->slave]; }
+    const std::vector<BusAttachment>& attachments() const { return c_.network.attachments; }
+    const std::string& node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
+    std::string end_name(const ChannelEnd& end) const { return c_.draft.processes[end.process].name + "." + end.port; }
+    const DraftPlacement* placement_of(const ChannelEnd&) const;
+    /// Ways over adapters on the bus.
+    std::vector<std::size_t> adapter_ways(std::size_t bus) const;
+    bool is_master(std::size_t node, std::size_t bus) const;
+
+    void require_output(const NetworkChannel&, const Placed&) const;
+    void require_master(const NetworkChannel&, const Placed&) const;
+    [[noreturn]] void refuse_receiver(const NetworkChannel&, const Placed&) const;
+    std::string why_not(const NetworkChannel&, std::size_t bus) const;
+    std::string hint_at_adapters(const NetworkChannel&, std::size_t bus) const;
+    void check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const;
+    [[noreturn]] void refuse(const Location&, std::string message, std::string hint,
+                             std::vector<SecondPlace> others = {}) const;
+
+    Completion& c_;
+    const std::vector<std::size_t>& load_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,52 @@
+#include "netlist/complete/complete.hpp"
+
+#include <fmt/format.h>
+
+#include <tuple>
+
+namespace placedpar {
+
+namespace {
+
+using UsersOfLinks = std::map<std::tuple<std::size_t, int, bool>, const NetworkChannel*>; ///< outputs?
+
+/// A channel of another process, which has the link already; null if there is none.
+const NetworkChannel* other_user(UsersOfLinks& users, const LinkEnd& link, bool outputs,
+                                 const NetworkChannel& channel) {
+    const auto* first = users.try_emplace({link.node, link.link, outputs}, &channel).first->second;
+    bool same = outputs ? first->from.process == channel.from.process : first->to.process == channel.to.process;
+    return same ? nullptr : first;
+}
+
+void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkChannel& second, const LinkEnd& link,
+                    const char* what) {
+    c.reporter.error(second.connected,
+                     fmt::format("{} by \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
+                                 link_name(c.draft.nodes, link), first.name, second.name),
+                     "such a link is one process's each way, and a channel each way leads to each of its partners",
+                     {{"the other is connected here", first.connected}});
+}
+
+} // namespace
+
+/// A link that is connected to one partner after the other is used by one process each way, and each connection by one
+/// channel each way.
+void check_switched(Completion& c) {
+    const auto& wires = c.network.connections;
+    UsersOfLinks users;
+    std::map<std::pair<std::size_t, bool>, const NetworkChannel*> channels;
+    for (const auto& channel : c.network.channels) {
+        const auto& route = channel.placement.route;
+        if (route.empty() || !wires[route.front().connection].at_run_time)
+            continue;
+        const RouteHop& hop = route.front();
+        if (auto [first, alone] = channels.try_emplace({hop.connection, hop.from_a_to_b}, &channel); !alone)
+            refuse_sharing(c, *first->second, channel, begin_of(hop, wires), "two channels lead");
+        else if (const auto* other = other_user(users, begin_of(hop, wires), true, channel))
+            refuse_sharing(c, *other, channel, begin_of(hop, wires), "two processes output");
+        else if (const auto* another = other_user(users, end_of(hop, wires), false, channel))
+            refuse_sharing(c, *another, channel, end_of(hop, wires), "two processes input");
+    }
+}
+
+} // namespace placedpar

@@ -1,0 +1,189 @@
+#include "netlist/complete/told_wires.hpp"
+
+#include "netlist/language/syntax.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+bool joins(const LinkConnection& wire, std::size_t one, std::size_t other) {
+    return std::minmax(wire.a.node, wire.b.node) == std::minmax(one, other);
+}
+
+} // namespace
+
+ToldWires::ToldWires(Completion& completion, const std::vector<std::size_t>& load)
+    : c_(completion), wires_(completion.network.connections), load_(load) {
+    for (std::size_t i = 0; i < wires_.size(); ++i)
+        if (const auto& way = wires_[i].over_bus; way && way->wire != nowhere)
+            ways_.emplace(way->wire, i);
+}
+
+std::vector<ToldWire> ToldWires::wires(std::size_t channel) const {
+    auto at_ends = by_ends(c_.network.channels[channel]);
+    auto told = by_connection(channel);
+    return told ? std::vector{*told} : at_ends;
+}
+
+std::optional<ToldWire> ToldWires::by_connection(std::size_t channel) const {
+    auto draft = c_.draft_channel[channel];
+    auto placed = c_.draft.connection_placements.find(draft == nowhere ? nowhere : c_.draft.channels[draft].connection);
+    if (placed == c_.draft.connection_placements.end())
+        return std::nullopt;
+    const auto& [wire, at] = placed->second;
+    auto found = c_.connection_named.find(wire);
+    if (found == c_.connection_named.end())
+        refuse(at, fmt::format("the connection \"{}\" wires no links", c_.draft.connections[wire].name));
+    return ToldWire{way_over_bus(found->second), nowhere, at};
+}
+
+std::vector<ToldWire> ToldWires::by_ends(const NetworkChannel& channel) const {
+    std::vector<ToldWire> told;
+    for (const auto* end : {&channel.from, &channel.to}) {
+        auto placed = c_.draft.placements.find({end->process, end->port});
+        if (end->at_edge() || placed == c_.draft.placements.end())
+            continue;
+        if (end == &channel.to && placed->second.size() > 1)
+            refuse(placed->second[1].at,
+                   fmt::format("the route of the channel \"{}\" is told at its input", channel.name),
+                   "place the output on the link by which the channel leaves each processor on its way");
+        for (std::size_t i = 0; i < placed->second.size(); ++i) {
+            ToldWire here = wire_at({channel, *end, placed->second, i});
+            bool again = end == &channel.to && !told.empty() && told.back().connection == here.connection;
+            if (!again) // both ends may say the same
+                told.push_back(here);
+        }
+    }
+    return told;
+}
+
+ToldWire ToldWires::wire_at(const Place& place) const {
+    ToldWire told{connection_at(place), nowhere, place.at()};
+    if (std::size_t node = end_of_way(place.where()).node; !place.where().at_edge())
+        told.begin = place.inputs() ? other_end(told.connection, node) : node;
+    return told;
+}
+
+std::size_t ToldWires::connection_at(const Place& place) const {
+    if (process_of(place).node == nowhere)
+        throw StatementRefused{}; // reported
+    if (place.where().at_edge())
+        return connection_to_edge(place);
+    if (place.number == 0)
+        require_own_link(place);
+    if (place.where().link == bus_port)
+        return way_from_bus(place);
+    auto found = connection_at_link(place);
+    return wires_[found].at_run_time ? connection_to_partner(place) : found;
+}
+
+/// It begins at the processor that holds the process.
+void ToldWires::require_own_link(const Place& place) const {
+    const DraftProcess& process = process_of(place);
+    if (end_of_way(place.where()).node != process.node)
+        refuse(place.at(),
+               fmt::format("the channel \"{}\" is placed on a link of \"{}\", but its process is on \"{}\"",
+                           name_of(place), node_name(place.where().node), node_name(process.node)),
+               "", {{"the process is placed here", process.placed}});
+}
+
+std::size_t ToldWires::connection_to_edge(const Place& place) const {
+    std::size_t edge = place.where().node, node = process_of(place).node;
+    auto found = std::ranges::find_if(wires_, [&](const auto& wire) { return joins(wire, edge, node); });
+    if (found == wires_.end())
+        refuse(place.at(), fmt::format("the channel \"{}\" is placed on the edge \"{}\", but \"{}\" has no link to it",
+                                       name_of(place), node_name(edge), node_name(node)));
+    return static_cast<std::size_t>(found - wires_.begin());
+}
+
+std::size_t ToldWires::connection_at_link(const Place& place) const {
+    auto found = c_.connection_at.find({place.where().node, place.where().link});
+    if (found != c_.connection_at.end())
+        return way_over_bus(found->second);
+    if (c_.wire_refused[place.where().node])
+        throw StatementRefused{}; // reported
+    refuse(place.at(), fmt::format("the channel \"{}\" is placed on \"{}\", which is connected to nothing",
+                                   name_of(place), link_of(place)));
+}
+
+/// Of those that switches may make at the link, the one that leads to the channel's other process.
+std::size_t ToldWires::connection_to_partner(const Place& place) const {
+    const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
+    auto told = c_.draft.placements.find({partner.process, partner.port});
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < wires_.size(); ++i)
+        for (auto [here, there] : {std::pair(wires_[i].a, wires_[i].b), std::pair(wires_[i].b, wires_[i].a)})
+            if (here == place.where() && there.node == partner.node && !partner.at_edge()) {
+                bool meant = told != c_.draft.placements.end() && told->second.front().where == there;
+                found = found && !meant ? found : i;
+            }
+    if (!found && partner.node == nowhere)
+        throw StatementRefused{}; // reported
+    if (!found)
+        refuse(place.at(),
+               fmt::format("the channel \"{}\" is placed on \"{}\", which no switch connects to a link of \"{}\"",
+                           place.channel.name, link_of(place), node_name(partner.node)),
+               "state the crosspoint that a program will set: connect sw.link[0] to sw.link[1];");
+    return *found;
+}
+
+/// From a master's place on a bus: the next place says where the way leads, or the receiver.
+std::size_t ToldWires::way_from_bus(const Place& place) const {
+    bool last = place.number + 1 == place.all.size();
+    auto other = place.inputs() ? place.channel.from.node
+                 : last         ? place.channel.to.node
+                                : end_of_way(place.all[place.number + 1].where).node;
+    if (other == nowhere || c_.buses_refused)
+        throw StatementRefused{}; // reported
+    auto found = way_between(place.where().node, other);
+    if (!found)
+        refuse(place.at(),
+               fmt::format("the channel \"{}\" is placed on \"{}\", from which no way over a bus leads to \"{}\"",
+                           name_of(place), link_of(place), node_name(other)),
+               "a bus leads to the memory of bus masters, and by link adapters to processors");
+    return *found;
+}
+
+/// To memory, if there is such a way; else by the adapter that the fewest channels use.
+std::optional<std::size_t> ToldWires::way_between(std::size_t one, std::size_t other) const {
+    std::optional<std::size_t> best;
+    auto cost = [&](std::size_t i) {
+        return std::pair(wires_[i].over_bus->wire != nowhere, load_[2 * i] + load_[2 * i + 1]);
+    };
+    for (std::size_t i = 0; i < wires_.size(); ++i)
+        if (wires_[i].over_bus && joins(wires_[i], one, other) && (!best || cost(i) < cost(*best)))
+            best = i;
+    return best;
+}
+
+/// Where the wire leads to a link adapter, the way of which it is a part; else the wire.
+std::size_t ToldWires::way_over_bus(std::size_t wire) const {
+    auto way = ways_.find(wire);
+    return way == ways_.end() ? wire : way->second;
+}
+
+/// Of a link adapter's link, the end at the master that uses it.
+LinkEnd ToldWires::end_of_way(const LinkEnd& placed) const {
+    auto wire = c_.connection_at.find({placed.node, placed.link});
+    auto way = wire == c_.connection_at.end() ? ways_.end() : ways_.find(wire->second);
+    bool at_adapter = way != ways_.end() && wires_[way->second].b != placed;
+    return at_adapter ? wires_[way->second].a : placed;
+}
+
+std::size_t ToldWires::other_end(std::size_t connection, std::size_t node) const {
+    const LinkConnection& wire = wires_[connection];
+    return (wire.a.node == node ? wire.b : wire.a).node;
+}
+
+void ToldWires::refuse(const Location& at, std::string message, std::string hint,
+                       std::vector<SecondPlace> others) const {
+    c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
+    throw StatementRefused{};
+}
+
+} // namespace placedpar

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "netlist/complete/complete.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A wire, or a way over a bus, that the netlist names for a channel, and where it does.
+struct ToldWire {
+    std::size_t connection;
+    std::size_t begin; ///< the node where the channel enters it; nowhere: either
+    Location at;
+};
+
+/// What the netlist says about the ways of channels: `place` with an end of a channel, or with its connection. All
+/// throw StatementRefused after reporting a placement that cannot be used.
+class ToldWires {
+public:
+    /// REQUIRES: they outlive it, and the connections are complete. `load` as of RouteSearch.
+    ToldWires(Completion&, const std::vector<std::size_t>& load);
+
+    /// Wire by wire; nothing where the netlist says nothing.
+    std::vector<ToldWire> wires(std::size_t channel) const;
+    /// By `place c1 on c2`.
+    std::optional<ToldWire> by_connection(std::size_t channel) const;
+
+private:
+    struct Place {
+        const NetworkChannel& channel;
+        const ChannelEnd& end;
+        const std::vector<DraftPlacement>& all; ///< of this end
+        std::size_t number;                     ///< among them
+        const DraftPlacement& placement() const { return all[number]; }
+        const LinkEnd& where() const { return placement().where; }
+        const Location& at() const { return placement().at; }
+        bool inputs() const { return &end == &channel.to; }
+    };
+
+    std::vector<ToldWire> by_ends(const NetworkChannel&) const;
+    ToldWire wire_at(const Place&) const;
+    std::size_t connection_at(const Place&) const;
+    void require_own_link(const Place&) const;
+    std::size_t connection_to_edge(const Place&) const;
+    std::size_t connection_at_link(const Place&) const;
+    std::size_t connection_to_partner(const Place&) const;
+    std::size_t way_from_bus(const Place&) const;
+    std::optional<std::size_t> way_between(std::size_t one, std::size_t other) const;
+    std::size_t way_over_bus(std::size_t wire) const;
+    LinkEnd end_of_way(const LinkEnd& placed) const;
+    std::size_t other_end(std::size_t connection, std::size_t node) const;
+
+    const DraftProcess& process_of(const Place& place) const { return c_.draft.processes[place.end.process]; }
+    std::string name_of(const Place& place) const { return process_of(place).name + "." + place.end.port; }
+    const std::string& node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
+    std::string link_of(const Place& place) const { return link_name(c_.draft.nodes, place.where()); }
+    [[noreturn]] void refuse(const Location&, std::string message, std::string hint = "",
+                             std::vector<SecondPlace> others = {}) const;
+
+    Completion& c_;
+    const std::vector<LinkConnection>& wires_;
+    const std::vector<std::size_t>& load_;
+    std::map<std::size_t, std::size_t> ways_; ///< over buses, by the wire behind an adapter
+};
+
+} // namespace placedpar

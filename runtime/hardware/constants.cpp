@@ -1,0 +1,172 @@
+#include "runtime/hardware/constants.hpp"
+
+#include "runtime/hardware/bus_memory.hpp"
+#include "runtime/hardware/bus_programs.hpp"
+#include "runtime/hardware/crossbar.hpp"
+#include "runtime/hardware/instructions.hpp"
+#include "runtime/hardware/link_timing.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/hardware/router.hpp"
+#include "runtime/hardware/workstation.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace placedpar::hardware {
+
+namespace {
+
+constexpr double in_cycles(Cycles cycles) { return static_cast<double>(cycles); }
+constexpr double in_ns(Time time) { return static_cast<double>(time.count()) * 1e-3; }
+constexpr double in_us(Time time) { return in_ns(time) * 1e-3; }
+constexpr double in_mega(std::int64_t hertz) { return static_cast<double>(hertz) * 1e-6; }
+
+constexpr std::string_view table = "T4 notebook (pahihu/t4), instruction table";
+constexpr std::string_view databook_links = "databook (3rd ed., 1992), 1.4";
+constexpr std::string_view databook_scheduler = "databook (3rd ed., 1992), 1.3";
+
+std::vector<Constant> of_links() {
+    constexpr std::string_view group = "links";
+    constexpr std::string_view rates = "to measured rates; published: 5 to 6 (D. Jeffery, 1989)";
+    using enum Mark;
+    return {
+        {group, "speed, where the netlist gives none", in_mega(LinkTiming::usual_speed), "Mbit/s", published,
+         "databook (3rd ed., 1992), 1.4: 5, 10 and 20"},
+        {group, "a byte", LinkTiming::data_bits, "bits", published, databook_links},
+        {group, "an acknowledge", LinkTiming::acknowledge_bits, "bits", published, databook_links},
+        {group, "from a byte to its acknowledge", LinkTiming::acknowledge_tenths / 10.0, "bits", fitted, rates},
+        {group, "from an acknowledge to the next byte", LinkTiming::restart_tenths / 10.0, "bits", fitted, rates},
+        {group, "besides, at any speed", in_ns(LinkTiming::restart_logic), "ns", fitted,
+         "to the same, 5 and 10 Mbit/s both ways among them"},
+        {group, "a metre of wire", in_ns(LinkTiming::metre_of_wire), "ns", published,
+         "commonly stated of transmission lines"},
+        {group, "a switch, one way", Crossbar::crossing_delay / 100.0, "bits", published, "C004 manual"},
+    };
+}
+
+std::vector<Constant> of_processors() {
+    constexpr std::string_view group = "processor";
+    using enum Mark;
+    return {
+        {group, "clock, where the netlist gives none", in_mega(Processor::usual_clock), "MHz", published,
+         "17.5 to 30 were sold"},
+        {group, "timeslice period", in_us(Processor::timeslice), "us", published, databook_scheduler},
+        {group, "tick at high priority", in_us(Processor::high_tick), "us", published, "INMOS ticks.inc"},
+        {group, "tick at low priority", in_us(Processor::low_tick), "us", published, "INMOS ticks.inc"},
+        {group, "interrupt of low priority by high", in_cycles(instructions::preemption), "cycles", published, table},
+        {group, "access to memory on the chip", in_cycles(Memory::on_chip), "cycles", published, databook_scheduler},
+        {group, "access to memory outside", in_cycles(Memory::outside), "cycles", published,
+         "listing of a machine of 64 T800s (ispy)"},
+        {group, "the same of a T2", in_cycles(Memory::outside_of_a_t2), "cycles", published,
+         "IMS T225 data sheet; the T212, T222, M212 are ours"},
+        {group, "block move, to start", in_cycles(instructions::block_move_start), "cycles", published, table},
+    };
+}
+
+/// The members of OperationCosts are named one by one, so that none can be left out.
+std::vector<Constant> of_instructions() {
+    constexpr std::string_view group = "instructions of a T8";
+    const auto& [soft, hard, copied_word, bytes_in_a_word, start, run, end, read, wait, wait_past, alt, enable,
+                 enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end, attempt, reset] =
+        instructions::t800;
+    using enum Mark;
+    auto row = [group](std::string_view name, Cycles cycles, Mark mark = published, std::string_view source = table) {
+        return Constant{group, name, in_cycles(cycles), "cycles", mark, source};
+    };
+    return {row("in, out: on a soft channel", soft),
+            row("in, out: on a link, to start it", hard),
+            row("in, out: a word copied on the chip", copied_word),
+            {group, "bytes of a word", static_cast<double>(bytes_in_a_word), "bytes", published, databook_scheduler},
+            row("startp: each component of a PAR but the last", start),
+            row("runp: the same, of another priority", run),
+            row("endp: each component", end),
+            row("ldtimer", read),
+            row("tin: a time to come", wait),
+            row("tin: a time that is past", wait_past),
+            row("alt", alt),
+            row("enbc, enbs", enable),
+            row("enbt", enable_timeout),
+            row("altwt: a guard is ready", wait_ready),
+            row("altwt: none is", wait_alt),
+            row("disc, diss", disable),
+            row("dist", disable_timeout),
+            row("altend", alt_end),
+            row("a communication that can be given up", attempt, ours, "startp, tin and endp beside it"),
+            row("reset of a channel", reset, ours, "resetch")};
+}
+
+std::vector<Constant> of_routers() {
+    constexpr std::string_view group = "channels in packets";
+    using enum Mark;
+    return {
+        {group, "header of a packet", Packet::header_bytes, "bytes", ours, "a word: the channel, the kind of packet"},
+        {group, "a message's part in a packet, at most", Packet::most_bytes, "bytes", ours, "short ones wait for one"},
+        {group, "a packet sent, or received", in_cycles(Router::handling), "cycles", ours,
+         "queueing, looking up the route, rescheduling"},
+        {group, "packets ahead of their acknowledges", Route::most_under_way, "packets", ours,
+         "for each channel, at most"},
+    };
+}
+
+std::vector<Constant> of_buses() {
+    constexpr std::string_view group = "VMEbus";
+    const auto& [word, byte, arbitration, time_out] = VmeTiming{};
+    using enum Mark;
+    return {
+        {group, "a word, D32 with ordinary memory", in_ns(word), "ns", published, "textbook figure: 12.9 Mbyte/s"},
+        {group, "an access to a register", in_ns(byte), "ns", ours, "as ordinary memory"},
+        {group, "arbitration", in_ns(arbitration), "ns", ours, "from a request or a release to the grant"},
+        {group, "until a bus error", in_us(time_out), "us", published, "a common default of bus timers"},
+    };
+}
+
+std::vector<Constant> of_hosts() {
+    constexpr std::string_view group = "workstation on a bus";
+    constexpr std::string_view of_sgi = "within SGI's table of hosts: 0.2 to 0.75 Mbyte/s";
+    const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::sun_3_280;
+    using enum Mark;
+    return {
+        {group, "a byte, besides the bus", in_cycles(byte), "cycles", ours, of_sgi},
+        {group, "a word read, besides the bus", in_cycles(read), "cycles", ours, "SGI's table: about 1 Mbyte/s"},
+        {group, "a word written, besides the bus", in_cycles(write), "cycles", ours, "SGI's table: about 3 Mbyte/s"},
+        {group, "from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "0.1 ms of a Sun 3/280"},
+        {group, "status polled in vain, at most", static_cast<double>(most_polls), "times", ours,
+         "then the process waits for an interrupt"},
+        {group, "tick of its clocks", in_us(Workstation::clock_tick), "us", published, "a Unix of 50 Hz"},
+    };
+}
+
+std::vector<Constant> of_bus_masters() {
+    constexpr std::string_view group = "bus master (BBK-V2)";
+    const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::bbk_v2;
+    using enum Mark;
+    return {
+        {group, "a byte, besides the bus", in_cycles(byte), "cycles", ours, "lb, sb, cj, lend in a loop"},
+        {group, "a block read, besides the bus", in_cycles(read), "cycles", published, table},
+        {group, "a block written, besides the bus", in_cycles(write), "cycles", published, table},
+        {group, "from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "that of its processor"},
+        {group, "status polled in vain, at most", static_cast<double>(most_polls), "times", ours,
+         "then the process waits for an interrupt"},
+        {group, "a word for the other byte order", in_cycles(bus_programs::conversion), "cycles", ours,
+         "where the netlist gives none"},
+        {group, "buffer of one direction", MemoryLane::buffer_bytes, "bytes", ours, "a longer message comes in parts"},
+    };
+}
+
+} // namespace
+
+const char* name_of(Mark mark) {
+    constexpr std::array names{"published", "workload", "calibrated", "ours", "fitted"};
+    return names[static_cast<std::size_t>(mark)];
+}
+
+std::vector<Constant> constants() {
+    std::vector<Constant> all;
+    for (auto part : {of_links, of_processors, of_instructions, of_routers, of_buses, of_hosts, of_bus_masters})
+        for (const Constant& each : part())
+            all.push_back(each);
+    return all;
+}
+
+} // namespace placedpar::hardware

@@ -1,0 +1,168 @@
+#include "experiments/chapter_3/kit/digger.hpp"
+#include "experiments/chapter_3/kit/verdict_study.hpp"
+#include "monitor/service/service.hpp"
+
+#include <boost/asio.hpp>
+#include <boost/json.hpp>
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <istream>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
+
+namespace {
+
+namespace asio = boost::asio;
+namespace json = boost::json;
+
+/// `placedpar monitor`, in a thread of its own.
+class RunningService {
+public:
+    RunningService() : service_(settings(), [](const std::string&) {}), thread_([this] { service_.run(); }) {}
+    ~RunningService() {
+        service_.stop();
+        thread_.join();
+    }
+    asio::ip::tcp::endpoint endpoint() const { return {asio::ip::make_address("127.0.0.1"), service_.port()}; }
+
+private:
+    static monitor::ServiceSettings settings() {
+        monitor::ServiceSettings settings;
+        settings.limits.machines = 100'000;
+        return settings;
+    }
+
+    monitor::Service service_;
+    std::thread thread_;
+};
+
+json::object reading_json(const Reading& reading) {
+    json::object object{{"inlet_psi", reading.inlet_psi}, {"angle_deg", reading.angle_deg}};
+    if (const auto* spool = std::get_if<SpoolPosition>(&reading.valve))
+        object["spool_in"] = spool->spool_in;
+    else
+        object["servo_V"] = std::get<ServoVoltage>(reading.valve).servo_V;
+    return object;
+}
+
+/// The control system of a digger, on the monitor's socket.
+class ControlSystem {
+public:
+    ControlSystem(const RunningService& service, const std::string& machine, const Digger& digger) : digger_(digger) {
+        socket_.connect(service.endpoint());
+        socket_.set_option(asio::ip::tcp::no_delay(true));
+        say({{"type", "hello"}, {"version", 1}, {"machine", machine}, {"answers", "none"}});
+        say({{"type", "configuration"}, {"configuration", "a"}, {"active", {"BO"}}});
+    }
+
+    /// The first alarm that the movement raises.
+    std::optional<std::string> move(const PlantFault& fault, double compliance_factor, std::uint64_t number) {
+        const Record movement = digger_.movement(fault, compliance_factor, number);
+        for (std::size_t i = 0; i < movement.size(); ++i)
+            tell(digger_.sample(movement, i, next_s_));
+        next_s_ += movement.time_s.back() + 2.5;
+        tell(digger_.sample(movement, 0, next_s_));
+        next_s_ += 2.5;
+        say({{"type", "ping"}});
+        std::optional<std::string> first;
+        for (json::object answer = hear(); answer.at("type") != "pong"; answer = hear()) {
+            REQUIRE(answer.at("type") != "error");
+            if (!first && answer.at("type") == "alarm" && answer.at("state") == "raised")
+                first = answer.at("alarm").as_string();
+        }
+        return first;
+    }
+
+private:
+    void tell(const ExcavatorSample& sample) {
+        say({{"type", "sample"},
+             {"time_s", sample.time_s},
+             {"links", {{"BO", reading_json(*sample.links[index_of(Link::boom)])}}}});
+    }
+    void say(const json::object& message) { asio::write(socket_, asio::buffer(json::serialize(message) + "\n")); }
+    json::object hear() {
+        asio::read_until(socket_, incoming_, '\n');
+        std::istream in(&incoming_);
+        std::string line;
+        std::getline(in, line);
+        return json::parse(line).as_object();
+    }
+
+    asio::io_context io_;
+    asio::ip::tcp::socket socket_{io_};
+    asio::streambuf incoming_;
+    const Digger& digger_;
+    double next_s_ = 0;
+};
+
+struct TestedKind {
+    RecordSource source;
+    AreasFrom from;
+};
+
+/// Of so many machines.
+struct Said {
+    std::size_t machines = 0, found = 0, called = 0;
+
+    double found_percent() const { return 100.0 * static_cast<double>(found) / static_cast<double>(machines); }
+    double called_percent() const { return 100.0 * static_cast<double>(called) / static_cast<double>(found); }
+};
+
+Said watch(const TestedKind& kind, const TestedFault& fault, std::size_t movements, std::size_t machines,
+           std::uint64_t first_seed) {
+    Said said{machines};
+    const RunningService service;
+    for (std::uint64_t seed = first_seed; seed < first_seed + machines; ++seed) {
+        const Digger digger(kind.source, kind.from, seed);
+        ControlSystem control(service, fmt::format("digger-{}", seed), digger);
+        const std::size_t sound = fault.from_first_day ? 0 : 3;
+        for (std::size_t i = 0; i < sound; ++i)
+            CHECK_FALSE(control.move(no_fault(), 1, i));
+        std::optional<std::string> alarm;
+        for (std::size_t i = 0; i < movements && !alarm; ++i)
+            alarm = control.move(fault.fault, fault.compliance_factor, sound + i);
+        said.found += alarm.has_value();
+        said.called += alarm == std::string(name_of(fault.called));
+    }
+    return said;
+}
+
+void check_said(const TestedKind& kind, std::size_t machines, std::uint64_t first_seed) {
+    const std::string plant = fmt::format("{} by {}, {} noise", kind.source.scenario,
+                                          kind.from == AreasFrom::spool ? "spool" : "voltage", kind.source.noise);
+    CAPTURE(plant);
+    const TestedFault sound{no_fault(), 1, AlarmKind{}};
+    CHECK(watch(kind, sound, sound_movements, machines, first_seed).found_percent() <= 1);
+    for (const TestedFault& fault : tested_faults(kind.from)) {
+        const Said said = watch(kind, fault, faulty_movements, machines, first_seed);
+        MESSAGE(plant, ", ", std::string(fault.fault.name), ": found in ", said.found, " of ", said.machines,
+                ", called so in ", said.called);
+        CHECK(said.found_percent() >= fault.least_found);
+        CHECK(said.called_percent() >= fault.least_called);
+    }
+}
+
+} // namespace
+
+TEST_CASE("what the monitor says over its socket is so: some machines of either plant") {
+    check_said({{"scenario-a", "high", false}, AreasFrom::spool}, 2, 31'000);
+    check_said({{"excavator", "mid", true}, AreasFrom::spool}, 2, 32'000);
+    check_said({{"excavator", "low", true}, AreasFrom::servo}, 2, 33'000);
+}
+
+// Most of an hour: ctest -C studies -R studies/verdicts
+TEST_CASE("what the monitor says over its socket is so: 200 machines of each fault" * doctest::skip()) {
+    for (const char* noise : {"low", "mid", "high"}) {
+        check_said({{"scenario-a", noise, false}, AreasFrom::spool}, 200, 41'000);
+        check_said({{"excavator", noise, true}, AreasFrom::spool}, 200, 42'000);
+        check_said({{"excavator", noise, true}, AreasFrom::servo}, 200, 43'000);
+    }
+}

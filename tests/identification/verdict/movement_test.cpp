@@ -1,0 +1,72 @@
+#include "identification/verdict/movement.hpp"
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+
+using namespace placedpar;
+using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
+
+namespace {
+
+JunctionSamples boom_at(double psi, bool open) { return {{psi, 0, open ? 30.0 : 0.0, open ? 0.09 : 0.0, 0.03}}; }
+
+class Stream {
+public:
+    /// Counts the movements that end.
+    std::size_t feed(std::size_t samples, bool open) {
+        std::size_t over = 0;
+        for (std::size_t i = 0; i < samples; ++i)
+            if (movement.take(circuit, fitted_flow_constants(), boom_at(++psi, open))) {
+                ++over;
+                last = movement.finish();
+            }
+        return over;
+    }
+    Movement movement;
+    MovementSamples last;
+    Circuit circuit = boom_circuit();
+    double psi = 1000;
+};
+
+} // namespace
+
+TEST_CASE("a movement: the rest before it, and what moves, without the slopes that reach over opening and closing") {
+    Stream stream;
+    CHECK(stream.feed(20, false) == 0);
+    CHECK(stream.feed(30, true) == 0);
+    CHECK(stream.feed(2, false) == 0);
+    CHECK(stream.feed(1, false) == 1);
+    REQUIRE(stream.last.at_rest.size() == 17);
+    CHECK(stream.last.at_rest.front()[0].inlet_psi == 1001);
+    CHECK(stream.last.at_rest.back()[0].inlet_psi == 1017);
+    REQUIRE(stream.last.moving.size() == 25); // of 30, 3 after the opening and 2 before the closing left out
+    CHECK(stream.last.moving.front()[0].inlet_psi == 1024);
+    CHECK_FALSE(stream.movement.under_way());
+}
+
+TEST_CASE("a valve that shuts for a sample or two goes on") {
+    Stream stream;
+    stream.feed(10, true);
+    CHECK(stream.feed(2, false) == 0);
+    CHECK(stream.feed(10, true) == 0);
+    CHECK(stream.feed(3, false) == 1);
+    CHECK(stream.last.moving.size() == 15);
+    CHECK(stream.last.at_rest.empty());
+}
+
+TEST_CASE("memory is bounded: of a rest its end, a long movement in parts") {
+    Stream stream;
+    stream.feed(1000, false);
+    CHECK(stream.movement.state().samples.at_rest.size() == Movement::most_at_rest);
+    CHECK(stream.feed(1000, true) == 4);
+    CHECK(stream.last.moving.size() == Movement::most_moving);
+}
+
+TEST_CASE("pumps that cannot reach the pressure move nothing") {
+    Stream stream;
+    stream.psi = 4600; // above the relief valve
+    stream.feed(30, true);
+    CHECK_FALSE(stream.movement.under_way());
+}

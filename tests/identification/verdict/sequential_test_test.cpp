@@ -1,0 +1,84 @@
+#include "identification/verdict/sequential_test.hpp"
+
+#include "runtime/random.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace placedpar;
+using namespace placedpar::identification;
+
+namespace {
+
+Deviation seen(double compliance, double leak, double offset, double error) {
+    return {{compliance, leak, offset}, Eigen::Matrix3d::Identity() * error * error};
+}
+
+std::size_t movements_until_raised(const Deviation& each, std::size_t most = 100) {
+    SequentialTest test;
+    for (std::size_t i = 1; i <= most; ++i) {
+        test.take(each, {});
+        if (test.raised())
+            return i;
+    }
+    return 0;
+}
+
+} // namespace
+
+TEST_CASE("one movement is never enough, two are where it is plain") {
+    CHECK(movements_until_raised(seen(1, 0, 0, 0.01)) == 2);
+    CHECK(movements_until_raised(seen(5, 0, 0, 0.01)) == 2);
+    CHECK(movements_until_raised(seen(0, 0, -1, 0.01)) == 2);
+}
+
+TEST_CASE("the more noise, the more movements: a unit adds half of the information") {
+    // (1 - 1/2) / (s^2 + what does not repeat) a movement.
+    for (double error : {0.5, 1.0, 2.0}) {
+        double each = 0.5 / (error * error + repeats_within * repeats_within);
+        CHECK(movements_until_raised(seen(1, 0, 0, error)) ==
+              static_cast<std::size_t>(std::ceil(SequentialTest::raised_at / each)));
+    }
+}
+
+TEST_CASE("less than half a unit, and a leak that gives, are not suspected") {
+    CHECK(movements_until_raised(seen(0.49, 0, 0, 0.1)) == 0);
+    CHECK(movements_until_raised(seen(0, -1, 0, 0.1)) == 0);
+}
+
+TEST_CASE("raised once, it is cleared by three movements that are sound, and not before") {
+    SequentialTest test;
+    for (int i = 0; i < 50; ++i)
+        test.take(seen(1, 0, 0, 0.1), {});
+    test.take(seen(0, 0, 0, 0.1), {});
+    test.take(seen(0, 0, 0, 0.1), {});
+    CHECK(test.raised());
+    test.take(seen(0, 0, 0, 0.1), {});
+    CHECK_FALSE(test.raised());
+    test.take(seen(1, 0, 0, 0.1), {});
+    CHECK_FALSE(test.raised()); // a single one
+    CHECK(test.state().movements == 1);
+}
+
+TEST_CASE("errors as large as is said of them: hardly a false alarm") {
+    RandomStream random(1, "movements");
+    auto normal = [&] {
+        double sum = -6;
+        for (int i = 0; i < 12; ++i)
+            sum += random.uniform();
+        return sum;
+    };
+    int raised = 0;
+    for (int machine = 0; machine < 500; ++machine) {
+        SequentialTest test;
+        bool ever = false;
+        for (int movement = 0; movement < 20; ++movement) {
+            test.take(seen(0.5 * normal(), 0.5 * normal(), 0.5 * normal(), 0.5), {});
+            ever = ever || test.raised();
+        }
+        raised += ever;
+    }
+    MESSAGE(raised, " of 500 raised");
+    CHECK(raised <= 10);
+}

@@ -1,0 +1,100 @@
+#include "identification/verdict/verdict.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+using namespace placedpar::identification;
+using placedpar::hydraulics::AreasFrom;
+
+namespace {
+
+Deviation off_by(double compliance, double leak, double offset, double error = 0.2) {
+    return {{compliance, leak, offset}, Eigen::Matrix3d::Identity() * error * error};
+}
+
+Verdict after(std::initializer_list<Deviation> movements, AreasFrom valve = AreasFrom::spool) {
+    LinkJudge judge;
+    for (const Deviation& each : movements)
+        judge.take(each, valve);
+    return judge.verdict();
+}
+
+const Deviation in_health = off_by(0, 0, 0);
+
+} // namespace
+
+TEST_CASE("the way that explains a deviation best, and how surely") {
+    CHECK(verdict_of(off_by(1, 0, 0), true, AreasFrom::spool).kind == VerdictKind::compliance);
+    CHECK(verdict_of(off_by(-1, 0, 0), true, AreasFrom::spool).kind == VerdictKind::compliance);
+    CHECK(verdict_of(off_by(0, 1, 0), true, AreasFrom::spool).kind == VerdictKind::leak);
+    CHECK(verdict_of(off_by(0, 0, -1), true, AreasFrom::spool).kind == VerdictKind::offset);
+    CHECK(verdict_of(off_by(0, 0, -1), true, AreasFrom::servo).kind == VerdictKind::drift);
+    CHECK(verdict_of(off_by(0.01, -1, 0.02), true, AreasFrom::spool).kind != VerdictKind::leak); // a leak takes only
+    CHECK(verdict_of(off_by(0, 1, 0, 0.1), true, AreasFrom::spool).probability > 0.999);
+    CHECK(verdict_of(off_by(0, 1, 0, 1), true, AreasFrom::spool).probability < 0.6);
+    // As well one as the other.
+    CHECK(verdict_of(off_by(1, 1, 0, 0.1), true, AreasFrom::spool).probability == doctest::Approx(0.5).epsilon(0.01));
+}
+
+TEST_CASE("how sure it is that a link is sound") {
+    auto sound = [](const Deviation& mean, AreasFrom valve = AreasFrom::spool) {
+        Verdict verdict = verdict_of(mean, false, valve);
+        CHECK(verdict.kind == VerdictKind::sound);
+        return verdict.probability;
+    };
+    CHECK(sound(off_by(0, 0, 0, 0.1)) > 0.99);
+    CHECK(sound(off_by(0.3, 0, 0, 0.3)) > 0.7);
+    CHECK(sound(off_by(0.6, 0, 0, 0.3)) < 0.5);
+    // Nothing is known: as likely as any of the five suspicions.
+    CHECK(sound(off_by(0, 0, 0, 100)) == doctest::Approx(1.0 / 6).epsilon(0.01));
+    // Areas that are read have no offset, whatever the prior leaves open.
+    Deviation areas = off_by(0, 0, 0, 0.1);
+    areas.covariance(2, 2) = 100;
+    CHECK(sound(areas, AreasFrom::areas) > 0.99);
+    CHECK(sound(areas) < 0.5);
+    CHECK(how_sure(0.874) == "87 % sure");
+    CHECK(how_sure(1) == "more than 99 % sure");
+}
+
+TEST_CASE("correlated errors are seen through: a leak along the line on which leak and offset look alike") {
+    Deviation leak = off_by(0, 1, 0);
+    leak.covariance(1, 2) = leak.covariance(2, 1) = -0.039; // nearly one line
+    leak.by = {0, 1, 0.02};
+    CHECK(verdict_of(leak, true, AreasFrom::spool).kind == VerdictKind::leak);
+}
+
+TEST_CASE("three movements are the baseline; a link is compared with itself") {
+    CHECK(after({}).kind == VerdictKind::not_enough_evidence);
+    CHECK(after({in_health, in_health, in_health}).kind == VerdictKind::not_enough_evidence);
+    CHECK(after({in_health, in_health, in_health, in_health}).kind == VerdictKind::sound);
+    const Deviation other = off_by(0.8, 0, 0); // within what machines of a kind differ by
+    CHECK(after({other, other, other, other, other}).kind == VerdictKind::sound);
+    const Deviation more = off_by(1.8, 0, 0);
+    CHECK(after({other, other, other, more, more, more}).kind == VerdictKind::compliance);
+}
+
+TEST_CASE("wrong from its first day: compared with its kind, before there is a baseline") {
+    const Deviation leak = off_by(0, 2, 0);
+    CHECK(after({leak}).kind == VerdictKind::not_enough_evidence);
+    CHECK(after({leak, leak}).kind == VerdictKind::leak);
+    CHECK(after({leak, leak, leak, leak, leak, leak}).kind == VerdictKind::leak);
+}
+
+TEST_CASE("impossible readings are the sensor's, until a movement makes sense") {
+    LinkJudge judge;
+    judge.note_impossible();
+    CHECK(judge.verdict().kind == VerdictKind::sensor);
+    judge.take(off_by(9, 9, 9), AreasFrom::spool);
+    CHECK(judge.verdict().kind == VerdictKind::sensor);
+    CHECK(judge.state().first.empty()); // it is no evidence
+    judge.take(in_health, AreasFrom::spool);
+    CHECK(judge.verdict().kind == VerdictKind::not_enough_evidence);
+}
+
+TEST_CASE("another way to know the valve begins anew") {
+    LinkJudge judge;
+    for (int i = 0; i < 4; ++i)
+        judge.take(in_health, AreasFrom::spool);
+    judge.take(off_by(0, 0, 1), AreasFrom::servo);
+    CHECK(judge.state().first.size() == 1);
+}

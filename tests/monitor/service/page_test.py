@@ -1,0 +1,188 @@
+"""What browsers, Prometheus and systemd are shown; in a browser, where one is installed."""
+
+import base64
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import unittest
+import urllib.error
+import urllib.request
+
+import firefox
+from service import CONFIGURATION, SECONDS, ServiceTest, move_softly
+
+TOKEN = "correct-horse-battery"
+FIREFOX = shutil.which("firefox") or shutil.which("firefox-esr")
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
+
+
+class Page(ServiceTest):
+    def fetch(self, service, path, method="GET", **headers):
+        """Status, headers and text."""
+        request = urllib.request.Request(service.page + path, method=method, headers=headers)
+        try:
+            with urllib.request.urlopen(request, timeout=SECONDS) as answer:
+                return answer.status, answer.headers, answer.read().decode()
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code, error.headers, error.read().decode()
+
+    def busy(self, *options, machine="digger"):
+        """A service with a machine that has moved three times, and raised an alarm."""
+        service = self.service("--http", 0, *options)
+        client = self.client(service, machine)
+        client.ask(**CONFIGURATION)
+        self.assertIn("alarm", [said["type"] for said in move_softly(client)])
+        client.ask(**{**CONFIGURATION, "configuration": "b"})  # ends the last of them
+        return service, client
+
+    def test_what_the_page_asks(self):
+        service, client = self.busy("--state", self.folder / "state")
+        code, headers, page = self.fetch(service, "")
+        self.assertEqual((code, headers["Content-Type"]), (200, "text/html; charset=utf-8"))
+        self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+        self.assertEqual(re.findall(r"(?:src|href)=\"(?!data:)|@import|https?://(?!www.w3.org/2000/svg)", page), [])
+        sight = json.loads(self.fetch(service, "sight")[2])
+        machine, = sight["machines"]
+        self.assertEqual((machine["machine"], machine["samples"], sight["kept"]), ("digger", 120, True))
+        self.assertLess(abs(machine["estimates"][0]["settled"] / 0.0086 - 1), 0.05)
+        self.assertEqual({alarm["machine"] for alarm in sight["alarms"]}, {"digger"})
+        history = json.loads(self.fetch(service, "history?machine=digger")[2])
+        self.assertEqual(len(history["estimates"]), 3)
+        for each in history["estimates"]:  # the standard error of each, the first not left out
+            self.assertGreater(each["error"], 0)
+        self.assertEqual([(said["link"], said["sure"]) for said in machine["verdicts"]], [("BO", "more than 99 % sure")])
+        self.assertGreaterEqual(len(history["alarms"]), 1)
+        self.assertEqual(json.loads(self.fetch(service, "history?machine=none")[2]), {"estimates": [], "alarms": []})
+        client.send(type="ping")
+        self.assertEqual(client.receive_type("pong"), {"type": "pong"})
+
+    def test_metrics(self):
+        service, client = self.busy()
+        code, headers, text = self.fetch(service, "metrics")
+        self.assertEqual((code, headers["Content-Type"]), (200, "text/plain; version=0.0.4; charset=utf-8"))
+        name, labels = r"[a-z][a-z0-9_]*", r'\{(?:[a-z]+="[^"\\\n]*",?)+\}'
+        for line in text.splitlines():
+            self.assertRegex(line, rf"^(?:# HELP {name} .+|# TYPE {name} (?:gauge|counter)|"
+                                   rf"{name}(?:{labels})? -?[0-9.]+(?:e[+-]?[0-9]+)?)$")
+        self.assertIn("\nplacedpar_monitor_samples_total 120\n", text)
+        self.assertIn("\nplacedpar_monitor_kept 1\n", text)
+        self.assertRegex(text, r'placedpar_monitor_alarm\{machine="digger",alarm="\w+",links="BO",acknowledged="no"\} 1')
+        self.assertRegex(text, r'compliance_in3_per_psi\{machine="digger",set="P1b",link="BO"\} 0.008')
+        client.send(type="ping")
+        self.assertEqual(client.receive_type("pong"), {"type": "pong"})
+
+    def test_health(self):
+        service = self.service("--http", 0, "--state", self.folder / "state")
+        self.assertEqual(self.fetch(service, "healthz")[::2], (200, "ok\n"))
+        client = self.client(service, "digger")
+        service.fill_disk(1)
+        client.send(**CONFIGURATION)
+        client.receive_type("kept")
+        code, _, text = self.fetch(service, "healthz")
+        self.assertEqual(code, 503)
+        self.assertIn("not kept: ", text)
+
+    def test_nothing_can_be_changed_and_nonsense_is_answered(self):
+        service = self.service("--http", 0)
+        for method in ("POST", "PUT", "DELETE", "OPTIONS"):
+            self.assertEqual(self.fetch(service, "sight", method)[0], 405)
+        self.assertEqual(self.fetch(service, "sight", "HEAD")[0], 200)
+        self.assertEqual(self.fetch(service, "passwd")[0], 404)
+        self.assertEqual(self.fetch(service, "history")[0], 400)
+        port = int(re.search(r":(\d+)/", service.page)[1])
+        for rubbish in (b"\0\1\2\r\n\r\n", b"GET / HTTP/1.1\r\nX: " + b"x" * 100000, b"{\"type\":\"ping\"}\n\n",
+                        b"POST / HTTP/1.1\r\nContent-Length: 1000000000\r\n\r\n"):
+            with socket.create_connection(("127.0.0.1", port), SECONDS) as raw:
+                try:
+                    raw.sendall(rubbish)
+                    while raw.recv(4096):
+                        pass
+                except OSError:
+                    pass  # it has been closed
+        half = [socket.create_connection(("127.0.0.1", port), SECONDS) for _ in range(40)]
+        self.assertEqual(self.fetch(service, "healthz")[0], 200)
+        for each in half:
+            each.close()
+        self.assertEqual(self.client(service).ask(type="ping")["type"], "pong")
+
+    def test_the_token_is_wanted_there_too(self):
+        token = self.folder / "token"
+        token.write_text(TOKEN)
+        token.chmod(0o600)
+        self.assertIn("--token-file FILE", self.refusal("--address", "0.0.0.0", "--unix", self.folder / "s", "--http", 0))
+        service = self.service("--http", 0, "--token-file", token)
+        for path in ("", "sight", "metrics", "history?machine=x"):
+            code, headers, _ = self.fetch(service, path)
+            self.assertEqual((code, headers["WWW-Authenticate"]), (401, 'Basic realm="placedpar monitor", Bearer'))
+            for said, wanted in ((TOKEN, 200), (TOKEN[:-1] + "x", 401), ("", 401)):
+                self.assertEqual(self.fetch(service, path, Authorization="Bearer " + said)[0], wanted)
+                basic = base64.b64encode(f"anybody:{said}".encode()).decode()
+                self.assertEqual(self.fetch(service, path, Authorization="Basic " + basic)[0], wanted)
+        self.assertEqual(self.fetch(service, "healthz")[0], 200)
+        self.assertEqual(self.fetch(service, "sight", Authorization="bearer " + TOKEN)[0], 200)
+
+    def test_each_wrong_token_costs_a_connection_and_is_in_the_log(self):
+        token = self.folder / "token"
+        token.write_text(TOKEN)
+        token.chmod(0o600)
+        service = self.service("--http", 0, "--token-file", token)
+        address = "127.0.0.1", int(re.search(r":(\d+)/", service.page)[1])
+        with socket.create_connection(address, SECONDS) as raw:
+            raw.sendall(b"GET /sight HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer wrong-horse-battery\r\n\r\n" * 3)
+            answers = b"".join(iter(lambda: raw.recv(4096), b""))
+        self.assertEqual(answers.count(b"HTTP/1.1 401"), 1)
+        self.assertRegex(service.stop()[1], r"Z placedpar monitor: 127.0.0.1 port \d+ has said a wrong token\n")
+
+    def test_no_peer_takes_the_whole_page(self):
+        service = self.service("--http", 0)
+        address = "127.0.0.1", int(re.search(r":(\d+)/", service.page)[1])
+        idle = [socket.create_connection(address, SECONDS, ("127.0.0.2", 0)) for _ in range(300)]
+        self.assertEqual(self.fetch(service, "healthz")[0], 200)
+        for each in idle:
+            each.close()
+
+    @unittest.skipUnless(BROWSER, "no Chromium")
+    def test_in_a_browser(self):
+        service, _ = self.busy("--state", self.folder / "state")
+        done = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=5000",
+                               f"--user-data-dir={self.folder / 'browser'}", "--dump-dom", service.page],
+                              capture_output=True, text=True, timeout=SECONDS, check=True)
+        self.assertIn('<span class="good">all is kept</span>', done.stdout)
+        self.assertIn("BO by P1b", done.stdout)
+        self.assertEqual(done.stdout.count("<circle "), 4)  # three transients, and the legend's mark
+        self.assertRegex(done.stdout, r'<td><span class="alarm">\w+</span></td><td>BO</td>')
+        self.assertRegex(done.stdout, r"<td>BO \w+, more than 99 % sure</td>")
+
+    @unittest.skipUnless(FIREFOX, "no Firefox")
+    def test_in_another_browser(self):
+        service, _ = self.busy("--state", self.folder / "state")
+        page = firefox.page_in(FIREFOX, self.folder, service.page, "BO by P1b")
+        self.assertIn('<span class="good">all is kept</span>', page)
+        self.assertEqual(page.count("<circle "), 4)
+        self.assertRegex(page, r"<td>BO \w+, more than 99 % sure</td>")
+
+    def test_systemd_is_told(self):
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as systemd:
+            systemd.bind(str(self.folder / "notify"))
+            systemd.settimeout(SECONDS)
+            os.environ["NOTIFY_SOCKET"] = str(self.folder / "notify")
+            self.addCleanup(os.environ.pop, "NOTIFY_SOCKET")
+            service = self.service()
+            self.assertEqual(systemd.recv(100), b"READY=1")
+            self.assertEqual(systemd.recv(100), b"WATCHDOG=1")
+            self.assertEqual(systemd.recv(100), b"WATCHDOG=1")
+            service.process.send_signal(signal.SIGTERM)
+            said = systemd.recv(100)
+            while said == b"WATCHDOG=1":
+                said = systemd.recv(100)
+            self.assertEqual(said, b"STOPPING=1")
+            self.assertEqual(service.stop()[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

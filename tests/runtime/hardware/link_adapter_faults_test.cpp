@@ -1,0 +1,178 @@
+// Faults of links beside adapters, and messages that are given up there.
+
+#include "runtime/channel.hpp"
+#include "runtime/hardware/link_adapter.hpp"
+#include "runtime/random.hpp"
+#include "runtime/recovery.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "tests/runtime/hardware/adapter_host.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using test::Host;
+using test::Octets;
+
+namespace {
+
+/// Messages of random lengths both ways by an adapter, with what their receivers got.
+struct BothWays {
+    explicit BothWays(std::uint64_t seed) {
+        RandomStream random(seed, "messages");
+        down.put_on(host.driver.to_link());
+        up.put_on(host.driver.from_link());
+        for (auto [c, from, to, got] :
+             {std::tuple(&down, static_cast<Executive*>(&host.sun), static_cast<Executive*>(&host.t800), &came_down),
+              std::tuple(&up, static_cast<Executive*>(&host.t800), static_cast<Executive*>(&host.sun), &came_up)}) {
+            std::vector<Octets> messages;
+            for (std::uint8_t n = 0; n < 5; ++n)
+                messages.emplace_back(random.below(60), n);
+            host.simulation.process(
+                c->name() + " out", {c->out()},
+                [c = c, messages] {
+                    for (const Octets& each : messages)
+                        c->out().output(each);
+                },
+                from);
+            host.simulation.process(
+                c->name() + " in", {c->in()},
+                [c = c, got = got] {
+                    for (int n = 0; n < 5; ++n)
+                        got->push_back(c->in().input());
+                },
+                to);
+        }
+    }
+
+    Host host;
+    Channel<Octets> down{"down"}, up{"up"};
+    std::vector<Octets> came_down, came_up;
+};
+
+bool is_beginning(const std::vector<Octets>& whole, const std::vector<Octets>& part) {
+    return part.size() <= whole.size() && std::equal(part.begin(), part.end(), whole.begin());
+}
+
+LinkFault random_fault(Time duration, RandomStream& random) {
+    auto moment = [&] {
+        return Time{static_cast<std::int64_t>(random.uniform() * static_cast<double>(duration.count()))};
+    };
+    using Kind = LinkFault::Kind;
+    LinkFault fault{.kind = std::array{Kind::silent, Kind::loses_acknowledge, Kind::slow}[random.below(3)],
+                    .from = moment()};
+    if (fault.kind != Kind::loses_acknowledge && random.below(2) == 0)
+        fault.until = later(later(fault.from, Time{1}), moment());
+    fault.wire_from_a = fault.kind == Kind::slow || random.below(2) == 0;
+    fault.wire_from_b = fault.kind == Kind::slow || !fault.wire_from_a || random.below(2) == 0;
+    fault.factor = fault.kind == Kind::slow ? 1 + random.below(100) : 1;
+    return fault;
+}
+
+} // namespace
+
+TEST_CASE("a fault beside an adapter: a slow link only slows; what is lost ends in a deadlock and is reported") {
+    std::size_t stuck = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        CAPTURE(seed);
+        BothWays sound(seed), struck(seed);
+        RunResult without = sound.host.simulation.run();
+        REQUIRE(without.ending == Ending::completed);
+        RandomStream random(seed, "fault");
+        LinkFault fault = random_fault(without.time, random);
+        const FaultEffect& effect = struck.host.link.suffer(fault);
+        RunResult result = struck.host.simulation.run();
+        CHECK(is_beginning(sound.came_down, struck.came_down));
+        CHECK(is_beginning(sound.came_up, struck.came_up));
+        bool all = struck.came_down.size() + struck.came_up.size() == 10;
+        if (fault.kind == LinkFault::Kind::slow)
+            CHECK(result.ending == Ending::completed);
+        CHECK((all || effect.last.has_value()));
+        CHECK(effect.bytes_lost + effect.acknowledges_lost <= (fault.kind == LinkFault::Kind::silent ? 2 : 1));
+        if (effect.first) {
+            CHECK((effect.first->channel == "down" || effect.first->channel == "up"));
+            CHECK(effect.first->byte >= 1);
+            CHECK(effect.first->byte <= 4 + 60);
+        }
+        if (result.ending == Ending::completed)
+            CHECK(all);
+        else
+            CHECK(result.ending == Ending::stuck);
+        stuck += result.ending == Ending::stuck;
+    }
+    CHECK(stuck > 20);
+}
+
+TEST_CASE("messages by an adapter can be given up at either end, and the next ones come") {
+    struct Numbered {
+        int number;
+        char bytes[12];
+    };
+    constexpr int count = 40;
+    std::size_t lost_some = 0;
+    for (bool down : {true, false})
+        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+            CAPTURE(down);
+            CAPTURE(seed);
+            Host host(1 + static_cast<std::int64_t>(seed % 40)); // polls in vain before it sleeps
+            RandomStream random(seed, "fault");
+            LinkFault fault = random_fault(milliseconds{3}, random);
+            host.link.suffer(fault);
+            Channel<Numbered> c("c", down ? host.driver.to_link() : host.driver.from_link());
+            std::vector<int> gone, came;
+            auto patience = [&random] { return microseconds{300 + random.below(900)}; };
+            host.simulation.process(
+                "outputs",
+                [&] {
+                    for (int n = 0; n < count; ++n)
+                        if (output_or_fail(c.out(), Numbered{n, {}}, later(now(), patience())))
+                            gone.push_back(n);
+                        else
+                            CHECK(reset(c.out()) <= sizeof(Numbered));
+                },
+                down ? static_cast<Executive*>(&host.sun) : &host.t800);
+            host.simulation.process(
+                "inputs",
+                [&] {
+                    Numbered message{-1, {}};
+                    for (int in_vain = 0; in_vain < 60 && message.number < count - 1;)
+                        if (input_or_fail(c.in(), message, later(now(), patience()))) {
+                            came.push_back(message.number);
+                            in_vain = 0;
+                        } else {
+                            CHECK(reset(c.in()) <= sizeof(Numbered));
+                            ++in_vain;
+                        }
+                },
+                down ? static_cast<Executive*>(&host.t800) : &host.sun);
+            CHECK(host.simulation.run().ending == Ending::completed);
+            CHECK(std::is_sorted(came.begin(), came.end()));
+            CHECK(std::adjacent_find(came.begin(), came.end()) == came.end());
+            CHECK(std::includes(came.begin(), came.end(), gone.begin(), gone.end()));
+            if (fault.kind == LinkFault::Kind::loses_acknowledge)
+                CHECK(came.size() >= count / 2);
+            lost_some += came.size() < count;
+        }
+    CHECK(lost_some > 30);
+}
+
+TEST_CASE("what is broadcast cannot be given up") {
+    Host host;
+    auto& all = host.simulation.add<AdapterBroadcast>(std::vector{&host.driver});
+    Channel<int> c("c");
+    all.carry(c, 0);
+    host.simulation.process(
+        "host", [&] { output_or_fail(c.out(), 1, Time{milliseconds{1}}); }, &host.sun);
+    CHECK_THROWS_WITH_AS(host.simulation.run(),
+                         "channel c is broadcast with others: it cannot give up a message, nor be reset",
+                         std::logic_error);
+}
