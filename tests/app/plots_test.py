@@ -16,7 +16,7 @@ PLOTS = {
                                   "an order of magnitude"]},
     "figures-2-8-2-9": {"figures-2-8-2-9": ["Figure 2.8: compliance C", "Figure 2.9: compliance 4 C", "C", "4 C",
                                             "desired"],
-                        "pole-loci": ["real pole", "pair", "at C", "at 4 C", "at 6 C", "at 7 C", "limit of stability"]},
+                        "pole-loci": ["real pole ← to -49", "pair", "at C", "at 4 C", "at 6 C", "at 7 C", "limit of stability"]},
     "schemata": {"schemata": ["rates .8 and .01", "no crossover", "reproduction alone", "the bound"]},
     "hypercube": {"figure-6-2": ["12", "1100", "5", "0101", "15", "1111"],
                   "figure-6-3": ["0 new of 0", "2 new of 2", "4 new of 6", "6 new of 14", "possible offspring"]},
