@@ -68,6 +68,15 @@ struct NamedPolicy {
 /// or no text of the form "name", "name(2)", "name(number = 2, 3.5)".
 NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known);
 
+/// The numbers that a policy or a problem states; none where it states nothing.
+template <class Policy>
+constexpr auto stated_numbers() {
+    if constexpr (requires { Policy::numbers(); })
+        return Policy::numbers();
+    else
+        return std::tuple<>();
+}
+
 template <class Policy>
 PolicyDescription describe_policy() {
     auto describe = [](const auto& number) {
@@ -80,7 +89,7 @@ PolicyDescription describe_policy() {
         return std::vector<PolicyNumberDescription>{describe(number)...};
     };
     PolicyDescription described{std::string(Policy::name), std::string(Policy::about),
-                                std::apply(describe_all, Policy::numbers())};
+                                std::apply(describe_all, stated_numbers<Policy>())};
     if constexpr (requires { Policy::source; })
         described.source = Policy::source;
     return described;
@@ -91,7 +100,7 @@ std::vector<double> numbers_of(const Policy& policy) {
     auto values = [&](const auto&... number) {
         return std::vector<double>{static_cast<double>(policy.*number.member)...};
     };
-    return std::apply(values, Policy::numbers());
+    return std::apply(values, stated_numbers<Policy>());
 }
 
 /// REQUIRES: as many values as it has numbers.
@@ -103,7 +112,7 @@ Policy make_policy(const std::vector<double>& values) {
         auto& member = policy.*number.member;
         member = static_cast<std::remove_reference_t<decltype(member)>>(*value++);
     };
-    std::apply([&](const auto&... number) { (set(number), ...); }, Policy::numbers());
+    std::apply([&](const auto&... number) { (set(number), ...); }, stated_numbers<Policy>());
     return policy;
 }
 
@@ -123,7 +132,7 @@ public:
         return std::visit(print, policy_);
     }
     bool has_numbers() const {
-        auto any = [](const auto& policy) { return std::tuple_size_v<decltype(policy.numbers())> > 0; };
+        auto any = []<class Policy>(const Policy&) { return std::tuple_size_v<decltype(stated_numbers<Policy>())> > 0; };
         return std::visit(any, policy_);
     }
     static std::vector<PolicyDescription> descriptions() { return {describe_policy<Policies>()...}; }
