@@ -27,7 +27,7 @@ struct ExplainOptions {
 };
 
 /// What --set says holds in the changed netlists too. Their warnings have been shown.
-Reading reading_with(const NetlistOptions& options) {
+ChangedNetlist reading_with(const NetlistOptions& options) {
     return [options](const Overrides& changes) {
         Overrides all = changes;
         all.merge(overrides_of(options.set));
@@ -56,7 +56,7 @@ ExitCode explain(const ExplainOptions& options) {
     }
     Explanation explanation = explain(network, options);
     if (options.what_if && explanation.report.result.ending == Ending::completed) {
-        Reading read = reading_with(options.netlist);
+        ChangedNetlist read = reading_with(options.netlist);
         explanation.answers = try_out(changes_of(network, read), read, options.seed, options.until);
     }
     print_out(print_explanation(explanation, network));

@@ -45,14 +45,14 @@ std::string less(std::int64_t constant, const Factor& factor) {
     return std::to_string(std::llround(static_cast<double>(constant) * share));
 }
 
-std::string base_of(const std::string& name) { return name.substr(0, name.find('[')); }
+std::string array_of(const std::string& name) { return name.substr(0, name.find('[')); }
 
 /// Nodes by what runs on them: "master[]" for an array, and each alone.
 std::map<std::string, std::set<std::size_t>> groups_of(const Network& network) {
     std::map<std::string, std::set<std::size_t>> groups;
     for (const ProcessInstance& process : network.processes)
         if (process.node != nowhere && network.nodes[process.node].attributes.contains("clock"))
-            groups["the processors of " + base_of(process.name)].insert(process.node);
+            groups["the processors of " + array_of(process.name)].insert(process.node);
     for (std::size_t node = 0; node < network.nodes.size(); ++node)
         if (network.nodes[node].attributes.contains("clock")) {
             groups["processor " + network.nodes[node].name] = {node};
@@ -127,7 +127,7 @@ std::map<std::string, std::int64_t> plain_vals(const std::string& text) {
 }
 
 /// Whether the change makes other processes.
-bool replicates(const Network& network, const Change& change, const Reading& read) {
+bool replicates(const Network& network, const Change& change, const ChangedNetlist& read) {
     try {
         return read(change.set).processes.size() != network.processes.size();
     } catch (const UserError&) {
@@ -135,7 +135,7 @@ bool replicates(const Network& network, const Change& change, const Reading& rea
     }
 }
 
-void add_vals(const Network& network, const Reading& read, std::vector<Change>& changes) {
+void add_vals(const Network& network, const ChangedNetlist& read, std::vector<Change>& changes) {
     std::vector<std::string> paths = network.included_paths;
     paths.push_back(network.source_path);
     for (const std::string& path : paths)
@@ -150,7 +150,7 @@ void add_vals(const Network& network, const Reading& read, std::vector<Change>& 
         }
 }
 
-Answer try_out(const Change& change, const Reading& read, std::uint64_t seed, Time until) {
+Answer try_out(const Change& change, const ChangedNetlist& read, std::uint64_t seed, Time until) {
     try {
         RunReport report = run_netlist(read(change.set), known_problems(seed), {.seed = seed, .until = until});
         return {change, report.result.ending, report.result.time};
@@ -161,7 +161,7 @@ Answer try_out(const Change& change, const Reading& read, std::uint64_t seed, Ti
 
 } // namespace
 
-std::vector<Change> changes_of(const Network& network, const Reading& read) {
+std::vector<Change> changes_of(const Network& network, const ChangedNetlist& read) {
     std::vector<Change> changes;
     add_processors(network, changes);
     add_links(network, changes);
@@ -170,7 +170,7 @@ std::vector<Change> changes_of(const Network& network, const Reading& read) {
     return changes;
 }
 
-std::vector<Answer> try_out(const std::vector<Change>& changes, const Reading& read, std::uint64_t seed, Time until) {
+std::vector<Answer> try_out(const std::vector<Change>& changes, const ChangedNetlist& read, std::uint64_t seed, Time until) {
     std::vector<Answer> answers(changes.size());
     std::atomic<std::size_t> next{0};
     auto work = [&] {

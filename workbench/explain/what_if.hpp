@@ -26,14 +26,14 @@ struct Answer {
 };
 
 /// Reads the netlist with these settings. Throws UserError when it is refused. May be called by several threads at once.
-using Reading = std::function<Network(const Overrides&)>;
+using ChangedNetlist = std::function<Network(const Overrides&)>;
 
 /// The changes worth asking about: every processor, all those on which processes of one array run, and the links,
 /// a tenth faster, twice as fast, and as fast as can be said (1 GHz, 1 Gbit/s); constants in cycles or bytes that processes
 /// or processors have, a tenth less, half, none; one more of what the netlist's vals replicate.
-std::vector<Change> changes_of(const Network&, const Reading&);
+std::vector<Change> changes_of(const Network&, const ChangedNetlist&);
 
 /// The changed runs, in parallel on all cores; the shortest first. A change that the netlist refuses is left out.
-std::vector<Answer> try_out(const std::vector<Change>&, const Reading&, std::uint64_t seed, Time until);
+std::vector<Answer> try_out(const std::vector<Change>&, const ChangedNetlist&, std::uint64_t seed, Time until);
 
 } // namespace placedpar
