@@ -12,6 +12,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <filesystem>
 #include <memory>
 
 namespace placedpar {
@@ -31,8 +33,8 @@ ChangedNetlist reading_with(const NetlistOptions& options) {
     return [options](const Overrides& changes) {
         Overrides all = changes;
         all.merge(overrides_of(options.set));
-        return load_network(options.file, all, known_problems(0), [](const std::string&) {},
-                            read_options_of(options.read));
+        return load_network(
+            options.file, all, known_problems(0), [](const std::string&) {}, read_options_of(options.read));
     };
 }
 
@@ -40,28 +42,43 @@ Explanation explain(const Network& network, const ExplainOptions& options) {
     CriticalPath path;
     InterruptedBySignals interruption;
     Explanation explanation;
-    explanation.report = run_netlist(
-        network, known_problems(options.seed),
-        {.seed = options.seed, .until = options.until, .trace = &path, .interruption = &interruption});
+    explanation.report =
+        run_netlist(network, known_problems(options.seed),
+                    {.seed = options.seed, .until = options.until, .trace = &path, .interruption = &interruption});
     explanation.accounts = path.accounts();
     explanation.path = path.parts();
     return explanation;
 }
 
-ExitCode explain(const ExplainOptions& options) {
-    Network network = load_network(options.netlist);
-    if (!options.json.empty()) {
-        require_apart(std::array<std::filesystem::path, 1>{options.json}, options.netlist.file);
-        require_writable(options.json);
-    }
-    Explanation explanation = explain(network, options);
-    if (options.what_if && explanation.report.result.ending == Ending::completed) {
-        ChangedNetlist read = reading_with(options.netlist);
-        explanation.answers = try_out(changes_of(network, read), read, options.seed, options.until);
-    }
-    print_out(print_explanation(explanation, network));
+void require_output(const ExplainOptions& options) {
+    if (options.json.empty())
+        return;
+    require_apart(std::array<std::filesystem::path, 1>{options.json}, options.netlist.file);
+    require_writable(options.json);
+}
+
+void write_output(const Explanation& explanation, const Network& network, const ExplainOptions& options) {
     if (!options.json.empty())
         write_whole(options.json, print_pretty(explanation_json(explanation, network)));
+}
+
+bool asks_what_if(const Explanation& explanation, const ExplainOptions& options) {
+    return options.what_if && explanation.report.result.ending == Ending::completed;
+}
+
+void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options) {
+    ChangedNetlist read = reading_with(options.netlist);
+    explanation.answers = try_out(changes_of(network, read), read, options.seed, options.until);
+}
+
+ExitCode explain(const ExplainOptions& options) {
+    require_output(options);
+    Network network = load_network(options.netlist);
+    Explanation explanation = explain(network, options);
+    if (asks_what_if(explanation, options))
+        add_answers(explanation, network, options);
+    print_out(print_explanation(explanation, network));
+    write_output(explanation, network, options);
     return exit_code_of(explanation.report.result.ending);
 }
 

@@ -236,7 +236,8 @@ std::vector<PathPart> CriticalPath::parts() const {
     }
     std::ranges::reverse(parts);
     if (sum_of(parts) != over_)
-        throw std::logic_error(fmt::format("the critical path lasts {} ps of {}", sum_of(parts).count(), over_.count()));
+        throw std::logic_error(
+            fmt::format("the critical path lasts {} ps of {}", sum_of(parts).count(), over_.count()));
     return parts;
 }
 

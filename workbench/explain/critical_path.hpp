@@ -25,10 +25,10 @@ struct PathPart {
     Time begin, end;     ///< begin < end
 };
 
-/// Finds the critical path of a run while it goes on. For each thing that happens it notes what had to happen before it:
-/// for a message the later one of the two processes to come to the channel, for a turn on a processor who had it until
-/// then, for the end of a PAR its last component. From the end of the run that leads back to its beginning without
-/// a gap, since each thing begins when the one before it ends.
+/// Finds the critical path of a run while it goes on. For each thing that happens it notes what had to happen before
+/// it: for a message the later one of the two processes to come to the channel, for a turn on a processor who had it
+/// until then, for the end of a PAR its last component. From the end of the run that leads back to its beginning
+/// without a gap, since each thing begins when the one before it ends.
 class CriticalPath final : public TraceSink {
 public:
     CriticalPath();
@@ -83,9 +83,9 @@ private:
 
     std::vector<Point> points_;
     std::vector<std::string> subjects_;
-    std::unordered_map<std::string, std::uint32_t> numbers_; ///< of subjects
-    std::map<std::uint32_t, Lane> lanes_;                    ///< of the processes that live, by ordinal
-    std::unordered_map<const Executive*, Number> held_;      ///< what was last done on each
+    std::unordered_map<std::string, std::uint32_t> numbers_;    ///< of subjects
+    std::map<std::uint32_t, Lane> lanes_;                       ///< of the processes that live, by ordinal
+    std::unordered_map<const Executive*, Number> held_;         ///< what was last done on each
     std::map<std::pair<const AnyChannel*, bool>, Number> came_; ///< to an end of a hard channel; true: to output
     Accounts accounts_;
     Number end_ = 0;

@@ -24,18 +24,18 @@ std::size_t width_of_names(const Map& rows, Name name, std::size_t least) {
 std::string print_accounts(const Explanation& explanation) {
     auto name = [](const auto& each) { return each.first; };
     std::size_t width = width_of_names(explanation.accounts, name, 7);
-    std::string out = painted(Paint::heading,
-                              fmt::format("\n{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}  most waited for (ms)\n", "process",
-                                          width, "computing", "communicating", "waiting", "ready", "delayed"));
+    std::string out = painted(
+        Paint::heading, fmt::format("\n{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}  most waited for (ms)\n", "process",
+                                    width, "computing", "communicating", "waiting", "ready", "delayed"));
     for (const auto& [process, account] : explanation.accounts) {
         std::string partner = account.most_waited_for();
-        out += fmt::format("{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}{}\n", process, width,
-                           percent(account.computing, account.life()), percent(account.communicating, account.life()),
-                           percent(account.waiting, account.life()), percent(account.ready, account.life()),
-                           percent(account.delayed, account.life()),
-                           partner.empty() ? ""
-                                           : fmt::format("  {} ({:.3f})", partner,
-                                                         in_milliseconds(account.waiting_for.at(partner))));
+        out += fmt::format(
+            "{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}{}\n", process, width,
+            percent(account.computing, account.life()), percent(account.communicating, account.life()),
+            percent(account.waiting, account.life()), percent(account.ready, account.life()),
+            percent(account.delayed, account.life()),
+            partner.empty() ? ""
+                            : fmt::format("  {} ({:.3f})", partner, in_milliseconds(account.waiting_for.at(partner))));
     }
     return out;
 }
@@ -48,7 +48,8 @@ std::string link_direction(const LinkUse& link) { return link.from + " -> " + li
 
 std::string print_machine(const RunReport& report) {
     std::size_t width = width_of_names(report.links, link_direction, 24);
-    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:>8}  {:>8}\n", "processor, link or bus", width, "busy", "idle"));
+    std::string out = painted(Paint::heading,
+                              fmt::format("\n{:<{}}  {:>8}  {:>8}\n", "processor, link or bus", width, "busy", "idle"));
     for (const ProcessorUse& processor : report.processors)
         out += print_use(processor.name, width, processor.busy, report.result.time);
     for (const LinkUse& link : report.links)
@@ -66,13 +67,16 @@ std::string print_path(const Explanation& explanation) {
     std::vector<PathShare> shares = shares_of(explanation.path);
     for (std::size_t i = 0; i < shares.size(); ++i)
         if (i < most)
-            out += fmt::format("{:>12.6f}  {:>7}  {}{}{}\n", in_milliseconds(shares[i].time), percent(shares[i].time, whole),
-                               name_of(shares[i].step), shares[i].subject.empty() ? "" : ": ", shares[i].subject);
+            out += fmt::format("{:>12.6f}  {:>7}  {}{}{}\n", in_milliseconds(shares[i].time),
+                               percent(shares[i].time, whole), name_of(shares[i].step),
+                               shares[i].subject.empty() ? "" : ": ", shares[i].subject);
         else
             rest += shares[i].time;
     if (rest > Time{0})
-        out += fmt::format("{:>12.6f}  {:>7}  {} more\n", in_milliseconds(rest), percent(rest, whole), shares.size() - most);
-    return out + fmt::format("{:>12.6f}  {:>7}  in all: the run's length to the picosecond\n", in_milliseconds(whole), "100.0 %");
+        out += fmt::format("{:>12.6f}  {:>7}  {} more\n", in_milliseconds(rest), percent(rest, whole),
+                           shares.size() - most);
+    return out + fmt::format("{:>12.6f}  {:>7}  in all: the run's length to the picosecond\n", in_milliseconds(whole),
+                             "100.0 %");
 }
 
 /// Why, as far as the run says it.
@@ -91,7 +95,7 @@ std::string settings(const Overrides& set) {
     return out;
 }
 
-/// Changes that make no difference are only counted.
+/// Changes that make hardly a difference are only counted.
 std::string print_answers(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     if (explanation.answers.empty())
@@ -100,17 +104,21 @@ std::string print_answers(const Explanation& explanation) {
     std::size_t same = 0;
     bool slower = false;
     for (const Answer& answer : explanation.answers) {
-        same += answer.time == whole;
-        slower = slower || answer.time > whole;
-        if (answer.time != whole)
-            out += fmt::format("{:>12.6f}  {:>8}  {}{}  [{}]\n", in_milliseconds(answer.time), percent(whole - answer.time, whole),
-                               answer.change.what, remark(answer, whole), settings(answer.change.set));
+        bool differs = std::chrono::abs(answer.time - whole) >= whole / 1000;
+        same += !differs;
+        slower = slower || (differs && answer.time > whole);
+        if (differs)
+            out += fmt::format("{:>12.6f}  {:>8}  {}{}  [{}]\n", in_milliseconds(answer.time),
+                               percent(whole - answer.time, whole), answer.change.what, remark(answer, whole),
+                               settings(answer.change.set));
     }
     if (same > 0)
-        out += fmt::format("{} more make no difference\n", same);
+        out += fmt::format("{} more make a difference of less than 0.1 %\n", same);
     if (slower)
-        out += "Slower though a part is faster: messages then come in another order, and what has to share a processor or a\n"
-               "link takes turns in another order (Graham's anomaly, Braess's paradox); or more processes share the work.\n";
+        out += "Slower though a part is faster: messages then come in another order, and what has to share a processor "
+               "or a\n"
+               "link takes turns in another order (Graham's anomaly, Braess's paradox); or more processes share the "
+               "work.\n";
     return out;
 }
 
@@ -158,7 +166,7 @@ boost::json::object explanation_json(const Explanation& explanation, const Netwo
     for (const Answer& answer : explanation.answers)
         answers.push_back(answer_json(answer));
     const RunResult& result = explanation.report.result;
-    return {{"netlist", network.source_path}, {"ended", name_of(result.ending)}, {"time_ps", result.time.count()},
+    return {{"netlist", network.source_path},   {"ended", name_of(result.ending)},  {"time_ps", result.time.count()},
             {"processes", std::move(accounts)}, {"critical_path", std::move(path)}, {"what_if", std::move(answers)}};
 }
 

@@ -81,15 +81,12 @@ void add_links(const Network& network, std::vector<Change>& changes) {
             speeds.insert(connection.bits_per_second);
     if (speeds.size() == 1)
         for (const Factor& factor : factors)
-            changes.push_back({fmt::format("all links {}", factor.faster),
-                               {{"linkspeed", faster(*speeds.begin(), factor)}}});
+            changes.push_back(
+                {fmt::format("all links {}", factor.faster), {{"linkspeed", faster(*speeds.begin(), factor)}}});
 }
 
-
-
 bool is_cost(const std::string& name) {
-    return name.find("cycles") != std::string::npos || name.find("bytes") != std::string::npos ||
-           name == "channelcall";
+    return name.find("cycles") != std::string::npos || name.find("bytes") != std::string::npos || name == "channelcall";
 }
 
 /// Of those costs that have the same value wherever they are.
@@ -170,7 +167,8 @@ std::vector<Change> changes_of(const Network& network, const ChangedNetlist& rea
     return changes;
 }
 
-std::vector<Answer> try_out(const std::vector<Change>& changes, const ChangedNetlist& read, std::uint64_t seed, Time until) {
+std::vector<Answer> try_out(const std::vector<Change>& changes, const ChangedNetlist& read, std::uint64_t seed,
+                            Time until) {
     std::vector<Answer> answers(changes.size());
     std::atomic<std::size_t> next{0};
     auto work = [&] {
