@@ -90,6 +90,8 @@ void Kernel::remove(Process& p) {
 }
 
 void Kernel::make_ready(Process& p) {
+    if (trace_)
+        trace_->made_ready(p, now_);
     if (p.executive_)
         p.executive_->make_ready(p);
     else

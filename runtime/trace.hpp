@@ -20,6 +20,9 @@ public:
     virtual void began(const Process&, Time) = 0;
     /// As its activity and awaited_channels() say.
     virtual void waits(const Process&, Time) = 0;
+    /// What it waits for has come, or it has begun: its program goes on when its executive gives it its turn. Not said
+    /// of a process whose PAR has ended, and not when a delay takes no wait.
+    virtual void made_ready(const Process&, Time) {}
     /// The wait is over and its program runs again; activity and awaited_channels() are still those of the wait.
     virtual void goes_on(const Process&, Time) = 0;
     virtual void computes(const Process&, Time) = 0;

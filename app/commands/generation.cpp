@@ -92,7 +92,7 @@ Action declare_generation(CLI::App& command, const std::string&) {
 extern const Command generation_command{
     .name = "generation",
     .about = "Walks through a generation of a genetic algorithm by hand",
-    .place = 12,
+    .place = 13,
     .declare = declare_generation,
 };
 

@@ -166,7 +166,7 @@ namespace placedpar {
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",
-    .place = 9,
+    .place = 10,
     .declare = monitor::declare,
 };
 

@@ -16,7 +16,7 @@ ExitCode print_parameters() {
 extern const Command parameters_command{
     .name = "parameters",
     .about = "Prints the constants of the excavator, as a file for --machine",
-    .place = 8,
+    .place = 9,
     .declare = [](CLI::App&, const std::string&) -> Action { return print_parameters; },
 };
 

@@ -39,6 +39,7 @@ BELOW = {
     "workbench/picture": ["netlist"],
     "workbench/trace": ["netlist"],
     "workbench": ["classics", "gaprocs/processes", "identification/on_line", "problems", "workbench/picture", "workbench/trace"],
+    "workbench/explain": ["workbench"],
     "experiments/kit": ["workbench"],
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit"],
@@ -53,7 +54,7 @@ BELOW = {
     "app": ["workbench"],
     "app/options": ["app"],
     "app/identify": ["app/options"],
-    "app/commands": ["app/identify", "experiments/kit", "monitor/service"],
+    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

@@ -1,0 +1,104 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/options/netlist_options.hpp"
+#include "app/options/time_option.hpp"
+#include "app/signals.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+#include "workbench/explain/explanation.hpp"
+#include "workbench/load.hpp"
+#include "workbench/manifest.hpp"
+#include "workbench/problems.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+namespace placedpar {
+
+namespace {
+
+struct ExplainOptions {
+    NetlistOptions netlist;
+    std::string json; ///< a file; "": not written
+    Time until = Time::max();
+    std::uint64_t seed = 1;
+    bool what_if = true;
+};
+
+/// What --set says holds in the changed netlists too. Their warnings have been shown.
+ChangedNetlist reading_with(const NetlistOptions& options) {
+    return [options](const Overrides& changes) {
+        Overrides all = changes;
+        all.merge(overrides_of(options.set));
+        return load_network(
+            options.file, all, known_problems(0), [](const std::string&) {}, read_options_of(options.read));
+    };
+}
+
+Explanation explain(const Network& network, const ExplainOptions& options) {
+    CriticalPath path;
+    InterruptedBySignals interruption;
+    Explanation explanation;
+    explanation.report =
+        run_netlist(network, known_problems(options.seed),
+                    {.seed = options.seed, .until = options.until, .trace = &path, .interruption = &interruption});
+    explanation.accounts = path.accounts();
+    explanation.path = path.parts();
+    return explanation;
+}
+
+void require_output(const ExplainOptions& options) {
+    if (options.json.empty())
+        return;
+    require_apart(std::array<std::filesystem::path, 1>{options.json}, options.netlist.file);
+    require_writable(options.json);
+}
+
+void write_output(const Explanation& explanation, const Network& network, const ExplainOptions& options) {
+    if (!options.json.empty())
+        write_whole(options.json, print_pretty(explanation_json(explanation, network)));
+}
+
+bool asks_what_if(const Explanation& explanation, const ExplainOptions& options) {
+    return options.what_if && explanation.report.result.ending == Ending::completed;
+}
+
+void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options) {
+    ChangedNetlist read = reading_with(options.netlist);
+    explanation.answers = try_out(changes_of(network, read), read, options.seed, options.until);
+}
+
+ExitCode explain(const ExplainOptions& options) {
+    require_output(options);
+    Network network = load_network(options.netlist);
+    Explanation explanation = explain(network, options);
+    if (asks_what_if(explanation, options))
+        add_answers(explanation, network, options);
+    print_out(print_explanation(explanation, network));
+    write_output(explanation, network, options);
+    return exit_code_of(explanation.report.result.ending);
+}
+
+Action declare_explain(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<ExplainOptions>();
+    add_netlist(command, options->netlist);
+    add_seed(command, options->seed);
+    add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
+    add_file(command, "--json", options->json, "writes the explanation for machines");
+    command.add_flag("!--no-what-if", options->what_if, "does not try out what changes of the machine would gain");
+    return [options] { return explain(*options); };
+}
+
+} // namespace
+
+extern const Command explain_command{
+    .name = "explain",
+    .about = "Says why a run of a netlist takes so long, and what would make it faster",
+    .place = 2,
+    .declare = declare_explain,
+};
+
+} // namespace placedpar

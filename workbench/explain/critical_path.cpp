@@ -1,0 +1,255 @@
+#include "workbench/explain/critical_path.hpp"
+
+#include "runtime/channel.hpp"
+#include "runtime/executive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace placedpar {
+
+namespace {
+
+std::string with_executive(const Process& process) {
+    std::string name = process.outermost().path();
+    return process.executive() ? name + " on " + process.executive()->name() : name;
+}
+
+Time sum_of(const std::vector<PathPart>& parts) {
+    return std::accumulate(parts.begin(), parts.end(), Time{0},
+                           [](Time sum, const PathPart& part) { return sum + (part.end - part.begin); });
+}
+
+} // namespace
+
+const char* name_of(Step step) {
+    switch (step) {
+    case Step::starting: return "starting";
+    case Step::computing: return "computing";
+    case Step::communicating: return "communicating";
+    case Step::delayed: return "delayed";
+    case Step::ready: return "ready, not running";
+    case Step::left: return "nothing more";
+    }
+    return "";
+}
+
+CriticalPath::CriticalPath() { add(0, Time{0}, Step::starting, ""); }
+
+CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
+    auto found = lanes_.find(ordinal);
+    return found == lanes_.end() ? nullptr : &found->second;
+}
+
+CriticalPath::Lane* CriticalPath::lane_of(const Process& process) { return lane_of(process.ordinal()); }
+
+/// What took no time needs no point.
+CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const std::string& subject) {
+    if (!points_.empty() && points_[before].at == at)
+        return before;
+    auto [found, is_new] = numbers_.emplace(subject, static_cast<std::uint32_t>(subjects_.size()));
+    if (is_new)
+        subjects_.push_back(subject);
+    points_.push_back({at, before, step, found->second});
+    return static_cast<Number>(points_.size() - 1);
+}
+
+CriticalPath::Number CriticalPath::later(Number a, Number b) const { return points_[a].at >= points_[b].at ? a : b; }
+
+void CriticalPath::turn(Lane& lane, Activeness to, Time now) {
+    if (!lane.process->serves_machine())
+        accounts_.turn(lane.process->outermost().name(), lane.does, to, now);
+    lane.does = to;
+}
+
+/// A component of a PAR begins when its process has come to it.
+void CriticalPath::began(const Process& process, Time now) {
+    Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr;
+    Lane lane{add(parent ? parent->last : 0, now, Step::starting, with_executive(process)), &process};
+    lane.does = Activeness::gone;
+    turn(lanes_.emplace(process.ordinal(), lane).first->second, Activeness::ready, now);
+}
+
+/// What it did last, or what its executive did, until it gets its turn.
+CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, Time now) {
+    if (points_[made_ready].at == now)
+        return made_ready;
+    auto held = held_.find(lane.process->executive());
+    if (held != held_.end() && points_[held->second].at == now)
+        return held->second;
+    return add(made_ready, now, Step::ready, with_executive(*lane.process));
+}
+
+void CriticalPath::has_turn(Lane& lane, Time now) {
+    lane.last = turn_of(lane, lane.cause.value_or(lane.last), now);
+    lane.cause.reset();
+}
+
+void CriticalPath::hold_executive(const Lane& lane) {
+    if (const Executive* executive = lane.process->executive())
+        held_[executive] = lane.last;
+}
+
+void CriticalPath::waits(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    has_turn(*lane, now);
+    hold_executive(*lane);
+    lane->together.reset();
+    turn(*lane, Activeness::waiting, now);
+    Activity activity = process.activity();
+    if (activity == Activity::outputting || activity == Activity::inputting)
+        for (const AnyChannel* channel : process.awaited_channels())
+            came_[{channel, activity == Activity::outputting}] = lane->last;
+}
+
+/// Both are in a hard channel: what is left of their waits began when the later one came.
+void CriticalPath::communicated(const AnyChannel& channel, Time) {
+    Lane *from = lane_of(*channel.outputter()), *to = lane_of(*channel.inputter());
+    if (!from || !to || from->does != Activeness::waiting || to->does != Activeness::waiting)
+        return;
+    from->together = to->together = later(from->last, to->last);
+}
+
+/// The partner that does not wait any more made it ready: the wait of a soft channel is over at once.
+CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, bool outputs, Time now) {
+    if (lane.together)
+        return add(*lane.together, now, Step::communicating, channel.name());
+    const AnyChannel::User& user = outputs ? channel.last_inputter() : channel.last_outputter();
+    const Lane* partner = user.process ? lane_of(user.ordinal) : nullptr;
+    if (partner && partner->does != Activeness::waiting && points_[partner->last].at == now)
+        return partner->last;
+    auto came = came_.find({&channel, !outputs});
+    return add(came == came_.end() ? lane.last : later(lane.last, came->second), now, Step::communicating,
+               channel.name());
+}
+
+CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
+    const Process& process = *lane.process;
+    Activity activity = process.activity();
+    const std::vector<const AnyChannel*>& channels = process.awaited_channels();
+    if (activity == Activity::outputting || activity == Activity::inputting)
+        if (!channels.empty())
+            return message_over(lane, *channels.front(), activity == Activity::outputting, now);
+    if (activity == Activity::alternating)
+        for (const AnyChannel* channel : channels)
+            if (channel->message_waits())
+                return message_over(lane, *channel, false, now);
+    return add(lane.last, now, Step::delayed, with_executive(process));
+}
+
+/// With whom it communicated, since both were there.
+void CriticalPath::explain_wait(const Lane& lane, Time now) {
+    const Process& process = *lane.process;
+    if (process.serves_machine())
+        return;
+    std::string partner;
+    Time together = now;
+    for (const AnyChannel* channel : process.awaited_channels())
+        if (process.activity() != Activity::alternating || channel->message_waits()) {
+            bool outputs = process.activity() == Activity::outputting;
+            const AnyChannel::User& user = outputs ? channel->last_inputter() : channel->last_outputter();
+            partner = user.outermost ? user.outermost->name() : channel->name();
+            if (const Point& cause = points_[*lane.cause]; cause.step == Step::communicating && cause.at == now)
+                together = points_[cause.before].at;
+            break;
+        }
+    accounts_.explain(process.outermost().name(), partner, together, now);
+}
+
+void CriticalPath::made_ready(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane || lane->does != Activeness::waiting || lane->cause)
+        return;
+    lane->cause = cause_of(*lane, now);
+    explain_wait(*lane, now);
+    turn(*lane, Activeness::ready, now);
+}
+
+void CriticalPath::goes_on(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    if (lane->does == Activeness::waiting && !lane->cause)
+        made_ready(process, now);
+    if (lane->does == Activeness::waiting) // for its PAR
+        turn(*lane, Activeness::ready, now);
+    has_turn(*lane, now);
+}
+
+void CriticalPath::computes(const Process& process, Time now) {
+    if (Lane* lane = lane_of(process)) {
+        has_turn(*lane, now);
+        turn(*lane, Activeness::computing, now);
+    }
+}
+
+void CriticalPath::stops_computing(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    lane->last = add(lane->last, now, Step::computing, with_executive(process));
+    hold_executive(*lane);
+    turn(*lane, Activeness::ready, now);
+}
+
+/// The last component that ends lets its PAR's process go on.
+void CriticalPath::ended(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    has_turn(*lane, now);
+    hold_executive(*lane);
+    turn(*lane, Activeness::gone, now);
+    end_ = later(lane->last, end_);
+    if (Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr; parent)
+        parent->cause = lane->last;
+    lanes_.erase(process.ordinal());
+}
+
+/// Where the work did not end with a process, the path leads to what was done last.
+void CriticalPath::over(Time now) {
+    for (auto& [ordinal, lane] : lanes_)
+        if (lane.does == Activeness::computing)
+            lane.last = add(lane.last, now, Step::computing, with_executive(*lane.process));
+    for (const auto& [ordinal, lane] : lanes_)
+        if (points_[lane.last].at > points_[end_].at)
+            end_ = lane.last;
+    end_ = add(end_, now, Step::left, "");
+    accounts_.close(now);
+    over_ = now;
+}
+
+std::vector<PathPart> CriticalPath::parts() const {
+    std::vector<PathPart> parts;
+    for (Number number = end_; number != 0; number = points_[number].before) {
+        const Point& point = points_[number];
+        const std::string& subject = subjects_[point.subject];
+        if (!parts.empty() && parts.back().step == point.step && parts.back().subject == subject)
+            parts.back().begin = points_[point.before].at;
+        else
+            parts.push_back({point.step, subject, points_[point.before].at, point.at});
+    }
+    std::ranges::reverse(parts);
+    if (sum_of(parts) != over_)
+        throw std::logic_error(
+            fmt::format("the critical path lasts {} ps of {}", sum_of(parts).count(), over_.count()));
+    return parts;
+}
+
+std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) {
+    std::map<std::pair<Step, std::string>, Time> times;
+    for (const PathPart& part : parts)
+        times[{part.step, part.subject}] += part.end - part.begin;
+    std::vector<PathShare> shares;
+    for (const auto& [what, time] : times)
+        shares.push_back({what.first, what.second, time});
+    std::ranges::stable_sort(shares, std::greater<>{}, &PathShare::time);
+    return shares;
+}
+
+} // namespace placedpar

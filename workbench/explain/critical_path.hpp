@@ -1,0 +1,103 @@
+#pragma once
+
+#include "runtime/process.hpp"
+#include "runtime/trace.hpp"
+#include "workbench/explain/waits.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// What a run's time was spent with, along its critical path.
+enum class Step { starting, computing, communicating, delayed, ready, left };
+const char* name_of(Step);
+
+/// A part of the critical path: from the part before it, or the beginning of the run, until a moment.
+struct PathPart {
+    Step step;
+    std::string subject; ///< "master on t[0]"; the channel; the process
+    Time begin, end;     ///< begin < end
+};
+
+/// Finds the critical path of a run while it goes on. For each thing that happens it notes what had to happen before
+/// it: for a message the later one of the two processes to come to the channel, for a turn on a processor who had it
+/// until then, for the end of a PAR its last component. From the end of the run that leads back to its beginning
+/// without a gap, since each thing begins when the one before it ends.
+class CriticalPath final : public TraceSink {
+public:
+    CriticalPath();
+
+    /// In order of time; their lengths add up to the run's: throws std::logic_error if not. REQUIRES: the run is over.
+    std::vector<PathPart> parts() const;
+    /// How the time of each process of the netlist went by. REQUIRES: the run is over.
+    const std::map<std::string, Account>& accounts() const { return accounts_.all(); }
+
+    void began(const Process&, Time) override;
+    void waits(const Process&, Time) override;
+    void made_ready(const Process&, Time) override;
+    void goes_on(const Process&, Time) override;
+    void computes(const Process&, Time) override;
+    void stops_computing(const Process&, Time) override;
+    void ended(const Process&, Time) override;
+    void communicated(const AnyChannel&, Time) override;
+    void carries(const std::string&, const AnyChannel&, Time, Time) override {}
+    void carried(const std::string&, std::uint64_t, Time, Time) override {}
+    void occupied(const std::string&, const std::string&, Time) override {}
+    void vacated(const std::string&, Time) override {}
+    void over(Time) override;
+
+private:
+    using Number = std::uint32_t; ///< of a point
+    /// Something that happens: until then, since the point before it, time went by with the step.
+    struct Point {
+        Time at;
+        Number before;
+        Step step;
+        std::uint32_t subject;
+    };
+    struct Lane {
+        Number last; ///< what it did last; while it waits, its coming
+        const Process* process;
+        Activeness does = Activeness::ready;
+        std::optional<Number> cause = {};    ///< why its wait is over, while it has not gone on
+        std::optional<Number> together = {}; ///< of a message on a hard channel: when both were in it
+    };
+
+    Lane* lane_of(const Process&);
+    Lane* lane_of(std::uint32_t ordinal);
+    Number add(Number before, Time at, Step, const std::string& subject);
+    Number later(Number, Number) const;
+    Number message_over(const Lane&, const AnyChannel&, bool outputs, Time now);
+    Number cause_of(const Lane&, Time now);
+    void has_turn(Lane&, Time now);
+    void hold_executive(const Lane&);
+    Number turn_of(const Lane&, Number made_ready, Time now);
+    void explain_wait(const Lane&, Time now);
+    void turn(Lane&, Activeness, Time now);
+
+    std::vector<Point> points_;
+    std::vector<std::string> subjects_;
+    std::unordered_map<std::string, std::uint32_t> numbers_;    ///< of subjects
+    std::map<std::uint32_t, Lane> lanes_;                       ///< of the processes that live, by ordinal
+    std::unordered_map<const Executive*, Number> held_;         ///< what was last done on each
+    std::map<std::pair<const AnyChannel*, bool>, Number> came_; ///< to an end of a hard channel; true: to output
+    Accounts accounts_;
+    Number end_ = 0;
+    Time over_{};
+};
+
+/// The lengths of a path's parts by what they were spent with, the longest first.
+struct PathShare {
+    Step step;
+    std::string subject;
+    Time time;
+};
+std::vector<PathShare> shares_of(const std::vector<PathPart>&);
+
+} // namespace placedpar
