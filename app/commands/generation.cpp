@@ -73,7 +73,8 @@ Action declare_generation(CLI::App& command, const std::string&) {
     auto options = std::make_shared<GenerationOptions>();
     add_seed(command, options->walk.seed);
     add_count(command, "--population", options->walk.population, "strings of four bits");
-    add_count(command, "--generations", options->generations, "how many are walked through")->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
+    add_count(command, "--generations", options->generations, "how many are walked through")
+        ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
     command.add_option("--function", options->walk.function, "fitness of x, the string as a number")
         ->type_name("square|ones|impulse")
         ->capture_default_str();

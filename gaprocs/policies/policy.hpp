@@ -132,7 +132,9 @@ public:
         return std::visit(print, policy_);
     }
     bool has_numbers() const {
-        auto any = []<class Policy>(const Policy&) { return std::tuple_size_v<decltype(stated_numbers<Policy>())> > 0; };
+        auto any = []<class Policy>(const Policy&) {
+            return std::tuple_size_v<decltype(stated_numbers<Policy>())> > 0;
+        };
         return std::visit(any, policy_);
     }
     static std::vector<PolicyDescription> descriptions() { return {describe_policy<Policies>()...}; }
