@@ -19,7 +19,7 @@ using Action = std::function<ExitCode()>;
 struct Command {
     const char* name;
     const char* about; ///< its line in --help
-    int place;         ///< in --help, from 1
+    int place;         ///< in --help; multiples of ten leave room between them
     /// Gives the subcommand its options, and returns what to do with them. `typed` is the whole command line, for
     /// manifests.
     Action (*declare)(CLI::App& subcommand, const std::string& typed);

@@ -33,7 +33,7 @@ Action declare_check(CLI::App& command, const std::string&) {
 extern const Command check_command{
     .name = "check",
     .about = "Reads and checks a netlist",
-    .place = 3,
+    .place = 30,
     .declare = declare_check,
 };
 

@@ -145,7 +145,7 @@ Action declare_completion(CLI::App& command, const std::string&) {
 extern const Command completion_command{
     .name = "completion",
     .about = "Prints what a shell needs to complete commands, options and names",
-    .place = 11,
+    .place = 110,
     .declare = declare_completion,
     .values =
         [] {

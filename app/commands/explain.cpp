@@ -97,7 +97,7 @@ Action declare_explain(CLI::App& command, const std::string&) {
 extern const Command explain_command{
     .name = "explain",
     .about = "Says why a run of a netlist takes so long, and what would make it faster",
-    .place = 2,
+    .place = 20,
     .declare = declare_explain,
 };
 

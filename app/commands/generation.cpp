@@ -93,7 +93,7 @@ Action declare_generation(CLI::App& command, const std::string&) {
 extern const Command generation_command{
     .name = "generation",
     .about = "Walks through a generation of a genetic algorithm by hand",
-    .place = 13,
+    .place = 130,
     .declare = declare_generation,
 };
 

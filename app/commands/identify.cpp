@@ -73,7 +73,7 @@ Action declare_identify(CLI::App& command, const std::string& typed) {
 extern const Command identify_command{
     .name = "identify",
     .about = "Finds the hydraulic compliances that a record of motion shows",
-    .place = 7,
+    .place = 70,
     .declare = declare_identify,
 };
 

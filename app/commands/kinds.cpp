@@ -117,7 +117,7 @@ Action declare_kinds(CLI::App& command, const std::string&) {
 extern const Command kinds_command{
     .name = "kinds",
     .about = "Lists the kinds of processes and devices that a netlist can use, problems and policies",
-    .place = 5,
+    .place = 50,
     .declare = declare_kinds,
     .values = names_of_kinds,
 };

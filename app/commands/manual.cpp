@@ -74,7 +74,7 @@ Action declare_manual(CLI::App& command, const std::string&) {
 extern const Command manual_command{
     .name = "manual",
     .about = "Prints the manual page, for man -l -",
-    .place = 12,
+    .place = 120,
     .declare = declare_manual,
 };
 

@@ -166,7 +166,7 @@ namespace placedpar {
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",
-    .place = 10,
+    .place = 100,
     .declare = monitor::declare,
 };
 

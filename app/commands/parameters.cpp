@@ -16,7 +16,7 @@ ExitCode print_parameters() {
 extern const Command parameters_command{
     .name = "parameters",
     .about = "Prints the constants of the excavator, as a file for --machine",
-    .place = 9,
+    .place = 90,
     .declare = [](CLI::App&, const std::string&) -> Action { return print_parameters; },
 };
 

@@ -93,7 +93,7 @@ Action declare_record(CLI::App& command, const std::string&) {
 extern const Command record_command{
     .name = "record",
     .about = "Simulates a motion of the machine and writes what its sensors say",
-    .place = 8,
+    .place = 80,
     .declare = declare_record,
     .values = names_of_scenarios,
 };

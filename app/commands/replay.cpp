@@ -171,7 +171,7 @@ Action declare_replay(CLI::App& command, const std::string& typed) {
 extern const Command replay_command{
     .name = "replay",
     .about = "Runs an experiment of the thesis beside the thesis's figures",
-    .place = 6,
+    .place = 60,
     .declare = declare_replay,
     .values = names_of_experiments,
 };

@@ -236,7 +236,7 @@ Action declare_run(CLI::App& command, const std::string& typed) {
 extern const Command run_command{
     .name = "run",
     .about = "Runs a netlist and reports what it computed and what it cost",
-    .place = 1,
+    .place = 10,
     .declare = declare_run,
 };
 

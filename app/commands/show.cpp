@@ -78,7 +78,7 @@ Action declare_show(CLI::App& command, const std::string&) {
 extern const Command show_command{
     .name = "show",
     .about = "Prints the elaborated network",
-    .place = 4,
+    .place = 40,
     .declare = declare_show,
 };
 

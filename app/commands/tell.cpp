@@ -96,7 +96,7 @@ Action declare_tell(CLI::App& command, const std::string&) {
 extern const Command tell_command{
     .name = "tell",
     .about = "Tells a running monitor to forget a machine, or that an alarm has been seen",
-    .place = 14,
+    .place = 140,
     .declare = declare_tell,
 };
 
