@@ -25,11 +25,11 @@ std::int64_t checksum_of_row(std::uint64_t number, const KeptAlarm& a) {
 }
 
 // Columns as the statements below select them; the first is the row's number, the last its checksum.
-KeptEstimate estimate_of(const Statement& row) {
+KeptEstimate estimate_of(const store::Statement& row) {
     return {row.text(1), row.number(2), row.number(3), row.text(4), row.text(5), row.number(6), row.optional_number(7)};
 }
 
-KeptAlarm alarm_of(const Statement& row) {
+KeptAlarm alarm_of(const store::Statement& row) {
     return {row.text(1),
             row.text(2),
             row.text(3),
@@ -46,7 +46,7 @@ constexpr const char* estimate_columns =
 constexpr const char* alarm_columns = "SELECT number, machine, kind, links, text, raised_at, raised_time_s, "
                                       "cleared_at, acknowledged_at, shelved_until, checksum FROM alarms ";
 
-void require_whole(bool whole, const char* table, const Statement& row) {
+void require_whole(bool whole, const char* table, const store::Statement& row) {
     if (!whole)
         throw std::runtime_error(
             fmt::format("row {} of \"{}\" in its table of {} is damaged", row.integer(0), row.text(1), table));
@@ -64,7 +64,7 @@ const char* const History::schema =
     "checksum INTEGER NOT NULL, PRIMARY KEY(machine, number)) WITHOUT ROWID;"
     "CREATE INDEX alarms_by_time ON alarms(raised_at);";
 
-History::History(Database& d, std::uint64_t most)
+History::History(store::Database& d, std::uint64_t most)
     : most_(most), next_estimate_(d, "SELECT coalesce(max(number), 0) + 1 FROM estimates WHERE machine = ?1"),
       insert_estimate_(d, "INSERT INTO estimates VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)"),
       trim_estimates_(d, "DELETE FROM estimates WHERE machine = ?1 AND number <= ?2"),
@@ -157,7 +157,7 @@ std::vector<KeptEstimate> History::estimates(const std::string& machine, std::ui
 
 std::vector<KeptAlarm> History::alarms(const std::string& machine, std::uint64_t most) {
     std::vector<KeptAlarm> found;
-    Statement& rows = machine.empty() ? newest_alarms_.bind(most) : select_alarms_.bind(machine, most);
+    store::Statement& rows = machine.empty() ? newest_alarms_.bind(most) : select_alarms_.bind(machine, most);
     while (rows.step())
         found.push_back(alarm_of(rows));
     return found;

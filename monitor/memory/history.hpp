@@ -1,7 +1,7 @@
 #pragma once
 
-#include "monitor/memory/database.hpp"
 #include "monitor/memory/entries.hpp"
+#include "store/database.hpp"
 
 #include <cstdint>
 #include <string>
@@ -16,7 +16,7 @@ public:
     static const char* const schema;
 
     /// REQUIRES: the database outlives it and has the tables.
-    History(Database& database, std::uint64_t most);
+    History(store::Database& database, std::uint64_t most);
 
     /// Reads every row; throws std::runtime_error naming one whose checksum is wrong.
     void check();
@@ -39,10 +39,10 @@ public:
 
 private:
     std::uint64_t most_;
-    Statement next_estimate_, insert_estimate_, trim_estimates_, select_estimates_, all_estimates_;
-    Statement next_alarm_, insert_alarm_, trim_alarms_, find_alarm_, update_alarm_, select_alarms_, newest_alarms_,
-        all_alarms_, noted_alarms_;
-    Statement forget_estimates_, forget_alarms_;
+    store::Statement next_estimate_, insert_estimate_, trim_estimates_, select_estimates_, all_estimates_;
+    store::Statement next_alarm_, insert_alarm_, trim_alarms_, find_alarm_, update_alarm_, select_alarms_,
+        newest_alarms_, all_alarms_, noted_alarms_;
+    store::Statement forget_estimates_, forget_alarms_;
 };
 
 } // namespace placedpar::monitor

@@ -1,7 +1,7 @@
 #include "monitor/memory/mark.hpp"
 
 #include "monitor/memory/checksum.hpp"
-#include "monitor/memory/database.hpp"
+#include "store/database.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ Mark::Mark(const fs::path& state_file, std::uint64_t transactions)
         write(transactions);
         if (::fsync(file_) != 0 || folder < 0 || ::fsync(folder) != 0)
             fail();
-    } catch (const DatabaseError&) {
+    } catch (const store::DatabaseError&) {
         ::close(file_);
         ::close(folder);
         throw;
@@ -77,6 +77,8 @@ void Mark::remove() {
         fail();
 }
 
-void Mark::fail() const { throw DatabaseError(fmt::format("{}: {}", path_.string(), std::strerror(errno)), false); }
+void Mark::fail() const {
+    throw store::DatabaseError(fmt::format("{}: {}", path_.string(), std::strerror(errno)), false);
+}
 
 } // namespace placedpar::monitor

@@ -37,7 +37,7 @@ std::uint64_t unsigned_of(std::int64_t number) { return static_cast<std::uint64_
 
 /// Prepared once: most of them run with every sample.
 struct StateFile::Statements {
-    explicit Statements(Database& d)
+    explicit Statements(store::Database& d)
         : insert_message(d, "INSERT INTO messages VALUES(?1, ?2, ?3, ?4)"),
           trim_messages(d, "DELETE FROM messages WHERE number <= ?1"),
           put_machine(d, "INSERT INTO machines VALUES(?1, ?2, ?3, ?4) ON CONFLICT(name) DO UPDATE SET "
@@ -46,7 +46,7 @@ struct StateFile::Statements {
           write_ledger(d, "UPDATE ledger SET settings = ?1, trimmed = ?2, last = ?3, machines = ?4, digest = ?5, "
                           "transactions = ?6, running = ?7, checksum = ?8") {}
 
-    Statement insert_message, trim_messages, put_machine, delete_machine, write_ledger;
+    store::Statement insert_message, trim_messages, put_machine, delete_machine, write_ledger;
 };
 
 StateFile::StateFile(const fs::path& path, const std::string& settings, std::uint64_t most_history,
@@ -55,7 +55,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     require_path_of_file(path_);
     if (!fs::exists(path_))
         create_state_file(path_, settings_);
-    lock_.emplace(path_);
+    lock_.emplace(path_, fmt::format("--state {}", path_.string()), "placedpar monitor");
     path_ = fs::canonical(path_); // SQLite's own files are beside it, not beside a link
     auto refuse = [&](const std::string& why) {
         throw UserError(fmt::format("{}: this state file cannot be used: {}", path.string(), why));
@@ -64,7 +64,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
         open(content, most_history);
     } catch (const OtherFile& other) {
         refuse(other.what());
-    } catch (const DatabaseError& error) {
+    } catch (const store::DatabaseError& error) {
         if (!error.damage())
             refuse(error.what());
         refuse(fmt::format("it is damaged: {}{}", error.what(), way_out(path_)));
@@ -76,7 +76,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
 StateFile::~StateFile() {
     try {
         close();
-    } catch (const DatabaseError&) { // the mark is left, and the next start looks at it
+    } catch (const store::DatabaseError&) { // the mark is left, and the next start looks at it
     }
 }
 
@@ -99,7 +99,7 @@ void StateFile::open(StateContent& content, std::uint64_t most_history) {
     database_->put_log_into_file(false); // what is refused is left as it is
     database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = FULL");
     if (database_->text("PRAGMA journal_mode = WAL") != "wal")
-        throw DatabaseError("SQLite cannot keep a write-ahead log there", false);
+        throw store::DatabaseError("SQLite cannot keep a write-ahead log there", false);
     require_integrity(*database_);
     read_ledger();
     require_mark();
@@ -132,8 +132,8 @@ void StateFile::begin_running() {
 }
 
 void StateFile::read_ledger() {
-    Statement row(*database_,
-                  "SELECT settings, trimmed, last, machines, digest, transactions, running, checksum FROM ledger");
+    store::Statement row(
+        *database_, "SELECT settings, trimmed, last, machines, digest, transactions, running, checksum FROM ledger");
     if (!row.step())
         refuse_damaged("its ledger is empty");
     std::string was = row.text(0);
@@ -150,7 +150,7 @@ void StateFile::read_ledger() {
 }
 
 void StateFile::read_machines(StateContent& content) {
-    Statement rows(*database_, "SELECT name, taken, state, checksum FROM machines ORDER BY name");
+    store::Statement rows(*database_, "SELECT name, taken, state, checksum FROM machines ORDER BY name");
     while (rows.step()) {
         KeptState state{rows.text(0), unsigned_of(rows.integer(1)), rows.text(2)};
         if (row_checksum(state) != rows.integer(3))
@@ -164,7 +164,7 @@ void StateFile::read_machines(StateContent& content) {
 }
 
 void StateFile::read_messages(StateContent& content) {
-    Statement rows(*database_, "SELECT number, machine, text, checksum FROM messages ORDER BY number");
+    store::Statement rows(*database_, "SELECT number, machine, text, checksum FROM messages ORDER BY number");
     std::uint64_t next = ledger_.trimmed + 1;
     for (; rows.step(); ++next) {
         KeptMessage message{unsigned_of(rows.integer(0)), rows.text(1), rows.text(2)};
@@ -198,7 +198,7 @@ void StateFile::commit(std::span<const Parcel> parcels) {
     } catch (const std::exception&) {
         try {
             database_->run("ROLLBACK");
-        } catch (const DatabaseError&) { // SQLite has done so itself
+        } catch (const store::DatabaseError&) { // SQLite has done so itself
         }
         throw;
     }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "monitor/memory/database.hpp"
 #include "monitor/memory/entries.hpp"
-#include "monitor/memory/file_lock.hpp"
 #include "monitor/memory/history.hpp"
 #include "monitor/memory/mark.hpp"
+#include "store/database.hpp"
+#include "store/file_lock.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -85,8 +85,8 @@ private:
 
     std::filesystem::path path_;
     std::string settings_;
-    std::optional<FileLock> lock_;
-    std::optional<Database> database_;
+    std::optional<store::FileLock> lock_;
+    std::optional<store::Database> database_;
     std::optional<History> history_;
     std::unique_ptr<Statements> statements_;
     std::optional<Mark> mark_;

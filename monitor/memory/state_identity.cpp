@@ -100,13 +100,13 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     fs::path made = path;
     made += fmt::format(".new-{}", ::getpid());
     try {
-        Database database(made);
+        store::Database database(made);
         database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // it is synced before it has its name
         database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, file_version));
         database.run(schema());
-        Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, 0, 0, 0, ?2)")
+        store::Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, 0, 0, 0, ?2)")
             .run(settings, checksum_of(settings, "0 0 0 0 0 0"));
-    } catch (const DatabaseError& error) {
+    } catch (const store::DatabaseError& error) {
         std::error_code ignored;
         fs::remove(made, ignored);
         throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), error.what()));
@@ -114,7 +114,7 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     publish(made, path);
 }
 
-void require_identity(const FileLock& file) {
+void require_identity(const store::FileLock& file) {
     std::string header = file.beginning(100);
     if (header.empty())
         throw std::runtime_error("it is empty");
@@ -135,12 +135,12 @@ void require_identity(const FileLock& file) {
                                     header_word(header, 60), file_version));
 }
 
-void require_integrity(Database& database) {
+void require_integrity(store::Database& database) {
     std::string found = database.text("PRAGMA integrity_check(1)");
     if (found != "ok")
         throw std::runtime_error(fmt::format("it is damaged: {}", found));
     std::string tables, expected = schema();
-    Statement all(database, "SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL ORDER BY rowid");
+    store::Statement all(database, "SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL ORDER BY rowid");
     while (all.step())
         tables += all.text(0) + ";";
     if (tables != expected)

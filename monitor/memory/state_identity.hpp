@@ -1,7 +1,7 @@
 #pragma once
 
-#include "monitor/memory/database.hpp"
-#include "monitor/memory/file_lock.hpp"
+#include "store/database.hpp"
+#include "store/file_lock.hpp"
 
 #include <filesystem>
 #include <stdexcept>
@@ -23,9 +23,9 @@ void create_state_file(const std::filesystem::path& path, const std::string& set
 void require_path_of_file(const std::filesystem::path& path);
 
 /// Is this a state file of ours, by its first bytes? Throws OtherFile, or std::runtime_error.
-void require_identity(const FileLock& file);
+void require_identity(const store::FileLock& file);
 
 /// Throws std::runtime_error when SQLite finds damage, or the tables are not ours.
-void require_integrity(Database& database);
+void require_integrity(store::Database& database);
 
 } // namespace placedpar::monitor

@@ -104,7 +104,7 @@ void StateStore::take_again(const StateContent& content) {
 void StateStore::commit_now(const Parcel& parcel) {
     try {
         file_->commit(std::span(&parcel, 1));
-    } catch (const DatabaseError& error) {
+    } catch (const store::DatabaseError& error) {
         throw UserError(fmt::format("{}: cannot be written: {}", path_.string(), error.what()));
     }
 }

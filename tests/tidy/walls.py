@@ -10,6 +10,7 @@ import re
 
 BELOW = {
     "text": [],
+    "store": ["text"],
     "runtime": [],
     "runtime/hardware": ["runtime"],
     "netlist/network": ["text"],
@@ -34,7 +35,7 @@ BELOW = {
     "identification": ["gaprocs", "hydraulics/plant", "identification/verdict"],
     "identification/on_line": ["identification"],
     "monitor/protocol": ["identification/on_line"],
-    "monitor/memory": ["monitor/protocol"],
+    "monitor/memory": ["monitor/protocol", "store"],
     "monitor/service": ["monitor/memory"],
     "workbench/picture": ["netlist"],
     "workbench/trace": ["netlist"],

@@ -263,7 +263,7 @@ TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are clea
     {
         FullDisk disk(scratch.read("state-wal").size());
         std::vector<Parcel> lost{parcel_of(2)};
-        CHECK_THROWS_AS(file.commit(lost), DatabaseError);
+        CHECK_THROWS_AS(file.commit(lost), store::DatabaseError);
     }
     Parcel anew{{OpenAlarms{{alarm("b", "drift", 3)}, 5}, KeptState{"b", 7, "s"}}, 7};
     file.commit(std::span(&anew, 1));
@@ -322,7 +322,7 @@ TEST_CASE("another program's database, another version and other settings are re
                              UserError);
         CHECK(scratch.read(name) == before);
     };
-    Database(scratch / "other").run("CREATE TABLE t(x)");
+    store::Database(scratch / "other").run("CREATE TABLE t(x)");
     refused("other", "settings", "it is a database of another program (its application_id is 0x00000000");
     {
         StateContent content;

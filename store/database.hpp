@@ -12,7 +12,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace placedpar::monitor {
+namespace placedpar::store {
 
 /// In SQLite's words, and the system's where it has any. `damage()`: the file is not what SQLite wrote.
 class DatabaseError : public UserError {
@@ -104,4 +104,4 @@ private:
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::store

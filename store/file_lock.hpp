@@ -3,14 +3,15 @@
 #include <filesystem>
 #include <string>
 
-namespace placedpar::monitor {
+namespace placedpar::store {
 
 /// A lock on a file that is there, whatever its names: symbolic and hard links lead to the same one. Goes with the
 /// program, however that ends. SQLite's own locks are of another kind, so that both can be had.
 class FileLock {
 public:
-    /// Throws UserError when another program has it, or the file cannot be opened to read and write.
-    explicit FileLock(const std::filesystem::path& path);
+    /// Throws UserError when another program has it, or the file cannot be opened to read and write. Messages call the
+    /// file `shown`, and that program `user`: "placedpar monitor".
+    FileLock(const std::filesystem::path& path, const std::string& shown, const std::string& user);
     ~FileLock();
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
@@ -23,4 +24,4 @@ private:
     int file_;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::store

@@ -1,4 +1,4 @@
-#include "monitor/memory/file_lock.hpp"
+#include "store/file_lock.hpp"
 
 #include "text/user_error.hpp"
 
@@ -12,17 +12,18 @@
 #include <cerrno>
 #include <cstring>
 
-namespace placedpar::monitor {
+namespace placedpar::store {
 
-FileLock::FileLock(const std::filesystem::path& path) : file_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
+FileLock::FileLock(const std::filesystem::path& path, const std::string& shown, const std::string& user)
+    : file_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
     if (file_ < 0)
-        throw UserError(fmt::format("--state {}: cannot be opened: {}", path.string(), std::strerror(errno)));
+        throw UserError(fmt::format("{}: cannot be opened: {}", shown, std::strerror(errno)));
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
         int reason = errno;
         ::close(file_);
-        throw UserError(
-            fmt::format("--state {}: {}", path.string(),
-                        reason == EWOULDBLOCK ? "another placedpar monitor is using it" : std::strerror(reason)));
+        throw UserError(fmt::format("{}: {}", shown,
+                                    reason == EWOULDBLOCK ? fmt::format("another {} is using it", user)
+                                                          : std::string(std::strerror(reason))));
     }
 }
 
@@ -41,4 +42,4 @@ std::size_t FileLock::size() const {
     return static_cast<std::size_t>(status.st_size);
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::store

@@ -1,11 +1,11 @@
-#include "monitor/memory/database.hpp"
+#include "store/database.hpp"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cstring>
 
-namespace placedpar::monitor {
+namespace placedpar::store {
 
 namespace {
 
@@ -112,4 +112,4 @@ void Statement::bind_one(int index, std::string_view value) {
             sqlite3_bind_text(statement_.get(), index, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::store
