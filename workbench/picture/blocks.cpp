@@ -45,6 +45,17 @@ public:
         return true;
     }
 
+    /// Rows of as many nodes as a cube with a corner for each row has dimensions; each node is wired to its row's, in a
+    /// ring, and to that of the same position in the row whose number differs by the bit of that position.
+    bool is_cube_of_cycles(std::size_t length) const {
+        if (length < 3 || length > 16 || nodes_.size() != length << length)
+            return false;
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            if (!is_on_cycle(i / length, i % length, length))
+                return false;
+        return true;
+    }
+
     /// What each hangs from, if the nodes are wired into a tree; the one that a wire leads to from elsewhere is its
     /// root, or the first one. Empty where they are not.
     std::vector<std::size_t> tree() const {
@@ -107,6 +118,12 @@ private:
         auto others = inside(i);
         return others.size() == static_cast<std::size_t>(std::countr_zero(nodes_.size())) &&
                std::ranges::all_of(others, [&](std::size_t other) { return std::has_single_bit(other ^ i); });
+    }
+
+    bool is_on_cycle(std::size_t row, std::size_t position, std::size_t length) const {
+        auto node = nodes_[row * length + position], next = nodes_[row * length + (position + 1) % length];
+        auto across = nodes_[(row ^ std::size_t{1} << position) * length + position];
+        return wiring_.linked(node, next) && wiring_.linked(node, across);
     }
 
     std::set<std::string_view> bases_of_partners(std::size_t i) const {
@@ -179,7 +196,10 @@ private:
         std::vector<std::vector<std::int64_t>> subscripts;
         for (auto node : nodes)
             subscripts.push_back(subscripts_of(n_.nodes[node].name));
-        if (subscripts.front().size() == 1 || Pattern(n_, wiring_, nodes).is_hypercube())
+        auto columns = static_cast<std::size_t>(subscripts.back().back()) + 1;
+        if (subscripts.front().size() == 2 && Pattern(n_, wiring_, nodes).is_cube_of_cycles(columns))
+            blocks_.push_back({nodes, {cube_connected_cycles(columns)}});
+        else if (subscripts.front().size() == 1 || Pattern(n_, wiring_, nodes).is_hypercube())
             add_in_order(nodes);
         else
             blocks_.push_back({nodes, {grid(subscripts)}});

@@ -15,7 +15,8 @@ struct Block {
 };
 
 /// Every node is in one block. Subscripts and wires give a block its shapes: two dimensions make a grid, one a line, a
-/// ring where it closes, a cube or a torus where it is a hypercube, a circle around the node that all are wired to.
+/// ring where it closes, a cube or a torus where it is a hypercube, with cycles at the corners where those are
+/// cube-connected, a circle around the node that all are wired to.
 std::vector<Block> blocks_of(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

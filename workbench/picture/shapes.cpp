@@ -163,4 +163,16 @@ Shape hypercube(std::size_t dimensions) {
     });
 }
 
+Shape cube_connected_cycles(std::size_t dimensions) {
+    Shape corners = hypercube(dimensions), cycle = circle(dimensions), shape;
+    double largest = 0;
+    for (Point each : cycle)
+        largest = std::max({largest, std::abs(each.x), std::abs(each.y)});
+    double apart = std::ceil(2 * largest + 1);
+    for (Point corner : corners)
+        for (Point each : cycle)
+            shape.push_back(apart * corner + each);
+    return shape;
+}
+
 } // namespace placedpar::picture

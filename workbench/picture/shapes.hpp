@@ -33,5 +33,8 @@ Shape tree(const std::vector<std::size_t>& hangs_from);
 Shape grid(const std::vector<std::vector<std::int64_t>>& subscripts);
 /// Of a hypercube: three dimensions as a cube is drawn, more as a torus, in the order of Gray's code.
 Shape hypercube(std::size_t dimensions);
+/// The same with a circle of as many nodes as dimensions in the place of each corner, corner by corner. REQUIRES: three
+/// dimensions or more.
+Shape cube_connected_cycles(std::size_t dimensions);
 
 } // namespace placedpar::picture

@@ -36,8 +36,26 @@ TEST_CASE("in every figure nodes are a cell apart") {
     }
     for (std::size_t dimensions = 3; dimensions <= 7; ++dimensions)
         CHECK(least_apart(hypercube(dimensions)) >= 1);
+    for (std::size_t dimensions = 3; dimensions <= 6; ++dimensions)
+        CHECK(least_apart(cube_connected_cycles(dimensions)) >= 1);
     CHECK(least_apart(tree({no_node, 0, 0, 1, 1, 2, 2, 2, 3})) >= 1);
     CHECK(least_apart(grid({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}})) >= 1);
+}
+
+TEST_CASE("cube-connected cycles stand apart from each other") {
+    for (std::size_t dimensions = 3; dimensions <= 5; ++dimensions) {
+        Shape shape = cube_connected_cycles(dimensions);
+        std::vector<Box> cycles;
+        for (std::size_t i = 0; i < shape.size(); i += dimensions) {
+            std::vector<Box> nodes;
+            for (std::size_t j = i; j < i + dimensions; ++j)
+                nodes.push_back({shape[j], 0, 0});
+            cycles.push_back(around(nodes));
+        }
+        for (std::size_t i = 0; i < cycles.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                CHECK(!overlap(cycles[i], cycles[j]));
+    }
 }
 
 TEST_CASE("a star has room in its centre") {

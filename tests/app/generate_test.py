@@ -1,0 +1,51 @@
+"""placedpar generate: what it writes is read, checked, drawn and run; what it refuses ends with exit code 1."""
+
+import os
+import re
+import tempfile
+import unittest
+
+from program import FIGURE_E2, placedpar
+
+ASKED = ("pipeline --size 4", "ring --size 5", "tree --size 7", "mesh --size 2x3", "torus --size 2x4", "hypercube --size 8",
+         "cube-connected-cycles --size 24", "star --size 5", "chordal-ring --size 8", "figure-e2 --size 2x2")
+
+
+def end_of(run):
+    """When a run was over."""
+    return re.search(r"completed at (.*)", run.stdout).group(1)
+
+
+class Generate(unittest.TestCase):
+    def generated(self, folder, words):
+        path = os.path.join(folder, "generated.cfs")
+        run = placedpar("generate", *words.split(), "-o", path)
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""), words)
+        return path
+
+    def test_every_topology_is_checked_drawn_and_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for words in ASKED:
+                path = self.generated(folder, words)
+                for command in (["check"], ["show", "--format", "svg"], ["run", "--set", "samples=5"]):
+                    run = placedpar(*command, path)
+                    self.assertEqual((run.returncode, run.stderr), (0, ""), words)
+
+    def test_figure_e2_is_the_machine_of_the_thesis(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = placedpar("run", self.generated(folder, "figure-e2 --size 4x4"))
+            self.assertEqual(end_of(run), end_of(placedpar("run", FIGURE_E2)))
+
+    def test_a_refusal_ends_with_1_and_writes_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "refused.cfs")
+            for words in ("torus --size 4x4", "ring --size 0", "hypercube --size 12", "moebius --size 8", "ring --size -3",
+                          "tree --size 9 --branches 4", "mesh --size 4", "ring", "ring --size 8 --job nobody", "ring --size 8 --host sun"):
+                run = placedpar("generate", *words.split(), "-o", path)
+                self.assertEqual((run.returncode, run.stdout), (1, ""), words)
+                self.assertTrue(run.stderr.startswith("placedpar: ") or run.stderr.startswith("--"), run.stderr)
+                self.assertFalse(os.path.exists(path), words)
+
+
+if __name__ == "__main__":
+    unittest.main()

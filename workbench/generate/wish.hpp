@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace placedpar::generate {
+
+/// The machine that is wanted, as it is typed.
+struct Wish {
+    std::string topology;                ///< one of names_of_topologies()
+    std::string size;                    ///< "8" processors, or "4x4"
+    std::optional<std::size_t> branches; ///< of a tree
+    std::optional<std::size_t> chord;    ///< of a chordal ring: how far it leads
+    std::optional<std::size_t> degree;   ///< of a chordal ring: 3 or 4
+    std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor
+    std::string host = "workstation";    ///< or "node": the host's process is on the first processor
+    std::string output = "to_neighbours", input = "from_neighbours"; ///< ports of a kind: arrays
+};
+
+/// What a transputer has.
+inline constexpr std::size_t links_of_a_node = 4;
+
+/// What the host, and what reads the netlist, can do with.
+inline constexpr std::size_t most_processors = 1024;
+
+} // namespace placedpar::generate
