@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/time.hpp"
+#include "workbench/time_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -11,8 +12,5 @@ namespace placedpar {
 /// An option that takes a moment or a span of virtual time: "100ms", "2.5us", "1e3us", "0"; in s, ms, us, ns or ps,
 /// down to a picosecond.
 CLI::Option* add_time(CLI::App&, const std::string& option, Time& time, const std::string& about);
-
-/// REQUIRES nothing; throws UserError when the text is no such time.
-Time parse_time(const std::string& text);
 
 } // namespace placedpar

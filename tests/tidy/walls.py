@@ -42,6 +42,7 @@ BELOW = {
     "workbench/generate": ["netlist"],
     "workbench": ["classics", "gaprocs/processes", "identification/on_line", "problems", "workbench/generate", "workbench/picture", "workbench/trace"],
     "workbench/explain": ["workbench"],
+    "workbench/study": ["store", "workbench"],
     "experiments/kit": ["workbench"],
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit"],
@@ -56,7 +57,7 @@ BELOW = {
     "app": ["workbench"],
     "app/options": ["app"],
     "app/identify": ["app/options"],
-    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "monitor/service"],
+    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "workbench/study", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

@@ -2,6 +2,7 @@
 
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/workers.hpp"
 
 #include <fmt/format.h>
 
@@ -10,12 +11,10 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
-#include <future>
 #include <iterator>
 #include <map>
 #include <regex>
 #include <set>
-#include <thread>
 
 namespace placedpar {
 
@@ -171,15 +170,10 @@ std::vector<Answer> try_out(const std::vector<Change>& changes, const ChangedNet
                             Time until) {
     std::vector<Answer> answers(changes.size());
     std::atomic<std::size_t> next{0};
-    auto work = [&] {
+    on_workers(count_cores(), [&](std::size_t) {
         for (std::size_t i; (i = next++) < changes.size();)
             answers[i] = try_out(changes[i], read, seed, until);
-    };
-    std::vector<std::future<void>> workers;
-    for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1u); ++i)
-        workers.push_back(std::async(std::launch::async, work));
-    for (std::future<void>& worker : workers)
-        worker.get();
+    });
     std::erase_if(answers, [](const Answer& answer) { return !answer.refused.empty(); });
     std::ranges::stable_sort(answers, {}, [](const Answer& a) { return std::pair(a.ending, a.time); });
     return answers;

@@ -1,0 +1,245 @@
+#include "workbench/study/sweep.hpp"
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/options/netlist_options.hpp"
+#include "app/options/time_option.hpp"
+#include "app/signals.hpp"
+#include "app/standard_error.hpp"
+#include "text/counted.hpp"
+#include "text/nearest.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+#include "workbench/study/results.hpp"
+#include "workbench/study/study_file.hpp"
+#include "workbench/study/study_report.hpp"
+#include "workbench/workers.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::uint64_t most_unasked = 10'000; ///< runs that are begun without a question
+
+struct SweepOptions {
+    std::string study; ///< a netlist, or a study's file
+    std::vector<std::string> settings, measures;
+    ReadOptionsTyped read;
+    std::optional<std::uint64_t> seed, seeds;
+    std::optional<Time> until;
+    std::string results; ///< "": by the study's name
+    std::size_t jobs = 0;
+    bool yes = false, any_version = false;
+};
+
+/// In the place of the axis of that name, if there is one.
+void set_axis(StudyProduct& product, const StudyAxis& axis) {
+    auto found = std::ranges::find(product.axes, axis.name, &StudyAxis::name);
+    if (found == product.axes.end())
+        product.axes.push_back(axis);
+    else
+        *found = axis;
+}
+
+void add_settings(Study& study, const SweepOptions& options) {
+    std::vector<std::string> given;
+    for (const std::string& text : options.settings) {
+        StudyAxis axis = read_axis(text);
+        if (std::ranges::find(given, axis.name) != given.end())
+            throw UserError(fmt::format("{}: {} is given values twice", text, axis.name));
+        given.push_back(axis.name);
+        for (StudyProduct& product : study.products)
+            set_axis(product, axis);
+    }
+}
+
+Study study_of(const SweepOptions& options) {
+    Study study;
+    if (lower_case(options.study).ends_with(".toml")) {
+        study = read_study(options.study);
+    } else {
+        study.netlist = options.study;
+        study.products.emplace_back();
+    }
+    add_settings(study, options);
+    ReadOptions read = read_options_of(options.read);
+    std::ranges::copy(read.include_folders, std::back_inserter(study.read.include_folders));
+    std::ranges::copy(read.faults, std::back_inserter(study.read.faults));
+    study.read.programs.merge(read.programs);
+    study.first_seed = options.seed.value_or(study.first_seed);
+    study.seeds = options.seeds.value_or(study.seeds);
+    study.until = options.until.value_or(study.until);
+    if (!options.measures.empty())
+        study.measures = options.measures;
+    if (study.measures.empty())
+        study.measures = {"time"};
+    return study;
+}
+
+std::filesystem::path results_of(const SweepOptions& options) {
+    return options.results.empty() ? std::filesystem::path(options.study).stem().string() + ".sqlite" : options.results;
+}
+
+/// "3 days", "4 min".
+std::string print_duration(double seconds) {
+    constexpr std::pair<double, const char*> units[] = {{365.25 * 86400, "year"}, {86400, "day"}, {3600, "hour"}};
+    for (const auto& [length, name] : units)
+        if (seconds >= 2 * length)
+            return counted(static_cast<std::size_t>(seconds / length), name);
+    return seconds >= 120 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.0f} s", seconds);
+}
+
+std::string print_count(std::uint64_t count) {
+    std::string digits = std::to_string(count);
+    for (std::size_t i = digits.size(); i > 3; i -= 3)
+        digits.insert(i - 3, ",");
+    return digits;
+}
+
+/// Of very many runs the user says whether they are meant. Throws UserError where nobody can be asked.
+bool is_meant(const SweepOptions& options, const StudySweep::Missing& missing, std::optional<double> seconds) {
+    if (missing.runs <= most_unasked || options.yes || !seconds)
+        return true;
+    std::string many = fmt::format(
+        "{}{} runs of about {:.3g} s, {} on {}", missing.exact ? "" : "up to ", print_count(missing.runs), *seconds,
+        print_duration(*seconds * static_cast<double>(missing.runs) / static_cast<double>(options.jobs)),
+        counted(options.jobs, "core"));
+    if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
+        throw UserError(many + "; --yes begins with them");
+    fmt::print(stderr, "{}. Begin? [y/N] ", many);
+    std::string answer;
+    std::getline(std::cin, answer);
+    return lower_case(answer).starts_with("y");
+}
+
+/// One line that says how far it is, and how long the rest takes.
+class SweepProgress {
+public:
+    explicit SweepProgress(const StudySweep::Missing& missing) : missing_(missing) {}
+
+    void show(std::uint64_t ended) {
+        double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
+        std::string left = "none has ended yet; --until stops runs that do not end";
+        if (ended > 0)
+            left = print_duration(seconds * static_cast<double>(missing_.runs - std::min(ended, missing_.runs)) /
+                                  static_cast<double>(ended)) +
+                   " left";
+        else if (seconds < patience_seconds)
+            left = "none has ended yet";
+        progress_.show(fmt::format("{} of {}{} runs, {}", print_count(ended), missing_.exact ? "" : "at most ",
+                                   print_count(missing_.runs), left));
+    }
+
+private:
+    using Clock = std::chrono::steady_clock; // of the wall: it decides nothing of a run
+    static constexpr double patience_seconds = 20;
+
+    StudySweep::Missing missing_;
+    Clock::time_point begun_ = Clock::now();
+    Progress progress_;
+};
+
+void say_interrupted(const StudyResults& results) {
+    fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
+               results.path().string());
+}
+
+/// False when it was interrupted, or not meant.
+bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
+                       Interruption& interruption) {
+    StudySweep sweep(study, results);
+    sweep.try_measures(interruption);
+    StudySweep::Missing missing = sweep.missing();
+    bool asks = missing.runs > most_unasked && !options.yes;
+    if (!is_meant(options, missing, asks ? sweep.seconds_a_run(interruption) : std::nullopt))
+        return false;
+    SweepProgress progress(missing);
+    sweep.run(std::min<std::uint64_t>(options.jobs, std::max<std::uint64_t>(missing.runs, 1)), interruption,
+              [&](std::uint64_t ended) { progress.show(ended); });
+    return !interruption.requested();
+}
+
+ExitCode sweep(const SweepOptions& typed) {
+    SweepOptions options = typed;
+    options.jobs = options.jobs == 0 ? count_cores() : options.jobs;
+    Study study = study_of(options);
+    for (const std::string& measure : study.measures)
+        StudyMeasure{measure};
+    Network network = readable_network(study);
+    StudyResults results(results_of(options), source_of(study, network), options.any_version);
+    InterruptedBySignals interruption;
+    results.set_measures(study.measures);
+    bool whole = make_missing_runs(study, options, results, interruption);
+    if (interruption.requested()) {
+        say_interrupted(results);
+        return ExitCode::interrupted;
+    }
+    if (whole)
+        print_out(print_summary(summary_of(results, {}, &study)) +
+                  fmt::format("\nresults: {}\n", results.path().string()));
+    return ExitCode::success;
+}
+
+void add_size(CLI::App& command, SweepOptions& options) {
+    command.add_option("--seed", options.seed, "the first seed, 1 if nothing is said")
+        ->type_name("N")
+        ->check(not_a_whole_number);
+    command.add_option("--seeds", options.seeds, "runs each combination with so many seeds, from the first on")
+        ->type_name("N")
+        ->check(not_a_whole_number)
+        ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
+    command
+        .add_option_function<std::string>(
+            "--until", [&](const std::string& text) { options.until = parse_time(text); },
+            "stops a run at this moment of the machine's time")
+        ->type_name("TIME");
+    command.add_option("--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said")
+        ->type_name("N")
+        ->check(not_a_whole_number);
+}
+
+Action declare_sweep(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<SweepOptions>();
+    command.add_option("STUDY", options->study, "a netlist (.cfs), or a study that names one (.toml)")
+        ->required()
+        ->check(not_a_name);
+    command
+        .add_option("SETTING", options->settings,
+                    "NAME=VALUES: what is tried out, all combinations of it: slaves=0..7, linkspeed=5M,10M")
+        ->type_name("");
+    command
+        .add_option("--measure", options->measures,
+                    "what is to be known of the runs: time, master.T_exe, max(slave.T_c); as often as wanted")
+        ->type_name("MEASURE")
+        ->allow_extra_args(false);
+    add_size(command, *options);
+    add_read_options(command, options->read);
+    add_file(
+        command, "--results", options->results,
+        "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
+    command.add_flag("--yes", options->yes, "begins even very many runs without a question");
+    command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
+    return [options] { return sweep(*options); };
+}
+
+} // namespace
+
+extern const Command sweep_command{
+    .name = "sweep",
+    .about = "Runs a netlist with many settings and seeds, on all cores, and keeps what comes of it",
+    .place = 22,
+    .declare = declare_sweep,
+};
+
+} // namespace placedpar

@@ -1,0 +1,291 @@
+"""placedpar sweep: what a study's runs come to, kept whatever happens, the same however they were made."""
+
+import contextlib
+import json
+import os
+import pathlib
+import pty
+import resource
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+
+from interruption_test import wait_until_it_listens
+from program import EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
+
+RING = EXAMPLES / "02-deadlock" / "ring.cfs"
+COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+LONG = ["sweep", str(FIGURE_E2), "slaves=0..3", "--seeds", "12", "--measure", "master.T_exe"]
+
+
+@contextlib.contextmanager
+def opened(path):
+    """A database, closed in the end."""
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        with database:
+            yield database
+
+
+def rows(path):
+    """All that is kept."""
+    with opened(path) as database:
+        return list(database.execute("SELECT * FROM runs ORDER BY settings, seed"))
+
+
+def figures(path, name):
+    """{settings: figure} of the first seed."""
+    with opened(path) as database:
+        return {settings: json.loads(text)[name][0] for settings, text in
+                database.execute("SELECT settings, figures FROM runs WHERE seed = 1")}
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def sweep(self, *arguments, code=0, **options):
+        done = placedpar("sweep", *arguments, folder=self.folder, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout if code == 0 else done.stderr
+
+    def report(self, *arguments):
+        done = placedpar("report", *arguments, folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def study(self, text, name="study.toml"):
+        (self.folder / name).write_text(text, encoding="utf-8")
+        return name
+
+
+class Sweep(InFolder):
+    def test_a_row_is_all_that_is_needed_to_make_a_run_again(self):
+        self.sweep(FIGURE_E2, "slaves=0,2", "linkspeed=5M,20M", "master.trials=7", "--seeds", 2)
+        kept = rows(self.folder / "figure-e2.sqlite")
+        self.assertEqual(len(kept), 8)
+        self.assertEqual(len({row[4] for row in kept}), 8)
+        for row in kept:
+            settings = [word for name, value in json.loads(row[0]).items() for word in ("--set", f"{name}={value}")]
+            run = placedpar("run", FIGURE_E2, "--seed", row[1], *settings)
+            self.assertEqual(fingerprint(run.stdout), row[4])
+        with opened(self.folder / "figure-e2.sqlite") as database:
+            texts = dict(database.execute("SELECT path, text FROM texts"))
+        self.assertEqual(texts[str(FIGURE_E2)], FIGURE_E2.read_text(encoding="utf-8"))
+        self.assertEqual(len(texts), 3) # with what it includes
+
+    def test_it_makes_the_same_on_any_number_of_workers_and_after_any_number_of_deaths(self):
+        dumps = []
+        for jobs in (1, 2, 5):
+            self.sweep(*LONG[1:], "--jobs", jobs, "--results", f"{jobs}.sqlite")
+            dumps.append(rows(self.folder / f"{jobs}.sqlite"))
+        killed = []
+        for seconds in (0.02, 0.05, 0.1, 0.15, 0.2):
+            with subprocess.Popen([PROGRAM, *LONG, "--results", "killed.sqlite", "--jobs", "2"], cwd=self.folder,
+                                  stdout=subprocess.DEVNULL) as process:
+                time.sleep(seconds)
+                process.send_signal(signal.SIGKILL)
+            try:
+                killed.append(len(rows(self.folder / "killed.sqlite")))
+            except sqlite3.OperationalError:
+                killed.append(0) # before there was a table
+        self.assertEqual(killed, sorted(killed))
+        self.assertTrue(any(0 < count < 48 for count in killed), killed)
+        self.sweep(*LONG[1:], "--results", "killed.sqlite")
+        dumps.append(rows(self.folder / "killed.sqlite"))
+        self.assertEqual(len(dumps[0]), 48)
+        for dump in dumps[1:]:
+            self.assertEqual(dump, dumps[0])
+        self.assertEqual(sorted(each.name for each in self.folder.iterdir()),
+                         ["1.sqlite", "2.sqlite", "5.sqlite", "killed.sqlite"])
+
+    def test_what_is_there_is_not_made_again(self):
+        self.sweep(FIGURE_E2, "slaves=1", "--seeds", 2)
+        with opened(self.folder / "figure-e2.sqlite") as database:
+            database.execute("UPDATE runs SET fingerprint = '000000000000abcd'")
+        self.sweep(FIGURE_E2, "slaves=1", "--seeds", 3)
+        self.assertEqual([row[4] == "000000000000abcd" for row in rows(self.folder / "figure-e2.sqlite")],
+                         [True, True, False])
+
+    def test_a_signal_ends_it_and_what_ended_is_kept(self):
+        with subprocess.Popen([PROGRAM, *LONG[:3], "--seeds", "1000"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True) as process:
+            wait_until_it_listens(process, signal.SIGINT)
+            time.sleep(0.3)
+            process.send_signal(signal.SIGINT)
+            output, errors = process.communicate(timeout=20)
+        self.assertEqual((process.returncode, output), (130, ""))
+        self.assertIn("the runs that ended are in figure-e2.sqlite: the same command goes on from them", errors)
+        self.assertGreater(len(rows(self.folder / "figure-e2.sqlite")), 0)
+        self.assertEqual(os.listdir(self.folder), ["figure-e2.sqlite"])
+
+    def test_a_file_says_the_same_as_the_command_line(self):
+        self.study(f"""
+            netlist = "{FIGURE_E2}"
+            measure = ["master.T_exe", "max(t.busy)"]
+            seeds = 2
+            where = "slaves <= 1 || linkspeed == 20M"
+            [set]
+            slaves = "0..4..2"
+            linkspeed = ["5M", "20M"]
+            master.trials = 7
+            [[also]]
+            set = {{slaves = 1}}""")
+        self.sweep("study.toml")
+        kept = {(row[0], row[1]) for row in rows(self.folder / "study.sqlite")}
+        wanted = [(0, "5M"), (0, "20M"), (2, "20M"), (4, "20M")]
+        self.assertEqual(kept, {(text, seed) for seed in (1, 2) for text in
+                                [f'{{"linkspeed":"{speed}","master.trials":"7","slaves":"{slaves}"}}'
+                                 for slaves, speed in wanted] + ['{"slaves":"1"}']})
+        self.sweep(FIGURE_E2, "slaves=2", "linkspeed=20M", "master.trials=7")
+        text = '{"linkspeed":"20M","master.trials":"7","slaves":"2"}'
+        self.assertEqual(figures(self.folder / "figure-e2.sqlite", "master[2].T_exe")[text],
+                         figures(self.folder / "study.sqlite", "master[2].T_exe")[text])
+
+    def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
+        self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
+                         r"(?s)-1 +1 +- +refused: .*1000000000 +1 +1 +stopped at the time limit")
+        self.assertRegex(self.sweep(RING, "--seeds", 2), "2 +- +deadlock")
+
+
+class BadInput(InFolder):
+    def test_what_does_not_exist(self):
+        for arguments, message in (
+                (["slavs=1,2"], 'the netlist has no val, attribute or parameter "slavs"'),
+                (["slaves=1,2", "--measure", "master.T_ex"], 'there is no measure "master.T_ex"; did you mean "master.T_exe"?'),
+                (["slaves=1,2", "--measure", "max(master"], '"max(master" is no measure'),
+                (["slaves=7..0"], "slaves=7..0: the range is empty"),
+                (["slaves=0..x"], 'slaves=0..x: "x" is no number; a range is FROM..TO'),
+                (["slaves=0..7..0"], "slaves=0..7..0: the step of a range is more than 0"),
+                (["slaves=1,,2"], "slaves=1,,2: a value is missing"),
+                (["slaves"], "slaves: a study takes NAME=VALUES"),
+                (["slaves=1", "slaves=2"], "slaves is given values twice"),
+                (["slaves=1", "--results", "."], ".: results are kept in a file"),
+                (["slaves=1", "--results", "no/where"], "no/where: cannot be made: No such file or directory")):
+            with self.subTest(arguments):
+                self.assertIn(message, self.sweep(FIGURE_E2, *arguments, code=1))
+        self.assertIn("nowhere.sqlite: there is no such file", placedpar("report", "nowhere.cfs").stderr)
+
+    def test_a_file_that_is_wrong_is_shown_where(self):
+        for text, message in (
+                ('netlist = "a.cfs"\nsed = 3\n', 'study.toml:2:1: error: a study has no "sed"'),
+                ('netlist = "a.cfs"\nseeds = 0\n', "study.toml:2:9: error: it takes a whole number of at least 1"),
+                ('netlist = "a.cfs"\n[set]\nslaves = "3..1"\n', "study.toml:3:10: error: slaves=3..1: the range is empty"),
+                ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: it cannot be understood"),
+                ("netlist = \n", "study.toml:1:"), ("seeds = 3\n", "it names no netlist"),
+                ('netlist = "a.cfs"\n[set]\nslaves = []\n', 'study.toml:3:10: error: "slaves" has no values')):
+            with self.subTest(text):
+                self.assertIn(message, self.sweep(self.study(text), code=1))
+        self.study(f'netlist = "{FIGURE_E2}"\nwhere = "slavs < 3"\n[set]\nslaves = [1, 2]\n')
+        self.assertIn('the name "slavs" is undefined', self.sweep("study.toml", code=1))
+        self.study(f'netlist = "{FIGURE_E2}"\nwhere = "slaves > 3"\n[set]\nslaves = [1, 2]\n')
+        self.assertIn("the study's condition leaves nothing to be run", self.sweep("study.toml", code=1))
+
+    def test_a_billion_runs_are_not_begun_unasked(self):
+        many = [FIGURE_E2, "slaves=0..3", "--seeds", "250000000"]
+        self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; --yes begins")
+        parent, child = pty.openpty()
+        with subprocess.Popen([PROGRAM, "sweep", *map(str, many)], cwd=self.folder, stdin=child, stderr=child,
+                              stdout=subprocess.PIPE) as process:
+            os.close(child)
+            os.write(parent, b"n\n")
+            self.assertEqual(process.communicate(timeout=20)[0], b"")
+        self.assertIn(b"Begin? [y/N]", os.read(parent, 10000))
+        os.close(parent)
+        self.assertLess(len(rows(self.folder / "figure-e2.sqlite")), 4)
+
+    def test_results_of_another_study_or_version_are_left_alone(self):
+        self.sweep(FIGURE_E2, "slaves=1", "--results", "kept")
+        before = rows(self.folder / "kept")
+        self.assertIn("kept: its runs are of", self.sweep(RING, "--results", "kept", code=1))
+        self.assertIn("with other options", self.sweep(FIGURE_E2, "--until", "1ms", "--results", "kept", code=1))
+        with opened(self.folder / "kept") as database:
+            database.execute("UPDATE study SET version = '0.0.1'")
+        self.assertIn("kept: its runs were made by version 0.0.1", self.sweep(FIGURE_E2, "--results", "kept", code=1))
+        self.assertEqual(rows(self.folder / "kept"), before)
+        self.sweep(FIGURE_E2, "--results", "kept", "--any-version")
+        self.assertEqual(len(rows(self.folder / "kept")), 2)
+        with opened(self.folder / "kept") as database:
+            database.execute("PRAGMA user_version = 99")
+        self.assertIn("of a later PlacedPar", self.sweep(FIGURE_E2, "--results", "kept", code=1))
+        with opened(self.folder / "other") as database:
+            database.execute("CREATE TABLE t(x)")
+        self.assertIn("a database of another program", self.sweep(FIGURE_E2, "--results", "other", code=1))
+        self.study("text", "note")
+        self.assertIn("note: it is no file of results", self.sweep(FIGURE_E2, "--results", "note", code=1))
+        self.assertEqual((self.folder / "note").read_text(encoding="utf-8"), "text")
+
+    def test_a_full_disk_loses_nothing(self):
+        def little_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
+
+        done = subprocess.run([PROGRAM, *LONG], cwd=self.folder, capture_output=True, text=True, check=False,
+                              preexec_fn=little_room, restore_signals=False) # SIGXFSZ stays ignored: an error is told
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("the runs that it has are kept, and the same command goes on from them", done.stderr)
+        kept = rows(self.folder / "figure-e2.sqlite")
+        self.assertGreater(len(kept), 0)
+        self.sweep(*LONG[1:])
+        self.assertLess(set(kept), set(rows(self.folder / "figure-e2.sqlite")))
+        self.assertEqual(len(rows(self.folder / "figure-e2.sqlite")), 48)
+
+    def test_two_sweeps_do_not_share_a_file(self):
+        with subprocess.Popen([PROGRAM, "sweep", str(COMMSTIME), "count=1000000000"], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as first:
+            wait_until_it_listens(first, signal.SIGINT)
+            self.assertIn("commstime.sqlite: another placedpar sweep is using it", self.sweep(COMMSTIME, code=1))
+            first.send_signal(signal.SIGINT)
+
+
+class Report(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.sweep(FIGURE_E2, "slaves=0,2,10", "master.trials=10", "--seeds", 3, "--measure", "max(master.best_fitness)")
+
+    def test_means_and_intervals(self):
+        found = [values for name, values in sorted(self.best().items())]
+        self.assertEqual(len(found), 3)
+        lines = self.report("figure-e2.cfs", "--csv", "table.csv").splitlines()
+        self.assertIn("all with master.trials = 10", lines)
+        header, *table = [line.split(",") for line in (self.folder / "table.csv").read_text().splitlines()]
+        self.assertEqual(header[:4], ["slaves", "runs", "ended", "max(master.best_fitness) mean"])
+        self.assertEqual([row[0] for row in table], ["0", "2", "10"]) # as numbers
+        for row in table:
+            values = self.best()[row[0]]
+            mean = sum(values) / 3
+            deviation = (sum((value - mean) ** 2 for value in values) / 2) ** 0.5
+            self.assertAlmostEqual(float(row[3]), mean)
+            self.assertAlmostEqual(float(row[4]), 4.302652729911275 * deviation / 3 ** 0.5)
+            self.assertEqual([float(row[5]), float(row[6])], [min(values), max(values)])
+
+    def best(self):
+        found = {}
+        for row in rows(self.folder / "figure-e2.sqlite"):
+            values = [figure[0] for name, figure in json.loads(row[8]).items() if name.endswith(".best_fitness")]
+            found.setdefault(json.loads(row[0])["slaves"], []).append(max(values))
+        return found
+
+    def test_a_measure_that_was_not_asked_for_is_there(self):
+        self.assertRegex(self.report("figure-e2.sqlite", "--measure", "master.T_exe", "--measure", "processors"),
+                         r"(?s)slaves  runs  master.T_exe \[ms\]  +95 %  processors  +95 %\n +0  .* 10 +3 .* 44 ")
+
+    def test_a_page_that_needs_no_other_file(self):
+        self.report("figure-e2.cfs", "--page", "page.html", "--svg", "plot.svg")
+        page = (self.folder / "page.html").read_text(encoding="utf-8")
+        for part in ("<svg", "<td>10</td>", "master.trials = 10", "</html>"):
+            self.assertIn(part, page)
+        for outside in ("http:", "https:", "src=", "<link", "@import", "url(h"):
+            self.assertNotIn(outside, page.replace('"http://www.w3.org/2000/svg"', "").replace('"http://www.w3.org/1999/xlink"', ""))
+        self.assertIn("<svg", (self.folder / "plot.svg").read_text(encoding="utf-8"))
+
+    def test_what_cannot_be_drawn(self):
+        done = placedpar("report", "figure-e2.sqlite", "--svg", "a.svg", "--over", "linkspeed", folder=self.folder)
+        self.assertIn('"linkspeed" does not have several values in this study', done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,145 @@
+#include "workbench/study/axis.hpp"
+
+#include "text/user_error.hpp"
+#include "workbench/study/condition.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+constexpr double most_values = 1e15; ///< of a range: beyond it doubles do not count in ones any more
+
+[[noreturn]] void refuse_range(std::string_view text, const std::string& why) {
+    throw UserError(fmt::format("{}: {}", text, why));
+}
+
+/// An end of a range. A suffix means what it means for a clock or a link: 5M are 5 million.
+double end_of_range(std::string_view range, std::string_view text) {
+    if (std::optional<double> number = number_of_setting(std::string(text)))
+        return *number;
+    refuse_range(range, fmt::format("\"{}\" is no number; a range is FROM..TO, FROM..TO..STEP or FROM..TO..xFACTOR, "
+                                    "such as 0..7, 0..100..10 or 1..64..x2",
+                                    text));
+}
+
+bool is_whole(double number) { return number == std::floor(number) && std::abs(number) < most_values; }
+
+/// Where a part ends: at a comma outside of quotes, parentheses and braces, or the end.
+std::size_t end_of_part(const std::string& text, std::size_t begin) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = begin; i < text.size(); ++i) {
+        if (text[i] == '"' && (i == 0 || text[i - 1] != '\\'))
+            quoted = !quoted;
+        else if (!quoted && (text[i] == '(' || text[i] == '{' || text[i] == '['))
+            ++depth;
+        else if (!quoted && (text[i] == ')' || text[i] == '}' || text[i] == ']'))
+            --depth;
+        else if (text[i] == ',' && !quoted && depth <= 0)
+            return i;
+    }
+    return text.size();
+}
+
+std::string without_blanks(std::string text) {
+    text.erase(0, text.find_first_not_of(" \t"));
+    text.erase(text.find_last_not_of(" \t") + 1);
+    return text;
+}
+
+} // namespace
+
+StudyValues::StudyValues(std::string_view text) : only_(text) {
+    bool begins_with_number =
+        !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '+');
+    if (std::size_t dots = text.find(".."); begins_with_number && dots != text.npos)
+        read_range(text, dots);
+}
+
+void StudyValues::read_range(std::string_view text, std::size_t dots) {
+    std::string_view behind = text.substr(dots + 2), step = "1";
+    if (std::size_t more = behind.find(".."); more != behind.npos) {
+        step = behind.substr(more + 2);
+        behind = behind.substr(0, more);
+    }
+    multiplies_ = step.starts_with('x');
+    from_ = end_of_range(text, text.substr(0, dots));
+    double to = end_of_range(text, behind);
+    step_ = end_of_range(text, multiplies_ ? step.substr(1) : step);
+    whole_ = is_whole(from_) && is_whole(step_);
+    count_steps(text, from_, to);
+}
+
+void StudyValues::count_steps(std::string_view text, double from, double to) {
+    if (to < from)
+        refuse_range(text, fmt::format("the range is empty: it counts upwards, and {} is less than {}", to, from));
+    if (multiplies_ ? step_ <= 1 || from <= 0 : step_ <= 0)
+        refuse_range(text, multiplies_ ? "a range is multiplied by more than 1, and begins above 0"
+                                       : "the step of a range is more than 0");
+    constexpr double rounding = 1e-9; // so that 0.1..0.9..0.1 has its last value
+    double steps = multiplies_ ? std::log(to / from) / std::log(step_) : (to - from) / step_;
+    if (!(steps < most_values))
+        refuse_range(text, "the range has too many values");
+    count_ = static_cast<std::uint64_t>(std::floor(steps + rounding)) + 1;
+}
+
+std::string StudyValues::at(std::uint64_t index) const {
+    if (!only_.empty() && count_ == 1 && only_.find("..") == only_.npos)
+        return only_;
+    auto i = static_cast<double>(index);
+    double value = multiplies_ ? from_ * std::pow(step_, i) : from_ + step_ * i;
+    return whole_ ? fmt::format("{:.0f}", value) : fmt::format("{:.12g}", value);
+}
+
+std::uint64_t StudyAxis::count() const {
+    std::uint64_t sum = 0;
+    for (const StudyValues& part : parts)
+        sum += part.count();
+    return sum;
+}
+
+std::string StudyAxis::at(std::uint64_t index) const {
+    for (const StudyValues& part : parts) {
+        if (index < part.count())
+            return part.at(index);
+        index -= part.count();
+    }
+    return "";
+}
+
+std::vector<StudyValues> read_values(const std::string& name, const std::string& text) {
+    std::vector<StudyValues> values;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        std::size_t end = end_of_part(text, begin);
+        std::string part = without_blanks(text.substr(begin, end - begin));
+        if (part.empty())
+            throw UserError(fmt::format("{}={}: a value is missing; it takes values with commas between them, or a "
+                                        "range, such as {}=1,2,5 or {}=0..7",
+                                        name, text, name, name));
+        try {
+            values.emplace_back(part);
+        } catch (const UserError& refused) {
+            throw UserError(fmt::format("{}={}", name, refused.what()));
+        }
+        begin = end + 1;
+    }
+    return values;
+}
+
+StudyAxis read_axis(const std::string& text) {
+    std::size_t equals = text.find('=');
+    if (equals == text.npos || equals == 0)
+        throw UserError(
+            fmt::format("{}: a study takes NAME=VALUES, such as slaves=0..7 or linkspeed=5M,10M,20M", text));
+    std::string name = text.substr(0, equals);
+    return {name, read_values(name, text.substr(equals + 1))};
+}
+
+} // namespace placedpar

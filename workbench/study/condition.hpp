@@ -1,0 +1,32 @@
+#pragma once
+
+#include "netlist/read.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace placedpar {
+
+/// The number that a value of --set is, as it means a clock or the speed of a link: 5M is 5 million. None for a text.
+std::optional<double> number_of_setting(const std::string& text);
+
+/// Which of a study's products are run: an expression of the netlist language over what the study sets,
+/// `slaves * clusters <= 16`.
+class StudyCondition {
+public:
+    /// "" always holds. Throws RefusedInput.
+    explicit StudyCondition(const std::string& text);
+    ~StudyCondition();
+    StudyCondition(StudyCondition&&) noexcept;
+    StudyCondition& operator=(StudyCondition&&) noexcept;
+
+    /// Throws RefusedInput where it names what the study does not set, or cannot be computed.
+    bool holds(const Overrides& set) const;
+
+private:
+    struct Parsed;
+    std::unique_ptr<Parsed> parsed_; ///< none: always
+};
+
+} // namespace placedpar

@@ -1,0 +1,136 @@
+#include "workbench/study/measure.hpp"
+
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+constexpr double picoseconds_in_ms = 1e9;
+
+void add_figure(StudyFigures& figures, const std::string& name, double value, const std::string& unit = "") {
+    if (std::isfinite(value))
+        figures[name] = {value, unit};
+}
+
+/// "t[0][1].busy" of an array is also "t.busy".
+std::string without_subscripts(const std::string& figure) {
+    std::size_t bracket = figure.find('['), dot = figure.rfind('.');
+    return bracket == figure.npos || dot == figure.npos || dot < bracket
+               ? figure
+               : figure.substr(0, bracket) + figure.substr(dot);
+}
+
+/// Boost.JSON 1.81 reads some numbers a last bit off.
+std::vector<double> numbers_outside_of_strings(const std::string& json) {
+    std::vector<double> numbers;
+    bool quoted = false;
+    for (const char *at = json.data(), *end = at + json.size(); at < end; ++at) {
+        if (quoted && *at == '\\')
+            ++at;
+        else if (*at == '"')
+            quoted = !quoted;
+        else if (double number = 0; !quoted && (*at == '-' || std::isdigit(static_cast<unsigned char>(*at)))) {
+            at = std::from_chars(at, end, number).ptr - 1;
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
+}
+
+} // namespace
+
+StudyFigures figures_of(const RunReport& report, const Network& network) {
+    StudyFigures figures;
+    add_figure(figures, "time", static_cast<double>(report.result.time.count()) / picoseconds_in_ms, "ms");
+    add_figure(figures, "processors", static_cast<double>(report.processors.size()));
+    add_figure(figures, "links", static_cast<double>(network.count_wires()));
+    for (const Measurement& each : report.measurements)
+        if (const auto* value = std::get_if<double>(&each.value))
+            add_figure(figures, each.process + "." + each.name, *value, each.unit);
+    for (const ProcessorUse& each : report.processors)
+        if (auto share = report.share(each.busy))
+            add_figure(figures, each.name + ".busy", 100 * *share, "%");
+    return figures;
+}
+
+std::string figures_text(const StudyFigures& figures) {
+    boost::json::object json;
+    for (const auto& [name, figure] : figures)
+        json[name] = boost::json::array{figure.value, figure.unit};
+    return boost::json::serialize(json);
+}
+
+StudyFigures figures_from(const std::string& text) {
+    const std::vector<double> numbers = numbers_outside_of_strings(text);
+    const boost::json::value json = boost::json::parse(text);
+    StudyFigures figures;
+    std::size_t number = 0;
+    for (const auto& [name, value] : json.as_object())
+        figures[std::string(name)] = {numbers.at(number++), std::string(value.as_array().at(1).as_string())};
+    return figures;
+}
+
+StudyMeasure::StudyMeasure(const std::string& text) : text_(text), name_(text) {
+    constexpr std::array<std::pair<const char*, Way>, 4> ways{
+        {{"mean(", Way::mean}, {"min(", Way::least}, {"max(", Way::greatest}, {"sum(", Way::sum}}};
+    for (const auto& [word, way] : ways)
+        if (text.starts_with(word) && text.ends_with(')')) {
+            way_ = way;
+            name_ = text.substr(std::string(word).size());
+            name_.pop_back();
+        }
+    if (name_.empty() || name_.find_first_of("(),") != name_.npos)
+        throw UserError(fmt::format("\"{}\" is no measure: it takes PROCESS.NAME or time, or the min, max, mean or sum "
+                                    "of an array of processes, such as master.T_exe or max(master.T_exe)",
+                                    text));
+}
+
+bool StudyMeasure::matches(const std::string& figure) const {
+    return figure == name_ || without_subscripts(figure) == name_;
+}
+
+std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
+    std::vector<double> values;
+    std::string unit;
+    for (const auto& [name, figure] : figures)
+        if (matches(name)) {
+            values.push_back(figure.value);
+            unit = figure.unit;
+        }
+    if (values.empty())
+        return std::nullopt;
+    double sum = 0;
+    for (double value : values)
+        sum += value;
+    switch (way_) {
+    case Way::mean: return StudyFigure{sum / static_cast<double>(values.size()), unit};
+    case Way::least: return StudyFigure{std::ranges::min(values), unit};
+    case Way::greatest: return StudyFigure{std::ranges::max(values), unit};
+    case Way::sum: break;
+    }
+    return StudyFigure{sum, unit};
+}
+
+std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
+    std::set<std::string> names;
+    for (const auto& [name, figure] : figures)
+        names.insert(without_subscripts(name));
+    return there_is_no("measure", measure.text(), {names.begin(), names.end()},
+                       fmt::format("the runs have {}", fmt::join(names, ", ")));
+}
+
+} // namespace placedpar

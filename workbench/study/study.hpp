@@ -1,0 +1,53 @@
+#pragma once
+
+#include "netlist/read.hpp"
+#include "runtime/time.hpp"
+#include "workbench/study/axis.hpp"
+#include "workbench/study/condition.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// All combinations of the axes' values for which the condition holds. The last axis counts fastest.
+struct StudyProduct {
+    std::vector<StudyAxis> axes;
+    StudyCondition where{""};
+
+    /// Throws UserError where 64 bits do not hold it.
+    std::uint64_t count() const;
+    /// REQUIRES: index < count().
+    Overrides at(std::uint64_t index) const;
+};
+
+/// A run of a study: what is set in the netlist, and the seed.
+struct StudyRun {
+    Overrides set;
+    std::uint64_t seed = 1;
+
+    auto operator<=>(const StudyRun&) const = default;
+};
+
+/// Which runs of a netlist are to be made, and what is to be known of them.
+struct Study {
+    std::string netlist; ///< its path
+    ReadOptions read = {};
+    std::vector<StudyProduct> products;
+    std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with so many
+    Time until = Time::max();                ///< runs that are not over then are stopped
+    std::vector<std::string> measures;
+
+    /// Runs, those with combinations for which the condition does not hold among them. Throws UserError where 64 bits
+    /// do not hold it.
+    std::uint64_t count() const;
+    /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
+    std::optional<StudyRun> at(std::uint64_t index) const;
+    /// What is set, each combination once. REQUIRES: memory for all.
+    std::set<Overrides> combinations() const;
+};
+
+} // namespace placedpar

@@ -1,0 +1,240 @@
+#include "workbench/study/study_file.hpp"
+
+#include "text/load_source.hpp"
+#include "text/nearest.hpp"
+#include "text/reporter.hpp"
+#include "text/user_error.hpp"
+#include "workbench/study/measure.hpp"
+#include "workbench/time_text.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// Of one file. Reports everything that is wrong, not only the first.
+class StudyReader {
+public:
+    explicit StudyReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {
+        LoadedSource loaded = load_input(path);
+        source_ = loaded.file;
+        if (has_errors(loaded.problems))
+            throw RefusedInput(render(loaded.problems));
+    }
+
+    Study read() {
+        toml::table top = parsed();
+        read_top(top);
+        refuse_if_failed();
+        return std::move(study_);
+    }
+
+private:
+    using Handler = std::function<void(const toml::node&)>;
+    using Handlers = std::map<std::string, Handler>;
+
+    toml::table parsed() {
+        try {
+            return toml::parse(source_->text(), source_->path());
+        } catch (const toml::parse_error& error) {
+            report(error.source().begin, std::string(error.description()), "a study is TOML: https://toml.io");
+        }
+        refuse_if_failed();
+        return {};
+    }
+
+    void read_top(const toml::table& top) {
+        StudyProduct product;
+        Handlers handlers = of_product(product);
+        handlers["netlist"] = [&](const toml::node& node) { study_.netlist = beside(text(node)); };
+        handlers["seeds"] = [&](const toml::node& node) { study_.seeds = whole(node, 1); };
+        handlers["first_seed"] = [&](const toml::node& node) { study_.first_seed = whole(node, 0); };
+        handlers["measure"] = [&](const toml::node& node) { study_.measures = measures(node); };
+        handlers["also"] = [&](const toml::node& node) { read_further(node); };
+        handlers["include"] = [&](const toml::node& node) {
+            for (const std::string& each : texts(node))
+                study_.read.include_folders.emplace_back(beside(each));
+        };
+        handlers["fault"] = [&](const toml::node& node) { study_.read.faults = texts(node); };
+        handlers["use"] = [&](const toml::node& node) { read_programs(node); };
+        handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
+        read_table(top, handlers);
+        if (study_.netlist.empty())
+            report(top.source().begin, "it names no netlist", "netlist = \"figure-e2.cfs\"");
+        study_.products.insert(study_.products.begin(), std::move(product));
+    }
+
+    /// The product's members.
+    Handlers of_product(StudyProduct& product) {
+        return {{"set", [&](const toml::node& node) { read_axes(node, "", product.axes); }},
+                {"where", [&](const toml::node& node) { read_condition(node, product); }}};
+    }
+
+    void read_further(const toml::node& node) {
+        const toml::array* tables = node.as_array();
+        if (!tables || !tables->is_homogeneous(toml::node_type::table))
+            return report(node.source().begin, "a further product is a table", "[[also]]");
+        for (const toml::node& each : *tables) {
+            StudyProduct product;
+            read_table(*each.as_table(), of_product(product));
+            study_.products.push_back(std::move(product));
+        }
+    }
+
+    /// Each member by what takes it.
+    void read_table(const toml::table& table, const Handlers& handlers) {
+        for (const auto& [key, node] : table) {
+            std::string name(key.str());
+            if (auto found = handlers.find(name); found != handlers.end())
+                found->second(node);
+            else
+                report(key.source().begin, fmt::format("a study has no \"{}\"", name), hint_for(name, handlers));
+        }
+    }
+
+    static std::string hint_for(const std::string& name, const Handlers& handlers) {
+        std::vector<std::string> known;
+        for (const auto& each : handlers)
+            known.push_back(each.first);
+        std::string meant = did_you_mean(name, known);
+        return meant.empty() ? "what is set in the netlist stands below [set]" : meant;
+    }
+
+    /// In the order of the text, which the parser's tables do not keep. Names with dots are tables in tables.
+    void read_axes(const toml::node& node, const std::string& prefix, std::vector<StudyAxis>& axes) {
+        const toml::table* table = node.as_table();
+        if (!table)
+            return report(node.source().begin, "it takes a table", "[set]");
+        std::vector<std::pair<const toml::key*, const toml::node*>> members;
+        for (const auto& [key, value] : *table)
+            members.emplace_back(&key, &value);
+        std::ranges::stable_sort(members, [](const auto& a, const auto& b) {
+            toml::source_position one = a.first->source().begin, other = b.first->source().begin;
+            return std::pair(one.line, one.column) < std::pair(other.line, other.column);
+        });
+        for (const auto& [key, value] : members)
+            if (value->is_table())
+                read_axes(*value, prefix + std::string(key->str()) + ".", axes);
+            else
+                read_axis_of(prefix + std::string(key->str()), *value, axes);
+    }
+
+    void read_axis_of(const std::string& name, const toml::node& node, std::vector<StudyAxis>& axes) {
+        std::string values;
+        if (const toml::array* array = node.as_array()) {
+            if (array->empty())
+                return report(node.source().begin, fmt::format("\"{}\" has no values", name), "[1, 2, 5] or \"0..7\"");
+            for (const toml::node& each : *array)
+                values += (values.empty() ? "" : ",") + value_text(each);
+        } else {
+            values = value_text(node);
+        }
+        attempt_at(node, [&] { axes.push_back({name, read_values(name, values)}); });
+    }
+
+    /// As --set takes it.
+    std::string value_text(const toml::node& node) {
+        if (const auto* text = node.as_string())
+            return text->get();
+        if (const auto* integer = node.as_integer())
+            return fmt::format("{}", integer->get());
+        if (const auto* real = node.as_floating_point())
+            return fmt::format("{}", real->get());
+        if (const auto* truth = node.as_boolean())
+            return truth->get() ? "1" : "0";
+        report(node.source().begin, "it takes numbers and texts", "[1, 2, 5], [\"5M\", \"10M\"] or \"0..7\"");
+        return "0";
+    }
+
+    void read_condition(const toml::node& node, StudyProduct& product) {
+        attempt_at(node, [&] { product.where = StudyCondition(text(node)); });
+    }
+
+    void read_programs(const toml::node& node) {
+        if (const toml::table* table = node.as_table())
+            for (const auto& [key, value] : *table)
+                study_.read.programs[std::string(key.str())] = text(value);
+        else
+            report(node.source().begin, "it takes a table of programs and kinds",
+                   "use = {\"sim.lku\" = \"ga.master\"}");
+    }
+
+    std::vector<std::string> measures(const toml::node& node) {
+        std::vector<std::string> names = texts(node);
+        for (const std::string& each : names)
+            attempt_at(node, [&] { StudyMeasure{each}; });
+        return names;
+    }
+
+    std::vector<std::string> texts(const toml::node& node) {
+        std::vector<std::string> found;
+        if (const toml::array* array = node.as_array())
+            for (const toml::node& each : *array)
+                found.push_back(text(each));
+        else
+            found.push_back(text(node));
+        return found;
+    }
+
+    std::string text(const toml::node& node) {
+        if (const auto* text = node.as_string(); text && !text->get().empty())
+            return text->get();
+        report(node.source().begin, "it takes a text in quotes");
+        return "?";
+    }
+
+    std::uint64_t whole(const toml::node& node, std::int64_t least) {
+        const auto* integer = node.as_integer();
+        if (integer && integer->get() >= least)
+            return static_cast<std::uint64_t>(integer->get());
+        report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
+        return 1;
+    }
+
+    Time time(const toml::node& node) {
+        Time until = Time::max();
+        attempt_at(node, [&] { until = parse_time(text(node)); });
+        return until;
+    }
+
+    std::string beside(const std::string& path) const { return (folder_ / path).lexically_normal().string(); }
+
+    template <class Work>
+    void attempt_at(const toml::node& node, Work work) {
+        try {
+            work();
+        } catch (const RefusedInput& refused) {
+            report(node.source().begin, "it cannot be understood:\n" + std::string(refused.what()));
+        } catch (const UserError& refused) {
+            report(node.source().begin, refused.what());
+        }
+    }
+
+    void report(const toml::source_position& at, std::string message, std::string hint = "") {
+        reporter_.error({source_, at.line, at.column}, std::move(message), std::move(hint));
+    }
+
+    void refuse_if_failed() {
+        if (reporter_.failed())
+            throw RefusedInput(render(reporter_.take()));
+    }
+
+    std::filesystem::path folder_;
+    std::shared_ptr<const SourceFile> source_;
+    Reporter reporter_;
+    Study study_;
+};
+
+} // namespace
+
+Study read_study(const std::string& path) { return StudyReader(path).read(); }
+
+} // namespace placedpar

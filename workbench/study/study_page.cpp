@@ -1,0 +1,89 @@
+#include "text/counted.hpp"
+#include "text/user_error.hpp"
+#include "text/utf8.hpp"
+#include "workbench/study/study_report.hpp"
+#include "workbench/study/summary_cells.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar {
+
+namespace {
+
+constexpr const char* page_head = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>{0}</title>
+<style>
+body {{ font: 15px/1.5 system-ui, sans-serif; color: #222; background: #fff; max-width: 62rem; margin: 2rem auto; padding: 0 1rem }}
+table {{ border-collapse: collapse; font-variant-numeric: tabular-nums }}
+th, td {{ padding: .2rem .8rem; text-align: right; border-bottom: 1px solid #ddd }}
+th {{ border-bottom: 2px solid #222 }}
+td.ended {{ text-align: left; color: #a00 }}
+svg {{ max-width: 100%; height: auto }}
+</style>
+</head>
+<body>
+<h1>{0}</h1>
+)";
+
+/// Without what stands before it in a file of its own.
+std::string inline_svg(const std::string& file) { return file.substr(file.find("<svg")); }
+
+/// The plot, or why there is none.
+std::string figure_of(const StudySummary& summary, const std::string& over) {
+    try {
+        return "<figure>" + inline_svg(draw_svg(summary_plot(summary, over))) + "</figure>\n";
+    } catch (const UserError& none) {
+        if (!over.empty())
+            throw;
+        return fmt::format("<p>{}</p>\n", as_markup(none.what()));
+    }
+}
+
+std::string cell_of_page(const std::string& tag, const std::string& text) {
+    return fmt::format("<{0}>{1}</{0}>", tag, as_markup(text));
+}
+
+std::string head_of_table(const StudySummary& summary) {
+    std::string out = "<tr>";
+    for (const std::string& axis : summary.axes)
+        out += cell_of_page("th", axis);
+    out += "<th>runs</th>";
+    for (std::size_t i = 0; i < summary.measures.size(); ++i)
+        out += cell_of_page("th", measure_with_unit(summary, i)) + "<th>95 %</th>";
+    return out + "<th></th></tr>\n";
+}
+
+std::string row_of_table(const StudyLine& line) {
+    std::string out = "<tr>";
+    for (const std::string& value : line.values)
+        out += cell_of_page("td", value);
+    out += fmt::format("<td>{}</td>", line.runs);
+    for (const StudyCell& cell : line.cells)
+        out += cell_of_page("td", shown_mean(cell)) + cell_of_page("td", shown_interval(cell));
+    return out + fmt::format("<td class=\"ended\">{}</td></tr>\n", as_markup(ended_of(line)));
+}
+
+std::string about_the_runs(const StudySummary& summary) {
+    std::string out = fmt::format("<p>{} of {}, made by PlacedPar {}. Intervals are Student's, of 95 %.</p>\n",
+                                  counted(summary.runs(), "run"), counted(summary.lines.size(), "combination"),
+                                  as_markup(summary.version));
+    for (const auto& [name, value] : summary.fixed)
+        out += fmt::format("<p>all with {} = {}</p>\n", as_markup(name), as_markup(value));
+    return out;
+}
+
+} // namespace
+
+std::string summary_page(const StudySummary& summary, const std::string& over) {
+    std::string page = fmt::format(page_head, as_markup(summary.netlist)) + about_the_runs(summary) +
+                       figure_of(summary, over) + "<table>\n" + head_of_table(summary);
+    for (const StudyLine& line : summary.lines)
+        page += row_of_table(line);
+    return page + "</table>\n</body>\n</html>\n";
+}
+
+} // namespace placedpar

@@ -1,0 +1,99 @@
+#include "workbench/study/study_report.hpp"
+
+#include "text/counted.hpp"
+#include "text/paint.hpp"
+#include "workbench/study/summary_cells.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+std::string print_fixed(const StudySummary& summary) {
+    std::string out;
+    for (const auto& [name, value] : summary.fixed)
+        out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", name, value);
+    return out.empty() ? "" : "all with " + out + "\n";
+}
+
+/// Texts below each other, numbers to the right.
+std::string print_rows(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths(rows.front().size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i + 1 < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+    std::string out;
+    for (std::size_t number = 0; number < rows.size(); ++number) {
+        std::string line;
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            line += fmt::format("{:>{}}  ", rows[number][i], widths[i]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += (number == 0 ? painted(Paint::heading, line) : line) + "\n";
+    }
+    return out;
+}
+
+std::string quoted_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == text.npos)
+        return text;
+    std::string out = "\"";
+    for (char character : text)
+        out += character == '"' ? "\"\"" : std::string(1, character);
+    return out + "\"";
+}
+
+} // namespace
+
+std::string print_summary(const StudySummary& summary) {
+    std::vector<std::vector<std::string>> rows(1, summary.axes);
+    rows.front().push_back("runs");
+    bool intervals = std::ranges::any_of(summary.lines, [](const StudyLine& line) { return line.runs > 1; });
+    for (std::size_t i = 0; i < summary.measures.size(); ++i) {
+        rows.front().push_back(measure_with_unit(summary, i));
+        if (intervals)
+            rows.front().push_back("95 %");
+    }
+    rows.front().push_back("");
+    for (const StudyLine& line : summary.lines) {
+        std::vector<std::string> row = line.values;
+        row.push_back(fmt::format("{}", line.runs));
+        for (const StudyCell& cell : line.cells) {
+            row.push_back(shown_mean(cell));
+            if (intervals)
+                row.push_back(shown_interval(cell));
+        }
+        row.push_back(ended_of(line));
+        rows.push_back(std::move(row));
+    }
+    return fmt::format("{}: {} of {}\n{}\n", summary.netlist, counted(summary.runs(), "run"),
+                       counted(summary.lines.size(), "combination"), print_fixed(summary)) +
+           print_rows(rows);
+}
+
+std::string summary_csv(const StudySummary& summary) {
+    std::string out;
+    for (const std::string& axis : summary.axes)
+        out += quoted_cell(axis) + ",";
+    out += "runs,ended";
+    for (std::size_t i = 0; i < summary.measures.size(); ++i)
+        for (const char* part : {"mean", "half_width_95", "least", "greatest"})
+            out += "," + quoted_cell(fmt::format("{} {}", measure_with_unit(summary, i), part));
+    for (const StudyLine& line : summary.lines) {
+        out += "\n";
+        for (const std::string& value : line.values)
+            out += quoted_cell(value) + ",";
+        out += fmt::format("{},{}", line.runs, quoted_cell(ended_of(line)));
+        for (const StudyCell& cell : line.cells)
+            out += cell.runs == 0
+                       ? ",,,,"
+                       : fmt::format(",{},{},{},{}", cell.mean, cell.runs < 2 ? "" : fmt::format("{}", cell.half_width),
+                                     cell.least, cell.greatest);
+    }
+    return out + "\n";
+}
+
+} // namespace placedpar

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "workbench/study/results.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A measure over the runs of one combination that came to an end.
+struct StudyCell {
+    std::uint64_t runs = 0;
+    double mean = 0, least = 0, greatest = 0;
+    double half_width = 0; ///< of Student's interval: with 95 % the mean is within; 0 for a single run
+
+    void add(double value);
+    /// REQUIRES: nothing is added any more.
+    void close();
+
+private:
+    double squares_ = 0; ///< of the distances from the mean (B. Welford, 1962)
+};
+
+/// The runs of one combination.
+struct StudyLine {
+    std::vector<std::string> values;            ///< of the axes; "" where this one does not set one
+    std::uint64_t runs = 0;                     ///< all
+    std::map<std::string, std::uint64_t> ended; ///< those that did not complete, by how they ended
+    std::string refused = "";                   ///< why, by its first line
+    std::vector<StudyCell> cells;               ///< by measure
+};
+
+/// What is known of a study's runs.
+struct StudySummary {
+    std::string netlist, version;
+    std::vector<std::string> axes = {}; ///< that have several values
+    Overrides fixed = {};               ///< what all combinations set to the same
+    std::vector<std::string> measures = {}, units = {};
+    std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
+
+    std::uint64_t runs() const;
+};
+
+/// Of the runs that are kept, or of those with the study's combinations, whatever their seeds. Without measures, of
+/// those that were asked for last.
+StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr);
+
+} // namespace placedpar

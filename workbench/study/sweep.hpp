@@ -1,0 +1,59 @@
+#pragma once
+
+#include "workbench/netlist_run.hpp"
+#include "workbench/study/results.hpp"
+#include "workbench/study/study.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A netlist of the study: the first of some that are spread over it and that can be read. Throws what the very first
+/// is refused with where none can.
+Network readable_network(const Study&);
+
+/// Makes the runs of a study that its results do not have yet. What comes of a run does not depend on when it is made
+/// or beside which others, so neither do the results.
+class StudySweep {
+public:
+    /// REQUIRES: both outlive it.
+    StudySweep(const Study& study, StudyResults& results) : study_(study), results_(results) {}
+
+    /// Makes and keeps a run or two, unless they are there, so that a measure that no run has is refused before the
+    /// others are made: UserError. None ends the others early.
+    void try_measures(Interruption&);
+
+    /// How many are missing; where there are very many at most that many.
+    struct Missing {
+        std::uint64_t runs = 0;
+        bool exact = true;
+    };
+    Missing missing();
+    /// How long a run takes, by the wall's clock; makes one of them where none was made. None when interrupted.
+    std::optional<double> seconds_a_run(Interruption&);
+
+    /// Makes all that are missing, so many at once. `show` is told now and then how many have ended.
+    void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show);
+
+private:
+    std::optional<StudyRun> next();
+    void work(Interruption&);
+    std::optional<StudyOutcome> timed_outcome(const StudyRun&, Interruption&);
+    std::optional<StudyFigures> figures_near(std::uint64_t index, bool forwards, Interruption&);
+
+    const Study& study_;
+    StudyResults& results_;
+    std::mutex mutex_; ///< of the results and what follows
+    std::uint64_t next_ = 0;
+    std::atomic<std::uint64_t> ended_ = 0;
+    std::atomic<bool> stop_ = false;
+    std::optional<double> seconds_;
+};
+
+} // namespace placedpar
