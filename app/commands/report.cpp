@@ -34,25 +34,38 @@ std::filesystem::path kept_results_of(const std::string& study) {
                                                              : study;
 }
 
-ExitCode report(const ReportOptions& options) {
-    std::filesystem::path kept = kept_results_of(options.study);
-    require_apart(options.outputs(), kept);
-    for (const auto& path : options.outputs())
-        if (!path.empty())
-            require_writable(path);
-    if (!options.svg.empty() || !options.page.empty())
-        require_gnuplot();
-    StudyResults results(kept);
+/// Of the runs that a study asks for, where it is one.
+StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
     std::optional<Study> study;
     if (lower_case(options.study).ends_with(".toml"))
         study = read_study(options.study);
-    StudySummary summary = summary_of(results, options.measures, study ? &*study : nullptr);
+    return summary_of(results, options.measures, study ? &*study : nullptr);
+}
+
+void write_outputs(const StudySummary& summary, const ReportOptions& options) {
     if (!options.csv.empty())
         write_whole(options.csv, summary_csv(summary));
     if (!options.svg.empty())
         write_whole(options.svg, draw_svg(summary_plot(summary, options.over)));
     if (!options.page.empty())
         write_whole(options.page, summary_page(summary, options.over));
+}
+
+void require_report_outputs(const ReportOptions& options, const std::filesystem::path& kept) {
+    require_apart(options.outputs(), kept);
+    for (const auto& path : options.outputs())
+        if (!path.empty())
+            require_writable(path);
+    if (!options.svg.empty() || !options.page.empty())
+        require_gnuplot();
+}
+
+ExitCode report(const ReportOptions& options) {
+    std::filesystem::path kept = kept_results_of(options.study);
+    require_report_outputs(options, kept);
+    StudyResults results(kept);
+    StudySummary summary = summary_of(results, options);
+    write_outputs(summary, options);
     print_out(print_summary(summary));
     return ExitCode::success;
 }

@@ -129,19 +129,21 @@ public:
     explicit SweepProgress(const StudySweep::Missing& missing) : missing_(missing) {}
 
     void show(std::uint64_t ended) {
-        double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
-        std::string left = "none has ended yet; --until stops runs that do not end";
-        if (ended > 0)
-            left = print_duration(seconds * static_cast<double>(missing_.runs - std::min(ended, missing_.runs)) /
-                                  static_cast<double>(ended)) +
-                   " left";
-        else if (seconds < patience_seconds)
-            left = "none has ended yet";
         progress_.show(fmt::format("{} of {}{} runs, {}", print_count(ended), missing_.exact ? "" : "at most ",
-                                   print_count(missing_.runs), left));
+                                   print_count(missing_.runs), left(ended)));
     }
 
 private:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
+
+    std::string left(std::uint64_t ended) const {
+        if (ended == 0)
+            return seconds() < patience_seconds ? "none has ended yet"
+                                                : "none has ended yet; --until stops runs that do not end";
+        auto runs = static_cast<double>(missing_.runs - std::min(ended, missing_.runs));
+        return print_duration(seconds() * runs / static_cast<double>(ended)) + " left";
+    }
+
     using Clock = std::chrono::steady_clock; // of the wall: it decides nothing of a run
     static constexpr double patience_seconds = 20;
 
@@ -155,6 +157,11 @@ void say_interrupted(const StudyResults& results) {
                results.path().string());
 }
 
+/// No more than there is work for.
+std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& options) {
+    return std::min<std::uint64_t>(options.jobs, std::max<std::uint64_t>(missing.runs, 1));
+}
+
 /// False when it was interrupted, or not meant.
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
                        Interruption& interruption) {
@@ -165,8 +172,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     if (!is_meant(options, missing, asks ? sweep.seconds_a_run(interruption) : std::nullopt))
         return false;
     SweepProgress progress(missing);
-    sweep.run(std::min<std::uint64_t>(options.jobs, std::max<std::uint64_t>(missing.runs, 1)), interruption,
-              [&](std::uint64_t ended) { progress.show(ended); });
+    sweep.run(workers_for(missing, options), interruption, [&](std::uint64_t ended) { progress.show(ended); });
     return !interruption.requested();
 }
 

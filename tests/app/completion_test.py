@@ -57,7 +57,7 @@ class Completion(unittest.TestCase):
         self.assertGreater(len(listed), 8)
         self.assertLessEqual(set(listed) | {"--version", "--help"}, set(bash("")))
         self.assertEqual(bash("ru"), ["run"])
-        self.assertEqual(bash("re"), ["replay", "record"])
+        self.assertEqual(bash("re"), ["report", "replay", "record"])
 
     def test_options_of_every_command(self):
         for command in bash(""):

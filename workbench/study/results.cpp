@@ -31,20 +31,9 @@ constexpr const char* results_schema =
 const std::string outcome_columns =
     "SELECT settings, seed, ended, time_ps, fingerprint, netlist_hash, refused, figures FROM runs";
 
-std::string settings_json(const Overrides& set) {
-    boost::json::object json;
-    for (const auto& [name, value] : set)
-        json[name] = value;
-    return boost::json::serialize(json);
-}
+std::string settings_json(const Overrides& set) { return boost::json::serialize(boost::json::value_from(set)); }
 
-Overrides settings_from(const std::string& text) {
-    Overrides set;
-    const boost::json::value json = boost::json::parse(text);
-    for (const auto& [name, value] : json.get_object())
-        set[std::string(name)] = std::string(value.as_string());
-    return set;
-}
+Overrides settings_from(const std::string& text) { return boost::json::value_to<Overrides>(boost::json::parse(text)); }
 
 std::string options_of(const Study& study) {
     boost::json::object programs;
@@ -117,6 +106,7 @@ StudyResults::StudyResults(const std::filesystem::path& path, const StudySource&
         require_same(source);
         require_version(of_any_version);
         database_->run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+        has_.emplace(*database_, "SELECT 1 FROM runs WHERE settings = ?1 AND seed = ?2");
         find_.emplace(*database_, outcome_columns + " WHERE settings = ?1 AND seed = ?2");
         insert_.emplace(*database_, "INSERT OR IGNORE INTO runs VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)");
     });
@@ -137,6 +127,7 @@ StudyResults::StudyResults(const std::filesystem::path& path) : path_(path) {
 /// One file is left of what SQLite has beside it meanwhile, unless somebody is reading it.
 StudyResults::~StudyResults() {
     try {
+        has_.reset();
         find_.reset();
         insert_.reset();
         if (lock_ && database_)
@@ -205,11 +196,7 @@ void StudyResults::require_version(bool of_any_version) {
 }
 
 bool StudyResults::has(const StudyRun& run) {
-    return guarded([&] {
-        bool found = find_->bind(settings_json(run.set), run.seed).step();
-        find_->reset();
-        return found;
-    });
+    return guarded([&] { return has_->only_integer(settings_json(run.set), run.seed) != 0; });
 }
 
 StudyOutcome StudyResults::outcome_in(const store::Statement& row) {
@@ -258,11 +245,8 @@ void StudyResults::set_measures(const std::vector<std::string>& measures) {
 }
 
 std::vector<std::string> StudyResults::measures() {
-    std::vector<std::string> measures;
-    for (const boost::json::value& each :
-         guarded([&] { return boost::json::parse(database_->text("SELECT measures FROM study")).as_array(); }))
-        measures.emplace_back(each.as_string());
-    return measures;
+    const std::string kept = guarded([&] { return database_->text("SELECT measures FROM study"); });
+    return boost::json::value_to<std::vector<std::string>>(boost::json::parse(kept));
 }
 
 std::string StudyResults::netlist() {

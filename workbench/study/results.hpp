@@ -78,7 +78,7 @@ private:
     std::filesystem::path path_;
     std::optional<store::FileLock> lock_; ///< none: to read
     std::optional<store::Database> database_;
-    std::optional<store::Statement> find_, insert_;
+    std::optional<store::Statement> has_, find_, insert_;
 };
 
 } // namespace placedpar

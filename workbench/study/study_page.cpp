@@ -67,6 +67,13 @@ std::string row_of_table(const StudyLine& line) {
     return out + fmt::format("<td class=\"ended\">{}</td></tr>\n", as_markup(ended_of(line)));
 }
 
+std::string table_of(const StudySummary& summary) {
+    std::string out = "<table>\n" + head_of_table(summary);
+    for (const StudyLine& line : summary.lines)
+        out += row_of_table(line);
+    return out + "</table>\n";
+}
+
 std::string about_the_runs(const StudySummary& summary) {
     std::string out = fmt::format("<p>{} of {}, made by PlacedPar {}. Intervals are Student's, of 95 %.</p>\n",
                                   counted(summary.runs(), "run"), counted(summary.lines.size(), "combination"),
@@ -79,11 +86,8 @@ std::string about_the_runs(const StudySummary& summary) {
 } // namespace
 
 std::string summary_page(const StudySummary& summary, const std::string& over) {
-    std::string page = fmt::format(page_head, as_markup(summary.netlist)) + about_the_runs(summary) +
-                       figure_of(summary, over) + "<table>\n" + head_of_table(summary);
-    for (const StudyLine& line : summary.lines)
-        page += row_of_table(line);
-    return page + "</table>\n</body>\n</html>\n";
+    return fmt::format(page_head, as_markup(summary.netlist)) + about_the_runs(summary) + figure_of(summary, over) +
+           table_of(summary) + "</body>\n</html>\n";
 }
 
 } // namespace placedpar

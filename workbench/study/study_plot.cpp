@@ -85,8 +85,7 @@ public:
     }
 
     Panel panel() && {
-        for (Series& bar : bars_)
-            curves_.push_back(std::move(bar));
+        curves_.insert(curves_.end(), bars_.begin(), bars_.end());
         return {.x = {.label = summary_.axes[over_], .logarithmic = is_drawn_by_decades(summary_, over_)},
                 .y = {.label = measure_with_unit(summary_, measure_)},
                 .series = std::move(curves_)};

@@ -46,32 +46,43 @@ std::string quoted_cell(const std::string& text) {
     return out + "\"";
 }
 
+std::vector<std::string> head_row(const StudySummary& summary, bool intervals) {
+    std::vector<std::string> row = summary.axes;
+    row.push_back("runs");
+    for (std::size_t i = 0; i < summary.measures.size(); ++i) {
+        row.push_back(measure_with_unit(summary, i));
+        if (intervals)
+            row.push_back("95 %");
+    }
+    row.push_back("");
+    return row;
+}
+
+std::vector<std::string> row_of(const StudyLine& line, bool intervals) {
+    std::vector<std::string> row = line.values;
+    row.push_back(fmt::format("{}", line.runs));
+    for (const StudyCell& cell : line.cells) {
+        row.push_back(shown_mean(cell));
+        if (intervals)
+            row.push_back(shown_interval(cell));
+    }
+    row.push_back(ended_of(line));
+    return row;
+}
+
+std::string print_whole(const StudySummary& summary) {
+    return fmt::format("{}: {} of {}\n{}\n", summary.netlist, counted(summary.runs(), "run"),
+                       counted(summary.lines.size(), "combination"), print_fixed(summary));
+}
+
 } // namespace
 
 std::string print_summary(const StudySummary& summary) {
-    std::vector<std::vector<std::string>> rows(1, summary.axes);
-    rows.front().push_back("runs");
     bool intervals = std::ranges::any_of(summary.lines, [](const StudyLine& line) { return line.runs > 1; });
-    for (std::size_t i = 0; i < summary.measures.size(); ++i) {
-        rows.front().push_back(measure_with_unit(summary, i));
-        if (intervals)
-            rows.front().push_back("95 %");
-    }
-    rows.front().push_back("");
-    for (const StudyLine& line : summary.lines) {
-        std::vector<std::string> row = line.values;
-        row.push_back(fmt::format("{}", line.runs));
-        for (const StudyCell& cell : line.cells) {
-            row.push_back(shown_mean(cell));
-            if (intervals)
-                row.push_back(shown_interval(cell));
-        }
-        row.push_back(ended_of(line));
-        rows.push_back(std::move(row));
-    }
-    return fmt::format("{}: {} of {}\n{}\n", summary.netlist, counted(summary.runs(), "run"),
-                       counted(summary.lines.size(), "combination"), print_fixed(summary)) +
-           print_rows(rows);
+    std::vector<std::vector<std::string>> rows{head_row(summary, intervals)};
+    for (const StudyLine& line : summary.lines)
+        rows.push_back(row_of(line, intervals));
+    return print_whole(summary) + print_rows(rows);
 }
 
 std::string summary_csv(const StudySummary& summary) {

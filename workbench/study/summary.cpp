@@ -57,6 +57,19 @@ std::vector<std::pair<double, std::string>> order_of(const std::vector<std::stri
     return order;
 }
 
+void add_names(StudySummary& summary, const std::map<Overrides, Gathered>& all) {
+    for (const auto& [name, values] : values_by_name(all))
+        if (values.size() == 1)
+            summary.fixed[name] = *values.begin();
+        else
+            summary.axes.push_back(name);
+}
+
+/// So that 10 comes after 2.
+void sort_lines(std::vector<StudyLine>& lines) {
+    std::ranges::stable_sort(lines, {}, [](const StudyLine& line) { return order_of(line.values); });
+}
+
 void add_lines(StudySummary& summary, std::map<Overrides, Gathered>& all) {
     for (auto& [set, gathered] : all) {
         for (const std::string& axis : summary.axes)
@@ -65,7 +78,7 @@ void add_lines(StudySummary& summary, std::map<Overrides, Gathered>& all) {
             cell.close();
         summary.lines.push_back(std::move(gathered.line));
     }
-    std::ranges::stable_sort(summary.lines, {}, [](const StudyLine& line) { return order_of(line.values); });
+    sort_lines(summary.lines);
 }
 
 } // namespace
@@ -107,11 +120,7 @@ StudySummary summary_of(StudyResults& results, std::vector<std::string> measures
         if (!study || asked.contains(run.set))
             all[run.set].add(outcome, wanted, summary.units);
     });
-    for (const auto& [name, values] : values_by_name(all))
-        if (values.size() == 1)
-            summary.fixed[name] = *values.begin();
-        else
-            summary.axes.push_back(name);
+    add_names(summary, all);
     add_lines(summary, all);
     return summary;
 }
