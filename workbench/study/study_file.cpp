@@ -1,3 +1,6 @@
+// Debian's package would have a library linked otherwise.
+#define TOML_HEADER_ONLY 1
+
 #include "workbench/study/study_file.hpp"
 
 #include "text/load_source.hpp"

@@ -97,7 +97,7 @@ std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Inter
 std::optional<StudyFigures> StudySweep::figures_near(std::uint64_t index, bool forwards, Interruption& interruption) {
     constexpr int few = 3;
     std::uint64_t count = study_.count();
-    for (int tries = 0; tries < few && index < count && !interruption.requested(); index += forwards ? 1 : -1) {
+    for (int tries = 0; tries < few && index < count && !interruption.requested(); forwards ? ++index : --index) {
         std::optional<StudyRun> run = study_.at(index);
         if (!run)
             continue;
