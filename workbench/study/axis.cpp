@@ -20,13 +20,15 @@ constexpr double most_values = 1e15; ///< of a range: beyond it doubles do not c
     throw UserError(fmt::format("{}: {}", text, why));
 }
 
+constexpr const char* forms_of_range = "a range is FROM..TO, FROM..TO..STEP or FROM..TO..xFACTOR, such as 0..7, "
+                                       "0..100..10 or 1..64..x2";
+
 /// An end of a range. A suffix means what it means for a clock or a link: 5M are 5 million.
 double end_of_range(std::string_view range, std::string_view text) {
-    if (std::optional<double> number = number_of_setting(std::string(text)))
-        return *number;
-    refuse_range(range, fmt::format("\"{}\" is no number; a range is FROM..TO, FROM..TO..STEP or FROM..TO..xFACTOR, "
-                                    "such as 0..7, 0..100..10 or 1..64..x2",
-                                    text));
+    std::optional<double> number = number_of_setting(std::string(text));
+    if (!number)
+        refuse_range(range, fmt::format("\"{}\" is no number; {}", text, forms_of_range));
+    return *number;
 }
 
 bool is_whole(double number) { return number == std::floor(number) && std::abs(number) < most_values; }

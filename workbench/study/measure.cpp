@@ -34,6 +34,13 @@ std::string without_subscripts(const std::string& figure) {
                : figure.substr(0, bracket) + figure.substr(dot);
 }
 
+std::vector<std::string> names_to_choose_from(const StudyFigures& figures) {
+    std::set<std::string> names;
+    for (const auto& each : figures)
+        names.insert(without_subscripts(each.first));
+    return {names.begin(), names.end()};
+}
+
 /// Boost.JSON 1.81 reads some numbers a last bit off.
 std::vector<double> numbers_outside_of_strings(const std::string& json) {
     std::vector<double> numbers;
@@ -126,11 +133,8 @@ std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
 }
 
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
-    std::set<std::string> names;
-    for (const auto& [name, figure] : figures)
-        names.insert(without_subscripts(name));
-    return there_is_no("measure", measure.text(), {names.begin(), names.end()},
-                       fmt::format("the runs have {}", fmt::join(names, ", ")));
+    std::vector<std::string> names = names_to_choose_from(figures);
+    return there_is_no("measure", measure.text(), names, fmt::format("the runs have {}", fmt::join(names, ", ")));
 }
 
 } // namespace placedpar

@@ -103,11 +103,15 @@ private:
         }
     }
 
-    static std::string hint_for(const std::string& name, const Handlers& handlers) {
-        std::vector<std::string> known;
+    static std::vector<std::string> names_of(const Handlers& handlers) {
+        std::vector<std::string> names;
         for (const auto& each : handlers)
-            known.push_back(each.first);
-        std::string meant = did_you_mean(name, known);
+            names.push_back(each.first);
+        return names;
+    }
+
+    static std::string hint_for(const std::string& name, const Handlers& handlers) {
+        std::string meant = did_you_mean(name, names_of(handlers));
         return meant.empty() ? "what is set in the netlist stands below [set]" : meant;
     }
 
@@ -195,11 +199,10 @@ private:
     }
 
     std::uint64_t whole(const toml::node& node, std::int64_t least) {
-        const auto* integer = node.as_integer();
-        if (integer && integer->get() >= least)
-            return static_cast<std::uint64_t>(integer->get());
-        report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
-        return 1;
+        std::int64_t number = node.value_exact<std::int64_t>().value_or(least - 1);
+        if (number < least)
+            report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
+        return static_cast<std::uint64_t>(std::max(number, least));
     }
 
     Time time(const toml::node& node) {

@@ -80,8 +80,7 @@ public:
     PanelOfMeasure(const StudySummary& summary, std::size_t measure, std::size_t over)
         : summary_(summary), measure_(measure), over_(over) {
         for (const StudyLine& line : summary.lines)
-            if (line.cells[measure].runs > 0)
-                add(line);
+            add(line);
     }
 
     Panel panel() && {
@@ -93,6 +92,8 @@ public:
 
 private:
     void add(const StudyLine& line) {
+        if (line.cells[measure_].runs == 0)
+            return;
         std::size_t curve = number_of(curve_of(summary_, line, over_));
         const StudyCell& cell = line.cells[measure_];
         double x = *number_of_setting(line.values[over_]);

@@ -37,7 +37,7 @@ std::string print_rows(const std::vector<std::vector<std::string>>& rows) {
     return out;
 }
 
-std::string quoted_cell(const std::string& text) {
+std::string quoted_csv_cell(const std::string& text) {
     if (text.find_first_of(",\"\n") == text.npos)
         return text;
     std::string out = "\"";
@@ -88,16 +88,16 @@ std::string print_summary(const StudySummary& summary) {
 std::string summary_csv(const StudySummary& summary) {
     std::string out;
     for (const std::string& axis : summary.axes)
-        out += quoted_cell(axis) + ",";
+        out += quoted_csv_cell(axis) + ",";
     out += "runs,ended";
     for (std::size_t i = 0; i < summary.measures.size(); ++i)
         for (const char* part : {"mean", "half_width_95", "least", "greatest"})
-            out += "," + quoted_cell(fmt::format("{} {}", measure_with_unit(summary, i), part));
+            out += "," + quoted_csv_cell(fmt::format("{} {}", measure_with_unit(summary, i), part));
     for (const StudyLine& line : summary.lines) {
         out += "\n";
         for (const std::string& value : line.values)
-            out += quoted_cell(value) + ",";
-        out += fmt::format("{},{}", line.runs, quoted_cell(ended_of(line)));
+            out += quoted_csv_cell(value) + ",";
+        out += fmt::format("{},{}", line.runs, quoted_csv_cell(ended_of(line)));
         for (const StudyCell& cell : line.cells)
             out += cell.runs == 0
                        ? ",,,,"
