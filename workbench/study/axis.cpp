@@ -71,6 +71,7 @@ void StudyValues::read_range(std::string_view text, std::size_t dots) {
         step = behind.substr(more + 2);
         behind = behind.substr(0, more);
     }
+    is_range_ = true;
     multiplies_ = step.starts_with('x');
     from_ = end_of_range(text, text.substr(0, dots));
     double to = end_of_range(text, behind);
@@ -93,7 +94,7 @@ void StudyValues::count_steps(std::string_view text, double from, double to) {
 }
 
 std::string StudyValues::at(std::uint64_t index) const {
-    if (!only_.empty() && count_ == 1 && only_.find("..") == only_.npos)
+    if (!is_range_)
         return only_;
     auto i = static_cast<double>(index);
     double value = multiplies_ ? from_ * std::pow(step_, i) : from_ + step_ * i;

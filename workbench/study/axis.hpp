@@ -24,7 +24,7 @@ private:
 
     std::string only_; ///< of no range
     double from_ = 0, step_ = 1;
-    bool multiplies_ = false, whole_ = true;
+    bool is_range_ = false, multiplies_ = false, whole_ = true;
     std::uint64_t count_ = 1;
 };
 

@@ -35,6 +35,14 @@ const Scopes& no_names() {
     return scopes;
 }
 
+/// "master.trials" is also "trials", unless something else is called so.
+Overrides named_plainly(const Overrides& set) {
+    Overrides named = set;
+    for (const auto& [name, text] : set)
+        named.emplace(name.substr(name.rfind('.') + 1), text);
+    return named;
+}
+
 [[noreturn]] void refuse_condition(Reporter& reporter) { throw RefusedInput(render(reporter.take())); }
 
 } // namespace
@@ -51,7 +59,7 @@ struct StudyCondition::Parsed {
     Scopes scopes{Catalogue()};
 
     void declare(const Overrides& set) {
-        for (const auto& [name, text] : set)
+        for (const auto& [name, text] : named_plainly(set))
             scopes.declare(name, {constant_of_setting(text, no_names()).value_or(Constant{text}), {}});
     }
 };

@@ -12,7 +12,7 @@ namespace placedpar {
 std::optional<double> number_of_setting(const std::string& text);
 
 /// Which of a study's products are run: an expression of the netlist language over what the study sets,
-/// `slaves * clusters <= 16`.
+/// `slaves * clusters <= 16`. There `master.trials` is `trials`.
 class StudyCondition {
 public:
     /// "" always holds. Throws RefusedInput.

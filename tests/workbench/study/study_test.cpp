@@ -1,0 +1,116 @@
+#include "text/user_error.hpp"
+#include "workbench/study/measure.hpp"
+#include "workbench/study/study.hpp"
+#include "workbench/study/summary.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+std::vector<std::string> all_values(const std::string& text) {
+    StudyAxis axis = read_axis("x=" + text);
+    std::vector<std::string> values;
+    for (std::uint64_t i = 0; i < axis.count(); ++i)
+        values.push_back(axis.at(i));
+    return values;
+}
+
+using Values = std::vector<std::string>;
+
+Study two_axes(const std::string& where) {
+    Study study;
+    study.products.push_back({.axes = {read_axis("a=0..2"), read_axis("b.c=5M,7M")}, .where = StudyCondition(where)});
+    study.seeds = 2;
+    return study;
+}
+
+std::size_t count_runs(const Study& study) {
+    std::size_t count = 0;
+    for (std::uint64_t i = 0; i < study.count(); ++i)
+        count += study.at(i).has_value() ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("values are lists and ranges") {
+    CHECK(all_values("3") == Values{"3"});
+    CHECK(all_values("0..3") == Values{"0", "1", "2", "3"});
+    CHECK(all_values("-1..1") == Values{"-1", "0", "1"});
+    CHECK(all_values("0..7..3") == Values{"0", "3", "6"});
+    CHECK(all_values("1..64..x4") == Values{"1", "4", "16", "64"});
+    CHECK(all_values("0.1..0.3..0.1") == Values{"0.1", "0.2", "0.3"});
+    CHECK(all_values("5M..20M..5M") == Values{"5000000", "10000000", "15000000", "20000000"});
+    CHECK(all_values("8, 0..1,\"a,b\",size({1,2})") == Values{"8", "0", "1", "\"a,b\"", "size({1,2})"});
+    CHECK(all_values("individuals,../records/boom.csv") == Values{"individuals", "../records/boom.csv"});
+    CHECK(read_axis("x=0..999999999999").count() == 1'000'000'000'000);
+}
+
+TEST_CASE("ranges that hold nothing, or too much, are refused") {
+    for (const char* text : {"x=1..0", "x=0..4..0", "x=0..4..-1", "x=0..4..x2", "x=1..4..x1", "x=0..y", "x=0..1e300",
+                             "x=", "x=1,", "=1", "x"})
+        CHECK_THROWS_AS(read_axis(text), UserError);
+}
+
+TEST_CASE("a study is all combinations for which its condition holds, with each seed") {
+    CHECK(count_runs(two_axes("")) == 12);
+    CHECK(count_runs(two_axes("a > 0")) == 8);
+    CHECK(count_runs(two_axes("a == 1 && c == 7M")) == 2);
+    Study study = two_axes("");
+    study.first_seed = 7;
+    CHECK(study.at(3) == StudyRun{{{"a", "0"}, {"b.c", "7M"}}, 8});
+    CHECK(study.combinations().size() == 6);
+    CHECK_THROWS_WITH_AS(two_axes("d > 0").at(0), doctest::Contains("the name \"d\" is undefined"), RefusedInput);
+    CHECK_THROWS_AS(StudyCondition("a >"), RefusedInput);
+    study.seeds = std::numeric_limits<std::uint64_t>::max();
+    CHECK_THROWS_AS(study.count(), UserError);
+}
+
+TEST_CASE("a measure is one figure, or several in one") {
+    StudyFigures figures{{"time", {2, "ms"}}, {"m[0].T", {1, "ms"}}, {"m[1].T", {4, "ms"}}, {"n.T", {9, ""}}};
+    auto value = [&](const char* text) { return StudyMeasure(text).of(figures).value().value; };
+    CHECK(value("time") == 2);
+    CHECK(value("m[1].T") == 4);
+    CHECK(value("m.T") == 2.5);
+    CHECK(value("min(m.T)") == 1);
+    CHECK(value("max(m.T)") == 4);
+    CHECK(value("sum(m.T)") == 5);
+    CHECK(value("n.T") == 9);
+    CHECK_FALSE(StudyMeasure("m.X").of(figures));
+    CHECK(StudyMeasure("m.T").of(figures)->unit == "ms");
+    CHECK_THROWS_AS(StudyMeasure("max(m.T"), UserError);
+}
+
+TEST_CASE("figures are read to the last bit") {
+    StudyFigures figures{{"a[0].\"b\\", {3999.2662143707275, "a \"unit\""}},
+                         {"c", {-1e-300, ""}},
+                         {"d", {20, "%"}},
+                         {"e", {0.1 + 0.2, "1/s"}}};
+    StudyFigures again = figures_from(figures_text(figures));
+    REQUIRE(again.size() == figures.size());
+    for (const auto& [name, figure] : figures) {
+        CHECK(again.at(name).value == figure.value);
+        CHECK(again.at(name).unit == figure.unit);
+    }
+}
+
+TEST_CASE("an interval is Student's") {
+    StudyCell cell;
+    for (double value : {4.0, 6.0, 8.0})
+        cell.add(value);
+    cell.close();
+    CHECK(cell.mean == doctest::Approx(6));
+    CHECK(cell.half_width == doctest::Approx(4.302652729911275 * 2 / 1.7320508075688772));
+    CHECK(cell.least == 4);
+    CHECK(cell.greatest == 8);
+    StudyCell single;
+    single.add(1);
+    single.close();
+    CHECK(single.half_width == 0);
+}
