@@ -1,0 +1,147 @@
+"use strict";
+// The run: what each track did, and when. Times are in picoseconds.
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const run = data.timeline, report = data.report;
+const levelDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+const runningWork = new Set(["executes", "carries", "computes"]);
+
+// For each bin the time until its beginning, in bins: the time between two moments is a difference.
+function sumsOf(levels) {
+  const sums = new Float64Array(levels.length + 1);
+  for (let i = 0; i < levels.length; ++i) sums[i + 1] = sums[i] + levelDigits.indexOf(levels[i]) / 63;
+  return sums;
+}
+
+function slicesOf(flat) {
+  const slices = [];
+  let at = run.begin;
+  for (let i = 0; i < flat.length; i += 4) {
+    const begin = at + flat[i];
+    at = begin + flat[i + 1];
+    slices.push({ begin, end: at, doing: run.doing[flat[i + 2] % 16], open: flat[i + 2] >= 16, note: run.texts[flat[i + 3]] });
+  }
+  return slices;
+}
+
+function messagesOf(flat) {
+  const messages = [];
+  for (let i = 0; i < flat.length; i += 5)
+    messages.push({ from: flat[i], to: flat[i + 1], left: flat[i + 2], arrived: flat[i + 2] + flat[i + 3], channel: run.texts[flat[i + 4]] });
+  return messages.sort((a, b) => a.left - b.left);
+}
+
+const tracks = run.tracks.map((track, number) => ({
+  number, name: track.name, node: track.node, kind: track.kind, outermost: track.outermost, place: track.place,
+  lost: track.lost, running: sumsOf(track.running), ready: sumsOf(track.ready), slices: slicesOf(track.slices),
+}));
+const drawnTracks = tracks.slice().sort((a, b) => a.place - b.place);
+const trackNamed = new Map(tracks.map(track => [(track.kind === "processor" ? "processor " : "") + track.name, track]));
+const messages = messagesOf(run.messages);
+const processNamed = new Map(data.processes.map(process => [process.name, process]));
+const componentsOf = d3.nest().key(track => track.outermost).object(tracks.filter(isOfProcess));
+const span = Math.max(run.end - run.begin, 1);
+
+function isOfProcess(track) { return track.kind === "process" || track.kind === "machine process"; }
+
+function stateOf(slice) {
+  if (runningWork.has(slice.doing)) return "running";
+  if (slice.doing === "ready") return "ready";
+  return slice.open && slice.doing !== "delayed" && report.deadlock ? "stuck" : "waiting";
+}
+
+function sumUntil(sums, moment) {
+  const at = Math.max(0, Math.min((moment - run.begin) / run.bin, sums.length - 1)), whole = Math.floor(at);
+  return whole + 1 < sums.length ? sums[whole] + (at - whole) * (sums[whole + 1] - sums[whole]) : sums[whole];
+}
+
+// What share of the time between two moments a track was running, or ready.
+function shareOf(sums, from, to) {
+  return to > from ? Math.min(1, (sumUntil(sums, to) - sumUntil(sums, from)) * run.bin / (to - from)) : 0;
+}
+
+const bySliceEnd = d3.bisector(slice => slice.end).right;
+const byLeft = d3.bisector(message => message.left).left;
+
+// The number of the first slice that ends behind a moment.
+function sliceFrom(track, moment) { return bySliceEnd(track.slices, moment); }
+
+function sliceAt(track, moment) {
+  const slice = track.slices[Math.min(sliceFrom(track, moment), track.slices.length - 1)];
+  return slice && slice.begin <= moment && moment <= slice.end ? slice : null;
+}
+
+function isLost(track, moment) { return track.lost && track.lost[0] <= moment && moment < track.lost[1]; }
+
+function stateOfTrack(track, moment) {
+  const slice = sliceAt(track, moment);
+  if (slice) return stateOf(slice);
+  return isLost(track, moment) ? "unknown" : "gone";
+}
+
+// A process computes while one of its components does; else it is ready while one of them is.
+function stateOfProcess(track, moment) {
+  const states = (componentsOf[track.number] || [track]).map(each => stateOfTrack(each, moment));
+  return ["running", "ready", "stuck", "waiting", "unknown"].find(state => states.includes(state)) || "gone";
+}
+
+const outermostName = path => path.split(" ")[0].split("/")[0];
+
+// [{channel, partner}] of a wait.
+function awaitedIn(slice) {
+  return slice.note.split("\n").filter(line => line.includes("\t")).map(line => {
+    const [channel, partner] = line.split("\t");
+    return { channel, partner };
+  });
+}
+
+// What a process waits for at a moment, with its components: [{slice, channel, partner}].
+function waitsOf(track, moment) {
+  const waits = [];
+  for (const each of componentsOf[track.number] || [track]) {
+    const slice = sliceAt(each, moment);
+    if (slice && (stateOf(slice) === "waiting" || stateOf(slice) === "stuck"))
+      awaitedIn(slice).forEach(({ channel, partner }) => waits.push({ slice, channel, partner }));
+  }
+  return waits;
+}
+
+// From a process to the one that it waits for, to the one that this waits for, ...: [[from, to], ...].
+function chainFrom(name, moment) {
+  const links = [], seen = new Set();
+  for (let at = name; at && !seen.has(at);) {
+    seen.add(at);
+    const track = trackNamed.get(at), state = track && stateOfProcess(track, moment);
+    if (state !== "waiting" && state !== "stuck") break;
+    const wait = waitsOf(track, moment).find(each => each.partner && outermostName(each.partner) !== at);
+    if (!wait) break;
+    links.push([at, outermostName(wait.partner)]);
+    at = outermostName(wait.partner);
+  }
+  return links;
+}
+
+function describe(slice) {
+  const partners = awaitedIn(slice).map(each => each.partner || "nobody yet").join(" or ");
+  switch (slice.doing) {
+  case "executes": return "executes " + slice.note;
+  case "carries": return "carries " + slice.note;
+  case "ready": return "ready: waits for its processor";
+  case "delayed": return "waits for its timer";
+  case "outputs": return "outputs to " + partners;
+  case "inputs": return "inputs from " + partners;
+  case "alternates": return "alternates: input from " + (partners || "its timer");
+  case "joins": return "waits for its components";
+  case "after work": return "waits until the work is over";
+  default: return slice.doing;
+  }
+}
+
+const timeUnits = [["s", 1e12], ["ms", 1e9], ["us", 1e6], ["ns", 1e3], ["ps", 1]];
+const unitFor = length => timeUnits.find(([, size]) => Math.abs(length) >= size) || timeUnits[4];
+
+// To about a thousandth of the precision.
+function timeText(moment, precision) {
+  const [unit, size] = unitFor(moment), digits = Math.max(0, Math.min(9, Math.ceil(Math.log10(size / Math.max(precision / 1000, 1)))));
+  return (moment / size).toFixed(digits) + " " + unit;
+}

@@ -1,0 +1,142 @@
+// The drawn network: loads and states at a moment, the chosen process, what it waits for, and a deadlock's cycle.
+
+const pictures = ["machine", "software"].map(view => ({ view, svg: d3.select("#" + view + " > svg") })).filter(each => !each.svg.empty());
+const loadColour = d3.interpolateRgb("#ffffff", "#8db7dd");
+const drawnProcess = name => name.replace(/ !$/, ""); // high priority is marked
+
+// All that is drawn moves together.
+function wrapPicture(picture) {
+  const svg = picture.svg, all = document.createElementNS("http://www.w3.org/2000/svg", "g");
+  svg.attr("width", null).attr("height", null);
+  while (svg.node().firstChild) all.appendChild(svg.node().firstChild);
+  svg.node().appendChild(all);
+  svg.call(d3.zoom().scaleExtent([0.3, 20]).on("zoom", () => all.setAttribute("transform", d3.event.transform)));
+  picture.all = d3.select(all);
+  picture.over = picture.all.append("g");
+  addDefinitions(svg, picture.view);
+}
+
+function addDefinitions(svg, view) {
+  const definitions = svg.append("defs");
+  const hatched = definitions.append("pattern").attr("id", "hatched").attr("width", 4).attr("height", 4).attr("patternUnits", "userSpaceOnUse").attr("patternTransform", "rotate(45)");
+  hatched.append("rect").attr("width", 4).attr("height", 4).attr("fill", "#fff");
+  hatched.append("rect").attr("width", 2).attr("height", 4).attr("fill", "#d98a1f");
+  for (const [name, colour] of [["cycle", "#b3261e"], ["now", "#16202a"]])
+    definitions.append("marker").attr("id", `${view}-${name}`).attr("viewBox", "0 0 10 10").attr("refX", 9).attr("refY", 5)
+      .attr("markerUnits", "userSpaceOnUse").attr("markerWidth", 16).attr("markerHeight", 16).attr("orient", "auto-start-reverse")
+      .append("path").attr("d", "M0 0 L10 5 L0 10 Z").attr("fill", colour);
+}
+
+// A node of the machine has its processor's track, one of the software its process's.
+function trackOfNode(view, name) {
+  return view === "machine" ? trackNamed.get("processor " + name) || trackNamed.get(name) : trackNamed.get(drawnProcess(name));
+}
+
+function addMeter(view, element) {
+  const node = d3.select(element), track = trackOfNode(view, node.attr("data-node")), box = element.getBBox();
+  if (!track) return null;
+  node.on("click", () => choose(view === "software" ? track.name : firstProcessOn(track.node)));
+  const meter = { track, frame: node.select(".frame"), width: box.width, isProcess: isOfProcess(track) };
+  node.append("rect").attr("class", "load-frame").attr("x", box.x).attr("y", box.y + box.height - 6).attr("width", box.width).attr("height", 6);
+  meter.bar = node.append("rect").attr("class", "load").attr("x", box.x).attr("y", box.y + box.height - 6).attr("height", 6);
+  meter.percent = node.append("text").attr("class", "percent").attr("x", box.x + box.width + 3).attr("y", box.y + box.height);
+  if (meter.isProcess) meter.sign = addSign(node, box.x + 5, box.y + 5);
+  return meter;
+}
+
+function addSign(parent, x, y) {
+  return parent.append("rect").attr("class", "state").attr("x", x).attr("y", y).attr("width", 9).attr("height", 9);
+}
+
+function firstProcessOn(node) {
+  const track = drawnTracks.find(each => each.node === node && each.kind === "process");
+  return track ? track.name : null;
+}
+
+function addProcessSign(element) {
+  const placed = d3.select(element), track = trackNamed.get(placed.attr("data-process"));
+  if (!track) return null;
+  const box = element.getBBox();
+  placed.on("click", () => choose(track.name));
+  return { track, sign: addSign(placed, box.x - 10.5, box.y + box.height / 2 - 4.5) };
+}
+
+function addWire(view, element) {
+  const [a, b] = element.getAttribute("data-wire").split(" - ");
+  return { a: drawnProcess(a), b: drawnProcess(b), path: d3.select(element), data: element.getAttribute("d"),
+    directions: view === "machine" ? [`${a} -> ${b}`, `${b} -> ${a}`].map(name => trackNamed.get(name)).filter(Boolean) : [] };
+}
+
+function makePicture(picture) {
+  const element = document.getElementById(picture.view), hidden = element.hidden;
+  element.hidden = false; // what is hidden has no size
+  wrapPicture(picture);
+  const found = selector => picture.all.selectAll(selector).nodes();
+  picture.meters = found("g.node[data-node]").map(node => addMeter(picture.view, node)).filter(Boolean);
+  found(".texts").forEach(texts => { texts.style.pointerEvents = picture.view === "software" ? "none" : null; });
+  picture.signs = found(".placed").map(addProcessSign).filter(Boolean);
+  picture.wires = found("path.wire[data-wire]").map(wire => addWire(picture.view, wire));
+  element.hidden = hidden;
+}
+
+// Of a process with the components of its PARs.
+function runningShare(track, from, to) {
+  const lanes = isOfProcess(track) ? componentsOf[track.outermost] || [track] : [track];
+  return Math.min(1, d3.sum(lanes, lane => shareOf(lane.running, from, to)));
+}
+
+function showMeter(meter, moment, from, to) {
+  const share = runningShare(meter.track, from, to);
+  meter.bar.attr("width", meter.width * share);
+  meter.percent.text(Math.round(100 * share) + " %");
+  meter.frame.style("fill", loadColour(share));
+  if (meter.sign) meter.sign.attr("class", "state " + stateOfProcess(meter.track, moment));
+}
+
+function showWire(wire, from, to) {
+  if (!wire.directions.length) return;
+  const share = d3.max(wire.directions, track => shareOf(track.running, from, to));
+  wire.path.style("stroke-width", 1.6 + 6 * share).style("stroke", d3.interpolateRgb("#8da2b5", "#1f4e79")(Math.sqrt(share)));
+}
+
+function drawArrow(picture, from, to, kind) {
+  const wire = picture.wires.find(each => (each.a === from && each.b === to) || (each.a === to && each.b === from));
+  if (!wire) return;
+  picture.over.append("path").attr("class", "arrow " + kind).attr("d", wire.data)
+    .attr(wire.a === from ? "marker-end" : "marker-start", `url(#${picture.view}-${kind})`);
+}
+
+function cycleLinks() {
+  const cycle = ((report.deadlock || {}).cycle || []).map(outermostName);
+  return cycle.map((name, i) => [name, cycle[(i + 1) % cycle.length]]).filter(([a, b]) => a !== b);
+}
+
+function drawChosenBox(picture, name) {
+  const node = picture.all.selectAll("g.node[data-node], g.placed").nodes().find(each =>
+    drawnProcess(each.getAttribute("data-node") || each.getAttribute("data-process")) === name);
+  if (!node) return;
+  const box = node.getBBox();
+  picture.over.append("rect").attr("class", "chosen-box").attr("x", box.x - 3).attr("y", box.y - 3).attr("width", box.width + 6).attr("height", box.height + 6).attr("rx", 4);
+}
+
+function drawOver(picture, moment, name) {
+  picture.over.selectAll("*").remove();
+  if (name) drawChosenBox(picture, name);
+  if (picture.view !== "software") return;
+  if (moment >= run.end) cycleLinks().forEach(([from, to]) => drawArrow(picture, from, to, "cycle"));
+  if (name) chainFrom(name, moment).forEach(([from, to]) => drawArrow(picture, from, to, "now"));
+}
+
+function showNetwork(moment, from, to, name) {
+  for (const picture of pictures) {
+    picture.meters.forEach(meter => showMeter(meter, moment, from, to));
+    picture.signs.forEach(({ track, sign }) => sign.attr("class", "state " + stateOfProcess(track, moment)));
+    picture.wires.forEach(wire => showWire(wire, from, to));
+    drawOver(picture, moment, name);
+  }
+}
+
+function showView(view) {
+  for (const each of ["machine", "software"]) document.getElementById(each).hidden = each !== view;
+  d3.selectAll("#views button").classed("on", function () { return this.dataset.view === view; });
+}

@@ -1,0 +1,131 @@
+// The page as a whole: the moment that is looked at, the process that is chosen, and who is told of them.
+
+const now = { moment: run.begin, chosen: null, timer: null };
+const slider = document.getElementById("slider"), steps = Number(slider.max);
+
+// Loads are those of a fortieth of what the timelines show.
+function around(moment) {
+  const [from, to] = view.scale.domain(), half = Math.max((to - from) / 80, run.bin / 2);
+  const begin = Math.max(run.begin, Math.min(moment - half, run.end - 2 * half));
+  return [begin, Math.min(run.end, begin + 2 * half)];
+}
+
+function showMoment() {
+  const [from, to] = around(now.moment);
+  document.getElementById("now").textContent = timeText(now.moment, view.scale.domain()[1] - view.scale.domain()[0]);
+  showNetwork(now.moment, from, to, now.chosen);
+  showChosen(now.chosen, now.moment, from, to);
+  markGenerations(now.moment);
+  drawTimelines(now.moment, now.chosen);
+}
+
+function goTo(moment) {
+  now.moment = Math.max(run.begin, Math.min(moment, run.end));
+  slider.value = Math.round((now.moment - run.begin) / span * steps);
+  showMoment();
+}
+
+function choose(name) {
+  now.chosen = name && trackNamed.has(outermostName(name)) ? outermostName(name) : null;
+  showMoment();
+}
+
+// A step of the animation: a two-hundredth of what the timelines show.
+function advance() {
+  const [from, to] = view.scale.domain();
+  goTo(now.moment + (to - from) / 200);
+  if (now.moment >= Math.min(run.end, to)) stopPlaying();
+}
+
+function stopPlaying() {
+  clearInterval(now.timer);
+  now.timer = null;
+}
+
+function play() {
+  if (now.timer) return stopPlaying();
+  const [from, to] = view.scale.domain();
+  if (now.moment < from || now.moment >= Math.min(to, run.end)) goTo(from);
+  now.timer = setInterval(advance, 60);
+}
+
+const zoom = d3.zoom().scaleExtent([1, Math.max(1, span / 100)])
+  .filter(() => d3.event.type === "wheel" ? d3.event.ctrlKey || d3.event.metaKey : !d3.event.button)
+  .on("zoom", () => { view.scale = d3.event.transform.rescaleX(view.full); showMoment(); });
+
+function resize() {
+  fitCanvas();
+  zoom.extent([[labelWidth, 0], [view.width - 12, view.height]]).translateExtent([[labelWidth, 0], [view.width - 12, view.height]]);
+  view.scale = d3.zoomTransform(canvas).rescaleX(view.full);
+  showMoment();
+}
+
+function addLaneChoices() {
+  const lanes = d3.select("#lanes");
+  for (const name of Object.keys(shown))
+    lanes.append("label").text(" " + name).insert("input", ":first-child").attr("type", "checkbox").property("checked", shown[name])
+      .on("change", function () { shown[name] = this.checked; arrangeRows(); resize(); });
+  const scaled = by => () => zoom.scaleBy(d3.select(canvas), by, [view.scale(now.moment), 0]);
+  for (const [text, act] of [["+", scaled(3)], ["\u2212", scaled(1 / 3)], ["all", () => d3.select(canvas).call(zoom.transform, d3.zoomIdentity)]])
+    lanes.append("button").text(text).on("click", act);
+  lanes.append("span").attr("class", "faint").text("Ctrl and the wheel zoom, dragging moves, a click chooses; double click looks closer");
+}
+
+function addKey() {
+  const sign = (state, text) => `<svg class="key-sign" viewBox="0 0 22 12">${state}</svg> ${text} &nbsp; `;
+  document.getElementById("key").innerHTML =
+    sign(`<rect width="20" height="12" fill="${colours.running}"/>`, "running") +
+    sign(`<defs><pattern id="key-hatched" width="4" height="4" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="4" height="4" fill="#fff"/><rect width="2" height="4" fill="${colours.ready}"/></pattern></defs><rect y="4" width="20" height="8" fill="url(#key-hatched)"/>`, "ready") +
+    sign(`<rect y="9" width="20" height="2" fill="${colours.waiting}"/>`, "waiting") +
+    (report.deadlock ? sign(`<rect y="8" width="20" height="3" fill="${colours.stuck}"/><path d="M7 6 L13 12 M7 12 L13 6" stroke="${colours.stuck}" stroke-width="1.4"/>`, "waiting for ever") : "") +
+    sign(`<rect width="20" height="12" fill="${colours.link}"/>`, "bytes on a link");
+}
+
+function listen() {
+  slider.addEventListener("input", () => goTo(run.begin + slider.value / steps * span));
+  document.getElementById("play").addEventListener("click", play);
+  d3.selectAll("#views button").on("click", function () { showView(this.dataset.view); });
+  scroller.addEventListener("scroll", () => drawTimelines(now.moment, now.chosen));
+  window.addEventListener("resize", resize);
+  window.addEventListener("hashchange", followAddress);
+  d3.select(canvas).call(zoom)
+    .on("mousemove.under", () => { document.getElementById("under").textContent = textAt(placeAt(d3.mouse(canvas))); })
+    .on("click", () => {
+      const { track, moment } = placeAt(d3.mouse(canvas));
+      if (track && isOfProcess(track)) now.chosen = outermostName(track.name);
+      goTo(moment === null ? now.moment : moment);
+    });
+}
+
+// What is looked at can be said in the address: run.html#at=0.5&process=master[0]&view=software&from=0.2&to=0.3, in parts of the run.
+function followAddress() {
+  const said = new URLSearchParams(location.hash.slice(1));
+  if (said.has("view")) showView(said.get("view"));
+  if (said.has("process")) choose(said.get("process"));
+  if (said.has("from") && said.has("to")) {
+    const from = Number(said.get("from")), scale = 1 / Math.max(Number(said.get("to")) - from, 1e-9), [left, right] = view.full.range();
+    d3.select(canvas).call(zoom.transform, d3.zoomIdentity.translate(left - scale * (left + from * (right - left)), 0).scale(scale));
+  }
+  if (!said.has("at")) return;
+  slider.value = Math.round(Number(said.get("at")) * steps);
+  slider.dispatchEvent(new Event("input"));
+}
+
+function begin() {
+  pictures.forEach(makePicture);
+  if (!pictures.length) document.getElementById("machine").innerHTML = "<p>The network is too large to be drawn here.</p>";
+  showView(report.deadlock && pictures.length > 1 ? "software" : "machine");
+  addKey();
+  addLaneChoices();
+  showOutcome();
+  showMeasures();
+  showConvergence();
+  arrangeRows();
+  listen();
+  resize();
+  goTo(report.deadlock ? run.end : run.begin + span / 2);
+  followAddress();
+  document.documentElement.dataset.loaded = "yes";
+}
+
+begin();

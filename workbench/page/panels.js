@@ -1,0 +1,122 @@
+// What stands in words: the chosen process, measures, the deadlock; convergence.
+
+const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCodeAt(0)};`);
+const processLink = name => `<a class="process" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>`;
+
+function waitText({ slice, channel, partner }, moment) {
+  const since = timeText(slice.begin, span), end = slice.open ? "and for ever" : `until ${timeText(slice.end, span)}`;
+  const who = partner ? processLink(partner) : "nobody yet";
+  return `<li>${slice.doing} ${slice.doing === "outputs" ? "to" : "from"} ${who} on <i>${escaped(channel)}</i>, since ${since} ${end}</li>`;
+}
+
+function stateText(track, moment) {
+  const state = stateOfProcess(track, moment);
+  const words = { running: "running", ready: "ready: others have its processor", waiting: "waiting", stuck: "waiting for ever",
+    gone: "not there: before its beginning or after its end", unknown: "only summarised here: see its share below" };
+  return `<b class="${state === "stuck" ? "bad" : ""}">${words[state]}</b>`;
+}
+
+function chainText(name, moment) {
+  const chain = chainFrom(name, moment);
+  if (chain.length < 2) return "";
+  return `<p>Waits for whom, who waits for whom: ${[name, ...chain.map(([, to]) => to)].map(processLink).join(" &rarr; ")}</p>`;
+}
+
+function sharesText(track, from, to) {
+  const running = runningShare(track, from, to), all = runningShare(track, run.begin, run.end);
+  return `<p>Running ${(100 * running).toFixed(0)} % of the time around this moment, ${(100 * all).toFixed(1)} % of the run.</p>`;
+}
+
+function showChosen(name, moment, from, to) {
+  const track = name && trackNamed.get(name), process = processNamed.get(name) || { kind: "a process of the machine", place: "", line: "", node: "" };
+  const panel = d3.select("#chosen");
+  if (!track) return panel.html(`<h2>A process</h2><p class="faint">Click a process, in the drawing or on its timeline: here it says what it does at the moment of the slider, for whom it waits, and where the netlist declares it.</p>`);
+  const waits = waitsOf(track, moment);
+  panel.html(`<h2>${escaped(name)}</h2><p>${escaped(process.kind)}${process.node ? " on " + escaped(process.node) : ""}</p>` +
+    `<p>At ${timeText(moment, span)}: ${stateText(track, moment)}</p>` +
+    (waits.length ? `<ul>${waits.map(wait => waitText(wait, moment)).join("")}</ul>` : "") + chainText(name, moment) + sharesText(track, from, to) +
+    (process.place ? `<p class="faint">${escaped(process.place)}</p><pre>${escaped(process.line.trim())}</pre>` : "") + measuresOf(name) +
+    (track.lost ? "<p class=\"faint\">What it did one by one is kept of the beginning and the end of the run.</p>" : ""));
+  panel.selectAll("a.process").on("click", function () { choose(this.dataset.process); });
+}
+
+const numberText = value => typeof value === "number" ? Number(value.toPrecision(6)).toString() : escaped(value);
+const percent = share => typeof share === "number" ? (100 * share).toFixed(1) + " %" : "";
+
+function tableOf(heading, heads, rows) {
+  if (!rows || !rows.length) return "";
+  const cell = value => `<td class="${/^[-\d. %]*$/.test(value) ? "number" : ""}">${value}</td>`;
+  return `<div><h2>${heading}</h2><table><tr>${heads.map(head => `<th>${head}</th>`).join("")}</tr>` +
+    rows.map(row => `<tr>${row.map(cell).join("")}</tr>`).join("") + "</table></div>";
+}
+
+function measuresOf(name) {
+  const own = (report.measurements || []).filter(each => each.process === name);
+  return tableOf("", ["measured", "", ""], own.map(each => [escaped(each.name), numberText(each.value), escaped(each.unit)]));
+}
+
+function showMeasures() {
+  const rows = (list, row) => (list || []).map(row);
+  d3.select("#measures").html("<div class=\"tables\">" +
+    tableOf("Measured", ["process", "what", "value", "unit"], rows(report.measurements, each => [processLink(each.process), escaped(each.name), numberText(each.value), escaped(each.unit)])) +
+    tableOf("Processors", ["name", "type", "busy"], rows(report.processors, each => [escaped(each.name), escaped(each.type), percent(each.busy)])) +
+    tableOf("Links", ["from", "to", "bytes", "occupied"], rows((report.links || []).filter(each => each.bytes), each => [escaped(each.from), escaped(each.to), each.bytes, percent(each.occupied)])) +
+    tableOf("Processes", ["name", "on", "waiting"], rows(report.processes, each => [processLink(each.name), escaped(each.processor || each.on || ""), percent(each.waiting)])) + "</div>");
+  d3.selectAll("#measures a.process").on("click", function () { choose(this.dataset.process); });
+}
+
+function showOutcome() {
+  document.getElementById("heading").textContent = report.manifest.netlist;
+  const well = report.outcome === "completed" || report.outcome === "time limit";
+  const left = run.left_out ? ` ${d3.format(",")(run.left_out)} slices and messages of the middle are summarised, in bins of ${timeText(run.bin, run.bin)}.` : "";
+  d3.select("#outcome").html(`<span class="${well ? "" : "bad"}">${escaped(report.outcome)}</span> at ${timeText(report.time_ps, span)}, ` +
+    `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${left}`);
+  if (!report.deadlock) return;
+  const cycle = report.deadlock.cycle, around = cycle.length ? [...cycle, cycle[0]].map(processLink).join(" &rarr; ") : "no cycle: a partner has ended, or there never was one";
+  d3.select("#deadlock").attr("hidden", null).html(`<b>Deadlock.</b> Each waits for the next: ${around}`)
+    .selectAll("a.process").on("click", function () { choose(this.dataset.process); });
+}
+
+const chart = { width: 460, height: 220, left: 62, bottom: 34, top: 22, right: 12 };
+const strokes = ["none", "6 3", "2 2", "9 3 2 3"];
+
+// A curve for each search; every second search is dashed in its own way.
+function drawChart(title, label, column) {
+  const { width, height, left, bottom, top, right } = chart;
+  const curves = data.searches.map(search => search.generations.filter(row => row[column] !== null)).filter(rows => rows.length);
+  if (!curves.length) return;
+  const values = d3.merge(curves).map(row => row[column]), low = d3.quantile(values.slice().sort(d3.ascending), 0.02);
+  const x = d3.scaleLinear().domain([1, d3.max(d3.merge(curves), row => row[0])]).range([left, width - right]);
+  const y = d3.scaleLinear().domain([low, d3.max(values)]).nice().range([height - bottom, top]).clamp(true);
+  const svg = d3.select("#convergence .charts").append("svg").attr("width", width).attr("height", height);
+  svg.append("text").attr("x", left).attr("y", 12).attr("font-weight", "bold").text(title);
+  svg.append("g").attr("transform", `translate(0 ${height - bottom})`).call(d3.axisBottom(x).ticks(6));
+  svg.append("g").attr("transform", `translate(${left} 0)`).call(d3.axisLeft(y).ticks(5));
+  svg.append("text").attr("x", width - right).attr("y", height - 4).attr("text-anchor", "end").text(label);
+  const line = d3.line().x(row => x(row[0])).y(row => y(row[column]));
+  svg.selectAll(".curve").data(curves).enter().append("path").attr("class", "curve").attr("d", line).attr("fill", "none")
+    .attr("stroke", (rows, i) => d3.schemeDark2[i % 8]).attr("stroke-width", 1.5).attr("stroke-dasharray", (rows, i) => strokes[i % 4]);
+  svg.selectAll(".moment").data(curves).enter().append("circle").attr("class", "moment").attr("r", 4).attr("fill", "#fff").attr("stroke", "#16202a")
+    .attr("stroke-width", 1.6).each(function (rows) { Object.assign(this, { rows, place: row => [x(row[0]), y(row[column])] }); });
+}
+
+function showConvergence() {
+  if (!data.searches.some(search => search.generations.length)) return;
+  d3.select("#convergence").html(`<h2>Convergence</h2><p id="curves"></p><div class="charts"></div>`);
+  d3.select("#curves").selectAll("span").data(data.searches).enter().append("span").html((search, i) =>
+    `<svg width="34" height="8"><path d="M0 4 L28 4" stroke="${d3.schemeDark2[i % 8]}" stroke-width="2" stroke-dasharray="${strokes[i % 4]}"/></svg>${processLink(search.name)} &nbsp; `);
+  const what = data.searches.some(search => search.objective) ? "objective" : "fitness";
+  drawChart(`Best ${what} so far`, "generation", 2);
+  drawChart(`Mean ${what}`, "generation", 3);
+  drawChart("Diversity: mean distance / greatest", "generation", 4);
+  d3.selectAll("#convergence a.process").on("click", function () { choose(this.dataset.process); });
+}
+
+// Where the searches are at a moment.
+function markGenerations(moment) {
+  d3.selectAll("#convergence .moment").each(function () {
+    const done = this.rows.filter(row => row[1] !== null && row[1] <= moment), last = done[done.length - 1];
+    d3.select(this).attr("visibility", last ? "visible" : "hidden");
+    if (last) d3.select(this).attr("cx", this.place(last)[0]).attr("cy", this.place(last)[1]);
+  });
+}

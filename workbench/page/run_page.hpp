@@ -1,0 +1,37 @@
+#pragma once
+
+#include "workbench/page/page_recorder.hpp"
+#include "workbench/run_report.hpp"
+#include "workbench/trace/timeline.hpp"
+
+#include <string>
+
+namespace placedpar {
+
+/// What a page shows of a run beside its timelines.
+struct PageContent {
+    const Network& network;
+    const RunReport& report;
+    const Manifest& manifest;
+    const GenerationLog& searches;
+};
+
+/// A run as one HTML file that is looked at in a browser, without the internet: the network, coloured by load at the
+/// moment that a slider chooses, timelines, measures, a deadlock's cycle, convergence. It stays below 20 megabytes: of
+/// a long run it has every slice and message of the beginning and the end, and between them how loaded everything was.
+class RunPage {
+public:
+    /// The whole run, or what lies in the window. The network is looked at only here.
+    RunPage(const Network&, const TraceWindow&);
+
+    TraceSink& sink() { return timeline_; }
+    /// REQUIRES: the run is over; called once.
+    std::string html(const PageContent&);
+
+private:
+    Tracks tracks_;
+    page::PageRecorder recorder_;
+    Timeline timeline_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,223 @@
+// The timelines: a row a track, on a canvas that shows the part of them that is in sight.
+
+const rowHeight = 17, headHeight = 22, labelWidth = 210, most = { messages: 4000 };
+const colours = { running: "#1f4e79", ready: "#d98a1f", waiting: "#9aa7b4", stuck: "#b3261e", link: "#2f7d6b" };
+const canvas = document.getElementById("canvas"), pen = canvas.getContext("2d"), scroller = document.getElementById("scroller");
+const shown = { processors: true, processes: true, components: true, links: true, messages: true };
+const view = { width: 0, height: 0, full: d3.scaleLinear(), scale: d3.scaleLinear(), rows: [], rowOf: new Map() };
+
+// Running is full and dark, ready half as high and hatched, waiting a thin line: told apart without colour.
+const hatch = (() => {
+  const tile = document.createElement("canvas"), line = tile.getContext("2d");
+  tile.width = tile.height = 6;
+  line.fillStyle = "#fff";
+  line.fillRect(0, 0, 6, 6);
+  line.strokeStyle = colours.ready;
+  line.lineWidth = 2.4;
+  for (const x of [-6, 0, 6]) { line.beginPath(); line.moveTo(x, 6); line.lineTo(x + 6, 0); line.stroke(); }
+  return pen.createPattern(tile, "repeat");
+})();
+
+function isShown(track) {
+  if (track.kind === "processor" || track.kind === "bus") return shown.processors;
+  if (track.kind === "link") return shown.links && track.running.length > 1;
+  return shown.processes && (track.outermost === track.number || shown.components);
+}
+
+function arrangeRows() {
+  view.rows = [];
+  view.rowOf.clear();
+  let node = -1;
+  for (const track of drawnTracks.filter(isShown)) {
+    if (track.node !== node) view.rows.push({ heading: run.nodes[node = track.node] });
+    view.rowOf.set(track.number, view.rows.length);
+    view.rows.push({ track });
+  }
+  document.getElementById("spacer").style.height = headHeight + view.rows.length * rowHeight + "px";
+}
+
+function fitCanvas() {
+  const ratio = window.devicePixelRatio || 1;
+  view.width = Math.max(scroller.clientWidth, 400);
+  view.height = Math.min(headHeight + view.rows.length * rowHeight, Math.max(260, Math.round(window.innerHeight * 0.55)));
+  scroller.style.height = view.height + 2 + "px";
+  canvas.width = view.width * ratio;
+  canvas.height = view.height * ratio;
+  canvas.style.width = view.width + "px";
+  canvas.style.height = view.height + "px";
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  view.full.domain([run.begin, run.begin + span]).range([labelWidth, view.width - 12]);
+}
+
+const topOf = row => headHeight + row * rowHeight - scroller.scrollTop;
+
+function drawText(text, x, y, colour, width) {
+  pen.fillStyle = colour;
+  if (width === undefined || pen.measureText(text).width < width) pen.fillText(text, x, y);
+}
+
+function drawWait(slice, x, y, width) {
+  const stuck = stateOf(slice) === "stuck";
+  pen.fillStyle = stuck ? colours.stuck : colours.waiting;
+  if (slice.doing === "delayed") for (let at = x; at < x + width; at += 5) pen.fillRect(at, y + 12, 2, 2);
+  else pen.fillRect(x, y + (stuck ? 11 : 12), Math.max(width, 0.3), stuck ? 3 : 1.5);
+  if (stuck) for (let at = x + 8; at < x + width; at += 14) drawCross(at, y + 12.5);
+  if (width > 90) drawText(describe(slice), x + 4, y + 9, stuck ? colours.stuck : "#5a6876", width - 8);
+}
+
+function drawCross(x, y) {
+  pen.strokeStyle = colours.stuck;
+  pen.lineWidth = 1.4;
+  pen.beginPath();
+  pen.moveTo(x - 3, y - 3); pen.lineTo(x + 3, y + 3);
+  pen.moveTo(x - 3, y + 3); pen.lineTo(x + 3, y - 3);
+  pen.stroke();
+}
+
+function drawSlice(track, slice, from, to) {
+  const x = view.scale(Math.max(slice.begin, from)), width = view.scale(Math.min(slice.end, to)) - x, y = topOf(view.rowOf.get(track.number));
+  const state = stateOf(slice);
+  if (state === "running") {
+    pen.fillStyle = track.kind === "link" ? colours.link : colours.running;
+    pen.fillRect(x, y + 2, Math.max(width, 0.3), rowHeight - 4);
+    if (width > 40 && slice.note) drawText(slice.note, x + 4, y + 12.5, "#fff", width - 6);
+  } else if (state === "ready") {
+    pen.fillStyle = width < 2 ? colours.ready : hatch;
+    pen.fillRect(x, y + 7, Math.max(width, 0.3), 7);
+  } else drawWait(slice, x, y, width);
+}
+
+// Of each column of pixels, how much of it is running and, on top of that, ready.
+function drawShares(track, from, to) {
+  const y = topOf(view.rowOf.get(track.number)), high = rowHeight - 4;
+  const x0 = Math.max(view.scale(from), labelWidth), x1 = Math.min(view.scale(to), view.width);
+  if (isOfProcess(track)) { pen.fillStyle = colours.waiting; pen.fillRect(x0, y + 13, x1 - x0, 1); }
+  for (let x = x0; x < x1; ++x) {
+    const begin = view.scale.invert(x), end = view.scale.invert(Math.min(x + 1, x1));
+    const running = shareOf(track.running, begin, end) * high, ready = shareOf(track.ready, begin, end) * high;
+    pen.fillStyle = track.kind === "link" ? colours.link : colours.running;
+    pen.fillRect(x, y + 2 + high - running, 1, running);
+    pen.fillStyle = hatch;
+    pen.fillRect(x, y + 2 + high - running - ready, 1, ready);
+  }
+}
+
+// Slice by slice where they are known and not too many, else as shares.
+function drawStretch(track, from, to, known) {
+  if (to <= from) return;
+  const first = sliceFrom(track, from), pixels = view.scale(to) - view.scale(from);
+  let last = first;
+  while (last < track.slices.length && track.slices[last].begin < to && last - first <= 3 * pixels) ++last;
+  if (!known || last - first > pixels / 1.5 + 3) return drawShares(track, from, to);
+  for (let i = first; i < last; ++i) drawSlice(track, track.slices[i], from, to);
+}
+
+function drawTrack(track) {
+  const [from, to] = view.scale.domain();
+  if (!track.lost) return drawStretch(track, from, to, true);
+  const [begin, end] = track.lost;
+  drawStretch(track, from, Math.min(to, begin), true);
+  drawStretch(track, Math.max(from, begin), Math.min(to, end), false);
+  drawStretch(track, Math.max(from, end), to, true);
+}
+
+function labelOf(track) {
+  if (track.kind === "processor") return "processor";
+  return track.outermost === track.number ? track.name : "   " + track.name.slice(track.name.indexOf("/"));
+}
+
+function drawLabel(row, y, chosen) {
+  pen.fillStyle = "#fff";
+  pen.fillRect(0, y, labelWidth - 4, rowHeight);
+  if (row.heading) {
+    pen.font = "bold 11px Helvetica, Arial, sans-serif";
+    drawText(row.heading, 4, y + 13, "#16202a");
+    pen.font = "11px Helvetica, Arial, sans-serif";
+    return;
+  }
+  const isChosen = isOfProcess(row.track) && outermostName(row.track.name) === chosen;
+  if (isChosen) { pen.fillStyle = "#dfe8f1"; pen.fillRect(6, y + 1, labelWidth - 12, rowHeight - 2); }
+  pen.save();
+  pen.beginPath();
+  pen.rect(0, y, labelWidth - 6, rowHeight);
+  pen.clip();
+  drawText(labelOf(row.track), 12, y + 12.5, isOfProcess(row.track) ? "#16202a" : "#5a6876");
+  pen.restore();
+}
+
+function visibleMessages() {
+  const [from, to] = view.scale.domain(), some = [];
+  for (let i = byLeft(messages, from - (to - from)); i < messages.length && messages[i].left < to && some.length <= most.messages; ++i)
+    if (messages[i].arrived > from && view.rowOf.has(messages[i].from) && view.rowOf.has(messages[i].to)) some.push(messages[i]);
+  return some.length > most.messages ? [] : some;
+}
+
+function drawMessage(message, strong) {
+  const y0 = topOf(view.rowOf.get(message.from)) + rowHeight / 2, y1 = topOf(view.rowOf.get(message.to)) + rowHeight / 2;
+  if (Math.max(y0, y1) < headHeight || Math.min(y0, y1) > view.height) return;
+  const x0 = view.scale(message.left), x1 = view.scale(message.arrived), angle = Math.atan2(y1 - y0, x1 - x0);
+  pen.globalAlpha = strong ? 1 : 0.45;
+  pen.strokeStyle = pen.fillStyle = "#000";
+  pen.lineWidth = strong ? 1.6 : 0.8;
+  pen.beginPath(); pen.moveTo(x0, y0); pen.lineTo(x1, y1); pen.stroke();
+  pen.beginPath(); pen.moveTo(x1, y1);
+  for (const side of [-0.4, 0.4]) pen.lineTo(x1 - 7 * Math.cos(angle + side), y1 - 7 * Math.sin(angle + side));
+  pen.fill();
+  pen.globalAlpha = 1;
+}
+
+function drawMessages(chosen) {
+  if (!shown.messages) return;
+  const some = visibleMessages();
+  if (some.length > view.width / 2 && !chosen) return; // a black page says nothing
+  for (const message of some) {
+    const strong = [message.from, message.to].some(number => outermostName(tracks[number].name) === chosen);
+    if (strong || some.length <= view.width / 2) drawMessage(message, strong);
+  }
+}
+
+function drawAxis(moment) {
+  pen.fillStyle = "#fff";
+  pen.fillRect(0, 0, view.width, headHeight);
+  const [from, to] = view.scale.domain(), [unit, size] = unitFor(Math.max(Math.abs(to), 1));
+  const ticks = view.scale.ticks(Math.max(3, (view.width - labelWidth) / 130)), step = ticks.length > 1 ? ticks[1] - ticks[0] : size;
+  const digits = Math.max(0, Math.ceil(Math.log10(size / step) - 1e-9));
+  for (const tick of ticks) {
+    pen.fillStyle = "#e3e7eb";
+    pen.fillRect(view.scale(tick), headHeight - 5, 1, view.height);
+    drawText(`${(tick / size).toFixed(digits)} ${unit}`, view.scale(tick) + 3, 13, "#5a6876");
+  }
+  pen.fillStyle = "#16202a";
+  if (moment >= from && moment <= to) pen.fillRect(view.scale(moment) - 0.5, 0, 1.4, view.height);
+}
+
+function drawTimelines(moment, chosen) {
+  pen.clearRect(0, 0, view.width, view.height);
+  pen.font = "11px Helvetica, Arial, sans-serif";
+  drawAxis(moment);
+  const first = Math.max(0, Math.floor(scroller.scrollTop / rowHeight)), last = Math.min(view.rows.length, first + Math.ceil(view.height / rowHeight) + 1);
+  pen.save();
+  pen.beginPath();
+  pen.rect(labelWidth - 2, headHeight, view.width, view.height);
+  pen.clip();
+  for (let row = first; row < last; ++row) if (view.rows[row].track) drawTrack(view.rows[row].track);
+  drawMessages(chosen);
+  pen.restore();
+  for (let row = first; row < last; ++row) drawLabel(view.rows[row], topOf(row), chosen);
+  pen.fillStyle = "#fff";
+  pen.fillRect(0, 0, labelWidth - 4, headHeight);
+}
+
+// What is at a place of the canvas: {track, moment}; neither in the head or beside it.
+function placeAt([x, y]) {
+  const row = view.rows[Math.floor((y - headHeight + scroller.scrollTop) / rowHeight)];
+  return { track: row && row.track && y > headHeight ? row.track : null, moment: x >= labelWidth ? view.scale.invert(x) : null };
+}
+
+function textAt({ track, moment }) {
+  if (!track || moment === null) return "";
+  const slice = sliceAt(track, moment), precision = view.scale.domain()[1] - view.scale.domain()[0];
+  if (slice) return `${track.name}: ${describe(slice)}${slice.open ? ", and that does not end" : ""}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
+  const from = moment - run.bin / 2, share = sums => (100 * shareOf(sums, from, from + run.bin)).toFixed(0) + " %";
+  return `${track.name} at ${timeText(moment, precision)}` + (isLost(track, moment) ? `, summarised: running ${share(track.running)}, ready ${share(track.ready)} of ${timeText(run.bin, run.bin)}` : "");
+}
