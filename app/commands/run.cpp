@@ -64,6 +64,8 @@ void require_outputs(const RunOptions& options) {
         throw UserError(fmt::format("--trace: a timeline is of one run, and --seeds asks for {}", options.seeds));
     if (options.seeds > 1 && !options.page.empty())
         throw UserError(fmt::format("--page: a page is of one run, and --seeds asks for {}", options.seeds));
+    if (options.traced.is_part() && options.trace.empty() && options.page.empty())
+        throw UserError("--trace-from and --trace-until say which part of a run --trace or --page shows");
     if (!options.trace.empty())
         require_trace_format(options.trace);
     if (!options.convergence.empty())
@@ -233,9 +235,9 @@ void add_searches(CLI::App& command, RunOptions& options) {
 void add_trace(CLI::App& command, RunOptions& options) {
     CLI::Option* trace = add_file(command, "--trace", options.trace,
                                   "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
-    add_time(command, "--trace-from", options.traced.from, "begins the timeline at this moment of the machine's time")
-        ->needs(trace);
-    add_time(command, "--trace-until", options.traced.until, "ends the timeline at this moment")->needs(trace);
+    add_time(command, "--trace-from", options.traced.from,
+             "begins the timeline, or the page, at this moment of the machine's time");
+    add_time(command, "--trace-until", options.traced.until, "ends the timeline, or the page, at this moment");
     add_count(command, "--trace-limit", options.traced.most_entries,
               "ends the timeline when it has so many slices and messages")
         ->needs(trace);

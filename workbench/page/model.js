@@ -13,13 +13,18 @@ function sumsOf(levels) {
   return sums;
 }
 
+const span = Math.max(run.end - run.begin, 1);
+// What waits for ever is drawn beyond the end.
+const drawnEnd = run.end + (report.deadlock ? 0.06 * span : 0);
+
 function slicesOf(flat) {
   const slices = [];
   let at = run.begin;
   for (let i = 0; i < flat.length; i += 4) {
     const begin = at + flat[i];
     at = begin + flat[i + 1];
-    slices.push({ begin, end: at, doing: run.doing[flat[i + 2] % 16], open: flat[i + 2] >= 16, note: run.texts[flat[i + 3]] });
+    const open = flat[i + 2] >= 16;
+    slices.push({ begin, end: open ? drawnEnd : at, doing: run.doing[flat[i + 2] % 16], open, note: run.texts[flat[i + 3]] });
   }
   return slices;
 }
@@ -40,7 +45,6 @@ const trackNamed = new Map(tracks.map(track => [(track.kind === "processor" ? "p
 const messages = messagesOf(run.messages);
 const processNamed = new Map(data.processes.map(process => [process.name, process]));
 const componentsOf = d3.nest().key(track => track.outermost).object(tracks.filter(isOfProcess));
-const span = Math.max(run.end - run.begin, 1);
 
 function isOfProcess(track) { return track.kind === "process" || track.kind === "machine process"; }
 

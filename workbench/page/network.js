@@ -115,7 +115,7 @@ function drawChosenBox(picture, name) {
   const node = picture.all.selectAll("g.node[data-node], g.placed").nodes().find(each =>
     drawnProcess(each.getAttribute("data-node") || each.getAttribute("data-process")) === name);
   if (!node) return;
-  const box = node.getBBox();
+  const box = (node.querySelector(".frame") || node).getBBox();
   picture.over.append("rect").attr("class", "chosen-box").attr("x", box.x - 3).attr("y", box.y - 3).attr("width", box.width + 6).attr("height", box.height + 6).attr("rx", 4);
 }
 
@@ -123,8 +123,9 @@ function drawOver(picture, moment, name) {
   picture.over.selectAll("*").remove();
   if (name) drawChosenBox(picture, name);
   if (picture.view !== "software") return;
-  if (moment >= run.end) cycleLinks().forEach(([from, to]) => drawArrow(picture, from, to, "cycle"));
-  if (name) chainFrom(name, moment).forEach(([from, to]) => drawArrow(picture, from, to, "now"));
+  const cycle = moment >= run.end ? cycleLinks() : [], isInCycle = ([from, to]) => cycle.some(each => each[0] === from && each[1] === to);
+  cycle.forEach(([from, to]) => drawArrow(picture, from, to, "cycle"));
+  if (name) chainFrom(name, moment).filter(link => !isInCycle(link)).forEach(([from, to]) => drawArrow(picture, from, to, "now"));
 }
 
 function showNetwork(moment, from, to, name) {

@@ -1,7 +1,7 @@
 // What stands in words: the chosen process, measures, the deadlock; convergence.
 
 const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCodeAt(0)};`);
-const processLink = name => `<a class="process" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>`;
+const processLink = name => `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>`;
 
 function waitText({ slice, channel, partner }, moment) {
   const since = timeText(slice.begin, span), end = slice.open ? "and for ever" : `until ${timeText(slice.end, span)}`;
@@ -37,11 +37,19 @@ function showChosen(name, moment, from, to) {
     (waits.length ? `<ul>${waits.map(wait => waitText(wait, moment)).join("")}</ul>` : "") + chainText(name, moment) + sharesText(track, from, to) +
     (process.place ? `<p class="faint">${escaped(process.place)}</p><pre>${escaped(process.line.trim())}</pre>` : "") + measuresOf(name) +
     (track.lost ? "<p class=\"faint\">What it did one by one is kept of the beginning and the end of the run.</p>" : ""));
-  panel.selectAll("a.process").on("click", function () { choose(this.dataset.process); });
+  panel.selectAll("a.to").on("click", function () { choose(this.dataset.process); });
 }
 
 const numberText = value => typeof value === "number" ? Number(value.toPrecision(6)).toString() : escaped(value);
 const percent = share => typeof share === "number" ? (100 * share).toFixed(1) + " %" : "";
+
+function busyText(processor) {
+  return typeof processor.busy === "number" ? percent(processor.busy) : timeText(processor.busy_ps || 0, span);
+}
+
+function waitingText(process) {
+  return process.waits_since_ps === undefined ? percent(process.waiting) : `for ever, from ${timeText(process.waits_since_ps, span)} on`;
+}
 
 function tableOf(heading, heads, rows) {
   if (!rows || !rows.length) return "";
@@ -59,10 +67,10 @@ function showMeasures() {
   const rows = (list, row) => (list || []).map(row);
   d3.select("#measures").html("<div class=\"tables\">" +
     tableOf("Measured", ["process", "what", "value", "unit"], rows(report.measurements, each => [processLink(each.process), escaped(each.name), numberText(each.value), escaped(each.unit)])) +
-    tableOf("Processors", ["name", "type", "busy"], rows(report.processors, each => [escaped(each.name), escaped(each.type), percent(each.busy)])) +
+    tableOf("Processors", ["name", "type", "busy"], rows(report.processors, each => [escaped(each.name), escaped(each.type), busyText(each)])) +
     tableOf("Links", ["from", "to", "bytes", "occupied"], rows((report.links || []).filter(each => each.bytes), each => [escaped(each.from), escaped(each.to), each.bytes, percent(each.occupied)])) +
-    tableOf("Processes", ["name", "on", "waiting"], rows(report.processes, each => [processLink(each.name), escaped(each.processor || each.on || ""), percent(each.waiting)])) + "</div>");
-  d3.selectAll("#measures a.process").on("click", function () { choose(this.dataset.process); });
+    tableOf("Processes", ["name", "on", "waiting"], rows(report.processes, each => [processLink(each.name), escaped(each.processor || each.on || ""), waitingText(each)])) + "</div>");
+  d3.selectAll("#measures a.to").on("click", function () { choose(this.dataset.process); });
 }
 
 function showOutcome() {
@@ -74,7 +82,7 @@ function showOutcome() {
   if (!report.deadlock) return;
   const cycle = report.deadlock.cycle, around = cycle.length ? [...cycle, cycle[0]].map(processLink).join(" &rarr; ") : "no cycle: a partner has ended, or there never was one";
   d3.select("#deadlock").attr("hidden", null).html(`<b>Deadlock.</b> Each waits for the next: ${around}`)
-    .selectAll("a.process").on("click", function () { choose(this.dataset.process); });
+    .selectAll("a.to").on("click", function () { choose(this.dataset.process); });
 }
 
 const chart = { width: 460, height: 220, left: 62, bottom: 34, top: 22, right: 12 };
@@ -109,7 +117,7 @@ function showConvergence() {
   drawChart(`Best ${what} so far`, "generation", 2);
   drawChart(`Mean ${what}`, "generation", 3);
   drawChart("Diversity: mean distance / greatest", "generation", 4);
-  d3.selectAll("#convergence a.process").on("click", function () { choose(this.dataset.process); });
+  d3.selectAll("#convergence a.to").on("click", function () { choose(this.dataset.process); });
 }
 
 // Where the searches are at a moment.

@@ -115,7 +115,8 @@ std::string picture_or_nothing(const Network& network, std::string (*print)(cons
 } // namespace
 
 RunPage::RunPage(const Network& network, const TraceWindow& window)
-    : tracks_(network), recorder_(tracks_, window.from), timeline_(tracks_, without_limit(window), recorder_) {}
+    : tracks_(network), recorder_(tracks_, require_time_in(window).from),
+      timeline_(tracks_, without_limit(window), recorder_) {}
 
 std::string RunPage::html(const PageContent& content) {
     timeline_.finish(content.report.result);

@@ -21,7 +21,8 @@ struct PageContent {
 /// a long run it has every slice and message of the beginning and the end, and between them how loaded everything was.
 class RunPage {
 public:
-    /// The whole run, or what lies in the window. The network is looked at only here.
+    /// The whole run, or what lies in the window; throws UserError when that is empty. The network is looked at only
+    /// here.
     RunPage(const Network&, const TraceWindow&);
 
     TraceSink& sink() { return timeline_; }

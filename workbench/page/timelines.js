@@ -46,7 +46,7 @@ function fitCanvas() {
   canvas.style.width = view.width + "px";
   canvas.style.height = view.height + "px";
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  view.full.domain([run.begin, run.begin + span]).range([labelWidth, view.width - 12]);
+  view.full.domain([run.begin, run.begin + span + drawnEnd - run.end]).range([labelWidth, view.width - 12]);
 }
 
 const topOf = row => headHeight + row * rowHeight - scroller.scrollTop;
@@ -217,7 +217,8 @@ function placeAt([x, y]) {
 function textAt({ track, moment }) {
   if (!track || moment === null) return "";
   const slice = sliceAt(track, moment), precision = view.scale.domain()[1] - view.scale.domain()[0];
-  if (slice) return `${track.name}: ${describe(slice)}${slice.open ? ", and that does not end" : ""}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
+  if (slice && slice.open) return `${track.name}: ${describe(slice)} from ${timeText(slice.begin, precision)} on, and that does not end`;
+  if (slice) return `${track.name}: ${describe(slice)}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
   const from = moment - run.bin / 2, share = sums => (100 * shareOf(sums, from, from + run.bin)).toFixed(0) + " %";
   return `${track.name} at ${timeText(moment, precision)}` + (isLost(track, moment) ? `, summarised: running ${share(track.running)}, ready ${share(track.ready)} of ${timeText(run.bin, run.bin)}` : "");
 }

@@ -2,6 +2,9 @@
 
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -34,6 +37,13 @@ bool never_ends(const std::string& process, const RunResult& result) {
 }
 
 } // namespace
+
+const TraceWindow& require_time_in(const TraceWindow& window) {
+    if (window.from >= window.until)
+        throw UserError(fmt::format("the trace would end at {}, and begin at {}: give it a later end",
+                                    to_string(window.until), to_string(window.from)));
+    return window;
+}
 
 Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& writer)
     : tracks_(tracks), window_(window), writer_(writer) {}

@@ -18,7 +18,12 @@ namespace placedpar {
 struct TraceWindow {
     Time from{}, until = Time::max();
     std::size_t most_entries = 2'000'000; ///< slices and messages; the trace ends when there are so many
+
+    bool is_part() const { return from > Time{} || until < Time::max(); }
 };
+
+/// Throws UserError when the window is empty.
+const TraceWindow& require_time_in(const TraceWindow&);
 
 /// Makes slices on tracks of what it is told of a run. A slice ends when a process does something else; one that
 /// computes again at once goes on, unless a message was handed over in between.

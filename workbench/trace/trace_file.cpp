@@ -34,13 +34,6 @@ std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, c
     return std::make_unique<PerfettoTrace>(file, tracks);
 }
 
-const TraceWindow& require_time_in(const TraceWindow& window) {
-    if (window.from >= window.until)
-        throw UserError(fmt::format("the trace would end at {}, and begin at {}: give it a later end",
-                                    to_string(window.until), to_string(window.from)));
-    return window;
-}
-
 } // namespace
 
 void require_trace_format(const std::filesystem::path& path) { trace_format(path); }

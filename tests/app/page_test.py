@@ -1,0 +1,158 @@
+"""The page of a run: that it has all of the run, needs nothing else, and works in a browser."""
+
+import html.parser
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import urllib.parse
+
+from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
+
+COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+PHILOSOPHERS = EXAMPLES / "30-philosophers" / "philosophers.cfs"
+CHROMIUM = shutil.which("chromium")
+
+
+class Loads(html.parser.HTMLParser):
+    """What a page would load from elsewhere."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.found = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.found += [value for name, value in attrs if name in ("src", "href") and not value.startswith("data:")]
+
+
+def data_of(page):
+    return json.loads(re.search(r'<script id="data" type="application/json">(.*?)</script>', page, re.S).group(1))
+
+
+def slices_of(data, name):
+    """[begin, end, doing, is open, note] of the track of a process."""
+    run = data["timeline"]
+    track = next(t for t in run["tracks"] if t["name"] == name and t["kind"] == "process")
+    at, slices = run["begin"], []
+    for gap, length, doing, note in zip(*[iter(track["slices"])] * 4):
+        slices.append((at + gap, at + gap + length, run["doing"][doing % 16], doing >= 16, run["texts"][note]))
+        at += gap + length
+    return slices
+
+
+class Pages(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def page(self, netlist, *options, exit_code=0):
+        path = self.folder / "run.html"
+        run = placedpar("run", netlist, "--page", path, *options)
+        self.assertEqual(run.returncode, exit_code, run.stderr)
+        return run, path.read_text(encoding="utf-8")
+
+    def browse(self, address=""):
+        """The page as the browser has it after its program has run."""
+        browser = subprocess.run(
+            [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder / 'profile'}",
+             "--virtual-time-budget=3000", "--enable-logging=stderr", "--dump-dom",
+             (self.folder / "run.html").as_uri() + ("#" + urllib.parse.quote(address, safe="=&") if address else "")],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100, check=False)
+        self.assertNotIn("CONSOLE", browser.stderr)
+        self.assertIn('data-errors="0"', browser.stdout[:5000])
+        self.assertIn('data-loaded="yes"', browser.stdout[:5000])
+        return browser.stdout
+
+    def test_it_needs_nothing_from_elsewhere(self):
+        _, page = self.page(FIGURE_E2)
+        self.assertEqual(Loads(page).found, [])
+        self.assertIn("Copyright 2010-2020 Mike Bostock", page)
+        self.assertLess(len(page), 20e6)
+
+    def test_it_has_every_slice_of_a_short_run_and_the_report(self):
+        run, page = self.page(FIGURE_E2, "--trace", self.folder / "trace.json", "--json", self.folder / "report.json")
+        data, report = data_of(page), json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual(data["report"]["fingerprint"], fingerprint(run.stdout))
+        self.assertEqual(fingerprint(run.stdout), fingerprint(placedpar("run", FIGURE_E2).stdout))
+        self.assertEqual(data["timeline"]["left_out"], 0)
+        self.assertEqual(data["report"]["measurements"], report["measurements"])
+        events = json.loads((self.folder / "trace.json").read_text(encoding="utf-8"))["traceEvents"]
+        self.assertEqual(sum(len(track["slices"]) // 4 for track in data["timeline"]["tracks"]),
+                         sum(event["ph"] in "XB" for event in events))
+        self.assertEqual(len(data["timeline"]["messages"]) // 5, sum(event["ph"] == "s" for event in events))
+        waited = sum(end - begin for begin, end, doing, _, _ in slices_of(data, "master[0]")
+                     if doing not in ("computes", "ready"))
+        self.assertGreater(waited, 0)
+        self.assertEqual(len(data["searches"][0]["generations"]), 80)
+
+    def test_it_says_where_processes_are_declared_and_for_whom_they_wait(self):
+        _, page = self.page(PHILOSOPHERS, "--set", "butler=0", exit_code=2)
+        data = data_of(page)
+        fork = next(each for each in data["processes"] if each["name"] == "fork[1]")
+        number = int(fork["place"].rpartition(":")[2])
+        self.assertEqual(fork["line"], PHILOSOPHERS.read_text(encoding="utf-8").splitlines()[number - 1])
+        begin, _, doing, is_open, note = slices_of(data, "philosopher[0]")[-1]
+        self.assertEqual((doing, is_open, note.split("\t")[1]), ("outputs", True, "fork[1]"))
+        self.assertLess(begin, data["timeline"]["end"])
+
+    def test_a_long_run_is_summarised(self):
+        _, page = self.page(COMMSTIME, "--set", "count=60000")
+        run = data_of(page)["timeline"]
+        self.assertGreater(run["left_out"], 100000)
+        self.assertLess(len(page), 20e6)
+        busy = next(t for t in run["tracks"] if t["kind"] == "processor")
+        begin, end = busy["lost"]
+        self.assertLess(run["begin"], begin)
+        self.assertLess(begin, end)
+        self.assertLess(end, run["end"])
+        self.assertGreater(len(busy["running"]), 4000)
+        self.assertGreater(run["bin"] * len(busy["running"]), run["end"] - run["bin"])
+
+    def test_a_part_of_a_run(self):
+        _, page = self.page(COMMSTIME, "--trace-from", "1ms", "--trace-until", "2ms")
+        run = data_of(page)["timeline"]
+        self.assertEqual((run["begin"], run["end"]), (10**9, 2 * 10**9))
+
+    def test_what_is_refused(self):
+        for options, message in [(("--page", self.folder / "nowhere" / "run.html"), "nowhere"),
+                                 (("--page", self.folder / "run.html", "--seeds", "2"), "a page is of one run"),
+                                 (("--page", COMMSTIME), str(COMMSTIME)),
+                                 (("--page", self.folder / "run.html", "--trace-from", "2ms", "--trace-until", "1ms"),
+                                  "give it a later end"),
+                                 (("--trace-from", "1ms"), "--trace or --page")]:
+            run = placedpar("run", COMMSTIME, *options)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(message, run.stderr)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_the_slider_moves_through_the_run(self):
+        self.page(FIGURE_E2)
+        seen = [self.browse(f"at={at}&from={at}&to={at + 0.001}&process=slave[0][0]") for at in (0.3, 0.8)]
+        times, loads, texts = ([re.search(pattern, page, re.S).group(1) for page in seen] for pattern in
+                               (r'<output id="now">(.*?)<', r'class="load"[^>]* width="([\d.]+)"',
+                                r'<aside id="chosen">(.*?)</aside>'))
+        self.assertTrue(times[0].startswith("201."), times)
+        self.assertTrue(times[1].startswith("536."), times)
+        self.assertNotEqual(texts[0], texts[1])
+        self.assertIn("slave[clusters][slaves]", texts[0])
+        self.assertNotEqual(*loads)
+        self.assertEqual(seen[0].count('class="curve"'), 12)
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_the_cycle_of_the_philosophers_shows(self):
+        self.page(PHILOSOPHERS, "--set", "butler=0", exit_code=2)
+        page = self.browse("process=philosopher[0]")
+        self.assertEqual(page.count('class="arrow cycle"'), 10)
+        self.assertIn("waiting for ever", page)
+        self.assertRegex(page, r'id="deadlock">.*?philosopher\[0\].*?fork\[1\].*?philosopher\[1\]')
+        self.assertEqual(self.browse("at=0.5").count('class="arrow cycle"'), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
