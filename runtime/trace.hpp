@@ -28,6 +28,10 @@ public:
     virtual void computes(const Process&, Time) = 0;
     /// It has computed as long as it wanted to, or lost its executive.
     virtual void stops_computing(const Process&, Time) = 0;
+    /// It computes by moving words over a bus, the waiting for it included, until it stops computing.
+    virtual void moves(const Process& process, Time now) { computes(process, now); }
+    /// The bus was its own since a moment, which may be that of moves() or later.
+    virtual void moved(const Process&, const std::string& /* bus */, Time /* since */, Time /* now */) {}
     virtual void ended(const Process&, Time) = 0;
 
     /// A message is handed over. Both processes are in the channel.

@@ -3,6 +3,7 @@
 #include "app/options/netlist_options.hpp"
 #include "app/options/time_option.hpp"
 #include "app/signals.hpp"
+#include "app/standard_error.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 #include "workbench/explain/explanation.hpp"
@@ -11,6 +12,7 @@
 #include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <array>
 #include <filesystem>
@@ -38,14 +40,14 @@ ChangedNetlist reading_with(const NetlistOptions& options) {
     };
 }
 
-Explanation explain(const Network& network, const ExplainOptions& options) {
+Explanation explain(const Network& network, const ExplainOptions& options, Interruption& interruption) {
     CriticalPath path;
-    InterruptedBySignals interruption;
     Explanation explanation;
     explanation.report =
         run_netlist(network, known_problems(options.seed),
                     {.seed = options.seed, .until = options.until, .trace = &path, .interruption = &interruption});
     explanation.accounts = path.accounts();
+    explanation.waits_at_links = path.waits_at_links();
     explanation.path = path.parts();
     return explanation;
 }
@@ -66,20 +68,35 @@ bool asks_what_if(const Explanation& explanation, const ExplainOptions& options)
     return options.what_if && explanation.report.result.ending == Ending::completed;
 }
 
-void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options) {
+void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options,
+                 const Interruption& interruption) {
+    Progress line;
+    auto progress = [&](std::size_t done, std::size_t all) {
+        line.show(fmt::format("what if: {} of {} runs", done, all));
+    };
     ChangedNetlist read = reading_with(options.netlist);
-    explanation.answers = try_out(changes_of(network, read), read, options.seed, options.until);
+    std::vector<Change> changes = changes_of(network, explanation.report, read);
+    explanation.answers =
+        try_out(changes, explanation.path, {read, options.seed, options.until, interruption, progress});
+    explanation.left_out = changes.size() - explanation.answers.size();
+}
+
+/// What was not tried for an interruption is told; the rest is as good as ever.
+ExitCode exit_code_of(const Explanation& explanation) {
+    return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
+                                    : exit_code_of(explanation.report.result.ending);
 }
 
 ExitCode explain(const ExplainOptions& options) {
     require_output(options);
     Network network = load_network(options.netlist);
-    Explanation explanation = explain(network, options);
+    InterruptedBySignals interruption;
+    Explanation explanation = explain(network, options, interruption);
     if (asks_what_if(explanation, options))
-        add_answers(explanation, network, options);
+        add_answers(explanation, network, options, interruption);
     print_out(print_explanation(explanation, network));
     write_output(explanation, network, options);
-    return exit_code_of(explanation.report.result.ending);
+    return exit_code_of(explanation);
 }
 
 Action declare_explain(CLI::App& command, const std::string&) {

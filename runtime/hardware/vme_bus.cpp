@@ -126,8 +126,10 @@ void VmeBus::end_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block.words -= words_moved();
     busy_ += kernel_.now() - block_began_;
-    if (TraceSink* trace = kernel_.trace())
+    if (TraceSink* trace = kernel_.trace()) {
         trace->vacated(name_, kernel_.now());
+        trace->moved(block.process, name_, block_began_, kernel_.now());
+    }
     bool whole = block.words == 0;
     if (whole) {
         block.done = true;
@@ -191,7 +193,7 @@ void VmeMaster::move(std::uint64_t words, Time each, Time until) {
         bus_.move_block();
     TraceSink* trace = self.executive() ? kernel_.trace() : nullptr;
     if (trace)
-        trace->computes(self, kernel_.now());
+        trace->moves(self, kernel_.now());
     while (!block.done)
         kernel_.give_way();
     if (trace)

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <regex>
 #include <stdexcept>
 
 namespace placedpar {
@@ -30,6 +32,8 @@ const char* name_of(Step step) {
     case Step::starting: return "starting";
     case Step::computing: return "computing";
     case Step::communicating: return "communicating";
+    case Step::moving: return "moving words";
+    case Step::arbitrating: return "arbitrating";
     case Step::delayed: return "delayed";
     case Step::ready: return "ready, not running";
     case Step::left: return "nothing more";
@@ -113,6 +117,12 @@ void CriticalPath::communicated(const AnyChannel& channel, Time) {
     if (!from || !to || from->does != Activeness::waiting || to->does != Activeness::waiting)
         return;
     from->together = to->together = later(from->last, to->last);
+    if (auto link = carried_by_.find(&channel); link != carried_by_.end())
+        waits_at_links_[link->second] += points_[*from->together].at - points_[from->last].at;
+}
+
+void CriticalPath::carries(const std::string& direction, const AnyChannel& channel, Time, Time) {
+    carried_by_[&channel] = direction;
 }
 
 /// The partner that does not wait any more made it ready: the wait of a soft channel is over at once.
@@ -197,6 +207,25 @@ void CriticalPath::stops_computing(const Process& process, Time now) {
     turn(*lane, Activeness::ready, now);
 }
 
+void CriticalPath::moves(const Process& process, Time now) {
+    if (Lane* lane = lane_of(process)) {
+        has_turn(*lane, now);
+        turn(*lane, Activeness::moving, now);
+    }
+}
+
+/// Until the bus was its own, the path leads over what held the bus before.
+void CriticalPath::moved(const Process& process, const std::string& bus, Time since, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    auto held = bus_held_.find(bus);
+    Number before = held == bus_held_.end() ? lane->last : later(lane->last, held->second);
+    lane->last = add(add(before, since, Step::arbitrating, bus), now, Step::moving,
+                     fmt::format("{} over {}", with_executive(process), bus));
+    bus_held_[bus] = lane->last;
+}
+
 /// The last component that ends lets its PAR's process go on.
 void CriticalPath::ended(const Process& process, Time now) {
     Lane* lane = lane_of(process);
@@ -241,15 +270,36 @@ std::vector<PathPart> CriticalPath::parts() const {
     return parts;
 }
 
-std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) {
+namespace {
+
+/// "master[1].out[0] -> slave[1][0].in" as "master[].out[] -> slave[][].in".
+std::string without_subscripts(const std::string& subject) {
+    static const std::regex subscript(R"(\[\d+\])");
+    return std::regex_replace(subject, subscript, "[]");
+}
+
+template <class Name>
+std::vector<PathShare> shares_by(const std::vector<PathPart>& parts, Name name) {
     std::map<std::pair<Step, std::string>, Time> times;
     for (const PathPart& part : parts)
-        times[{part.step, part.subject}] += part.end - part.begin;
+        times[{part.step, name(part.subject)}] += part.end - part.begin;
     std::vector<PathShare> shares;
     for (const auto& [what, time] : times)
         shares.push_back({what.first, what.second, time});
     std::ranges::stable_sort(shares, std::greater<>{}, &PathShare::time);
     return shares;
+}
+
+} // namespace
+
+std::string name_of(const PathShare& share) {
+    return std::string(name_of(share.step)) + (share.subject.empty() ? "" : ": ") + share.subject;
+}
+
+std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) { return shares_by(parts, std::identity{}); }
+
+std::vector<PathShare> shares_by_array(const std::vector<PathPart>& parts) {
+    return shares_by(parts, without_subscripts);
 }
 
 } // namespace placedpar

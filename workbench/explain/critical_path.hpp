@@ -15,7 +15,7 @@
 namespace placedpar {
 
 /// What a run's time was spent with, along its critical path.
-enum class Step { starting, computing, communicating, delayed, ready, left };
+enum class Step { starting, computing, communicating, moving, arbitrating, delayed, ready, left };
 const char* name_of(Step);
 
 /// A part of the critical path: from the part before it, or the beginning of the run, until a moment.
@@ -38,15 +38,20 @@ public:
     /// How the time of each process of the netlist went by. REQUIRES: the run is over.
     const std::map<std::string, Account>& accounts() const { return accounts_.all(); }
 
+    /// By direction of a link: how long outputters were in it before their inputters came.
+    const std::map<std::string, Time>& waits_at_links() const { return waits_at_links_; }
+
     void began(const Process&, Time) override;
     void waits(const Process&, Time) override;
     void made_ready(const Process&, Time) override;
     void goes_on(const Process&, Time) override;
     void computes(const Process&, Time) override;
     void stops_computing(const Process&, Time) override;
+    void moves(const Process&, Time) override;
+    void moved(const Process&, const std::string& bus, Time, Time) override;
     void ended(const Process&, Time) override;
     void communicated(const AnyChannel&, Time) override;
-    void carries(const std::string&, const AnyChannel&, Time, Time) override {}
+    void carries(const std::string& direction, const AnyChannel&, Time, Time) override;
     void carried(const std::string&, std::uint64_t, Time, Time) override {}
     void occupied(const std::string&, const std::string&, Time) override {}
     void vacated(const std::string&, Time) override {}
@@ -83,10 +88,13 @@ private:
 
     std::vector<Point> points_;
     std::vector<std::string> subjects_;
-    std::unordered_map<std::string, std::uint32_t> numbers_;    ///< of subjects
-    std::map<std::uint32_t, Lane> lanes_;                       ///< of the processes that live, by ordinal
-    std::unordered_map<const Executive*, Number> held_;         ///< what was last done on each
-    std::map<std::pair<const AnyChannel*, bool>, Number> came_; ///< to an end of a hard channel; true: to output
+    std::unordered_map<std::string, std::uint32_t> numbers_;        ///< of subjects
+    std::map<std::uint32_t, Lane> lanes_;                           ///< of the processes that live, by ordinal
+    std::unordered_map<const Executive*, Number> held_;             ///< what was last done on each
+    std::unordered_map<std::string, Number> bus_held_;              ///< what each bus was last used for
+    std::map<std::pair<const AnyChannel*, bool>, Number> came_;     ///< to an end of a hard channel; true: to output
+    std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< the direction of a link
+    std::map<std::string, Time> waits_at_links_;
     Accounts accounts_;
     Number end_ = 0;
     Time over_{};
@@ -99,5 +107,9 @@ struct PathShare {
     Time time;
 };
 std::vector<PathShare> shares_of(const std::vector<PathPart>&);
+/// "computing: master on t[0]".
+std::string name_of(const PathShare&);
+/// The same with arrays taken together: "computing: slave[] on t[]".
+std::vector<PathShare> shares_by_array(const std::vector<PathPart>&);
 
 } // namespace placedpar

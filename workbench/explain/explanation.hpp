@@ -14,8 +14,11 @@ namespace placedpar {
 struct Explanation {
     RunReport report;
     std::map<std::string, Account> accounts; ///< by process
+    /// By direction of a link, "a.link[0] -> b.link[1]": how long outputters were in it before their inputters came.
+    std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
     std::vector<Answer> answers; ///< the greatest gain first
+    std::size_t left_out = 0;    ///< changes that an interruption left untried
 };
 
 /// For people.

@@ -16,6 +16,8 @@ void Accounts::settle(const std::string& process, Time now) {
     Time passed = now - std::exchange(state.since, now);
     if (state.components[Activeness::computing] > 0)
         account.computing += passed;
+    else if (state.components[Activeness::moving] > 0)
+        account.communicating += passed;
     else if (state.components[Activeness::ready] > 0)
         account.ready += passed;
     else if (state.components[Activeness::waiting] > 0)

@@ -7,8 +7,9 @@
 
 namespace placedpar {
 
-/// How the time of a process went by, with the components of its PARs. It computes while one of them does; else it is
-/// ready while one of them is; else all of them wait. The times add up to its life.
+/// How the time of a process went by, with the components of its PARs. It computes while one of them does; else it
+/// communicates while one of them moves words over a bus, or waits for the bus; else it is ready while one of them is;
+/// else all of them wait. The times add up to its life.
 struct Account {
     Time computing{}, ready{}, communicating{}, delayed{}, waiting{};
     std::map<std::string, Time> waiting_for; ///< partners; parts of `waiting`, all but a last wait that never ended
@@ -19,7 +20,7 @@ struct Account {
 };
 
 /// What a component does, and what ended a wait of all of them.
-enum class Activeness { computing, ready, waiting, gone };
+enum class Activeness { computing, moving, ready, waiting, gone };
 
 /// Keeps the accounts of all processes at the outermost level, by name.
 class Accounts {

@@ -1,0 +1,289 @@
+#include "workbench/explain/changes.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::int64_t fastest = 1'000'000'000; ///< that the language takes
+constexpr std::size_t most_alone = 10;          ///< of a sort
+
+struct Factor {
+    const char* faster;
+    const char* less;
+    double by; ///< 0: as fast as can be said
+};
+constexpr std::array<Factor, 3> factors{{
+    {.faster = "10 % faster", .less = "a tenth less", .by = 1.1},
+    {.faster = "twice as fast", .less = "half", .by = 2},
+    {.faster = "as fast as can be", .less = "none", .by = 0},
+}};
+
+std::string faster(std::int64_t rate, const Factor& factor) {
+    auto wanted = static_cast<std::int64_t>(std::llround(static_cast<double>(rate) * factor.by));
+    return std::to_string(factor.by == 0 ? fastest : std::min(wanted, fastest));
+}
+
+/// A tenth faster is a time of 1 / 1.1; here it is said of the constant itself.
+std::string less(std::int64_t constant, const Factor& factor) {
+    double share = factor.by == 0 ? 0 : factor.by == 2 ? 0.5 : 0.9;
+    return std::to_string(std::llround(static_cast<double>(constant) * share));
+}
+
+std::string array_of(const std::string& name) { return name.substr(0, name.find('[')); }
+
+std::string as_array(const std::string& name) { return array_of(name) + (name.find('[') < name.size() ? "[]" : ""); }
+
+/// The names of those with the greatest times, the greatest first.
+template <class Uses, class Name, class Spent>
+std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
+    std::vector<std::pair<Time, std::string>> by_time;
+    for (const auto& use : uses)
+        if (Time time = spent(use); time > Time{0})
+            by_time.emplace_back(-time, name(use));
+    std::ranges::sort(by_time);
+    std::vector<std::string> names;
+    for (const auto& [time, each] : by_time)
+        if (names.size() < most_alone && std::ranges::find(names, each) == names.end())
+            names.push_back(each);
+    return names;
+}
+
+/// Gathers changes.
+class Changes {
+public:
+    Changes(const Network& network, const RunReport& report, const ChangedNetlist& read)
+        : network_(network), report_(report), read_(read) {}
+
+    std::vector<Change> all() && {
+        add_processors();
+        add_links();
+        add_processes();
+        add_constants();
+        add_vals();
+        return std::move(changes_);
+    }
+
+private:
+    void add_clocks(Change::Of of, const std::string& what, const std::set<std::size_t>& nodes) {
+        if (nodes.empty() || !clocks_known_.insert(nodes).second)
+            return;
+        for (const Factor& factor : factors) {
+            Change change{of, what, factor.faster, {}};
+            for (std::size_t node : nodes)
+                change.set[network_.nodes[node].name + ".clock"] =
+                    faster(network_.nodes[node].integer("clock"), factor);
+            changes_.push_back(std::move(change));
+        }
+    }
+
+    bool has_clock(std::size_t node) const {
+        return node != nowhere && network_.nodes[node].attributes.contains("clock");
+    }
+
+    void add_processors() {
+        std::set<std::size_t> all;
+        std::map<std::string, std::set<std::size_t>> arrays, alone;
+        for (std::size_t node = 0; node < network_.nodes.size(); ++node)
+            if (has_clock(node)) {
+                all.insert(node);
+                alone[network_.nodes[node].name] = {node};
+            }
+        for (const ProcessInstance& process : network_.processes)
+            if (has_clock(process.node))
+                arrays[as_array(process.name)].insert(process.node);
+        add_clocks(Change::Of::all, "all processors", all);
+        for (const auto& [name, nodes] : arrays)
+            add_clocks(nodes.size() == 1 ? Change::Of::alone : Change::Of::array,
+                       (nodes.size() == 1 ? "processor of " : "processors of ") + name, nodes);
+        for (const std::string& name :
+             busiest(report_.processors, std::mem_fn(&ProcessorUse::name), std::mem_fn(&ProcessorUse::busy)))
+            add_clocks(Change::Of::alone, "processor " + name, alone[name]);
+    }
+
+    void add_speeds(Change::Of of, const std::string& what, const std::string& set, std::int64_t speed) {
+        for (const Factor& factor : factors)
+            changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
+    }
+
+    /// Those that --set knows by one name: as wired, or wire[0], wire[1] ...
+    std::map<std::string, const LinkConnection*> wires_by_end() const {
+        std::map<std::string, const LinkConnection*> wires;
+        for (std::size_t i = 0; i < network_.count_wires(); ++i)
+            wires[link_name(network_.nodes, network_.connections[i].a)] =
+                wires[link_name(network_.nodes, network_.connections[i].b)] = &network_.connections[i];
+        return wires;
+    }
+
+    std::string name_for_set(const LinkConnection& wanted) const {
+        std::size_t without_name = 0;
+        for (const LinkConnection& connection : network_.connections) {
+            if (&connection == &wanted)
+                break;
+            without_name += connection.name.empty();
+        }
+        return wanted.name.empty() ? fmt::format("wire[{}]", without_name) : wanted.name;
+    }
+
+    /// Where a switch is on the way a link is made of several wires, and is varied with all of them only.
+    bool switched() const {
+        return std::ranges::any_of(network_.connections,
+                                   [](const auto& each) { return each.at_run_time || !each.crossings.empty(); });
+    }
+
+    void add_links() {
+        std::set<std::int64_t> speeds;
+        for (std::size_t i = 0; i < network_.count_wires(); ++i)
+            speeds.insert(network_.connections[i].bits_per_second);
+        if (speeds.size() == 1 && network_.count_wires() > 1)
+            add_speeds(Change::Of::all, "all links", "linkspeed", *speeds.begin());
+        if (switched())
+            return;
+        auto wires = wires_by_end();
+        for (const std::string& from :
+             busiest(report_.links, std::mem_fn(&LinkUse::from), std::mem_fn(&LinkUse::occupied)))
+            add_link(*wires.at(from));
+    }
+
+    /// Either of its directions may have been among the busiest.
+    void add_link(const LinkConnection& wire) {
+        if (links_known_.insert(&wire).second)
+            add_speeds(
+                Change::Of::alone,
+                fmt::format("link {} - {}", link_name(network_.nodes, wire.a), link_name(network_.nodes, wire.b)),
+                name_for_set(wire) + ".linkspeed", wire.bits_per_second);
+    }
+
+    static bool is_cost(const std::string& name) {
+        return name.find("cycles") != std::string::npos || name.find("bytes") != std::string::npos ||
+               name == "channelcall";
+    }
+
+    static std::optional<std::int64_t> cost_of(const std::string& name, const Value& value) {
+        const auto* integer = std::get_if<std::int64_t>(&value);
+        return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
+    }
+
+    /// What it computes, by its own parameters. One that has a processor for itself is varied with that.
+    void add_process(const ProcessInstance& process) {
+        for (const Factor& factor : factors) {
+            Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
+            for (const auto& [name, value] : process.parameters)
+                if (auto cost = cost_of(name, value); cost && name.find("cycles") != std::string::npos)
+                    change.set[process.name + "." + name] = less(*cost, factor);
+            if (!change.set.empty())
+                changes_.push_back(std::move(change));
+        }
+    }
+
+    bool shares_processor(const ProcessInstance& process) const {
+        return process.node != nowhere &&
+               std::ranges::count(network_.processes, process.node, &ProcessInstance::node) > 1;
+    }
+
+    void add_processes() {
+        std::map<std::string, Time> busy;
+        for (const ProcessorUse& processor : report_.processors)
+            busy[processor.name] = processor.busy;
+        auto name = [](const ProcessInstance& process) { return process.name; };
+        auto spent = [&](const ProcessInstance& process) {
+            return shares_processor(process) ? busy[network_.nodes[process.node].name] : Time{0};
+        };
+        std::vector<std::string> names = busiest(network_.processes, name, spent);
+        for (const ProcessInstance& process : network_.processes)
+            if (std::ranges::find(names, process.name) != names.end())
+                add_process(process);
+    }
+
+    /// Of those costs that have the same value wherever they are.
+    template <class Map>
+    static void note_costs(const Map& values, std::map<std::string, std::set<std::int64_t>>& costs) {
+        for (const auto& [name, value] : values)
+            if (auto cost = cost_of(name, value))
+                costs[name].insert(*cost);
+    }
+
+    void add_constants() {
+        std::map<std::string, std::set<std::int64_t>> costs;
+        for (const Node& node : network_.nodes)
+            note_costs(node.attributes, costs);
+        for (const ProcessInstance& process : network_.processes)
+            note_costs(process.parameters, costs);
+        for (const auto& [name, values] : costs)
+            if (values.size() == 1)
+                for (const Factor& factor : factors)
+                    changes_.push_back(
+                        {Change::Of::constant, name, factor.less, {{name, less(*values.begin(), factor)}}});
+    }
+
+    static std::string text_of(const std::string& path) {
+        std::ifstream file(path);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    /// The vals that a file gives a plain number.
+    static std::map<std::string, std::int64_t> plain_vals(const std::string& text) {
+        static const std::regex declaration(R"((?:^|\n)\s*val\s+(\w+)\s+(\d{1,9})\s*;)");
+        std::map<std::string, std::int64_t> vals;
+        for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found)
+            vals[(*found)[1]] = std::stoll((*found)[2]);
+        return vals;
+    }
+
+    /// Whether the change makes other processes. What it makes may be refused.
+    bool replicates(const Overrides& set) const {
+        try {
+            return read_(set).processes.size() != network_.processes.size();
+        } catch (const UserError&) {
+            return true;
+        }
+    }
+
+    std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
+        for (const SetByOption& set : network_.set)
+            if (set.name == name)
+                return std::atoll(set.value.c_str());
+        return otherwise;
+    }
+
+    void add_vals() {
+        std::vector<std::string> paths = network_.included_paths;
+        paths.push_back(network_.source_path);
+        for (const std::string& path : paths)
+            for (auto [name, value] : plain_vals(text_of(path))) {
+                value = as_set(name, value);
+                Overrides more{{name, std::to_string(value + 1)}};
+                if (replicates(more))
+                    changes_.push_back({Change::Of::number, "one more of " + name + ":",
+                                        fmt::format("{} instead of {}", value + 1, value), more});
+            }
+    }
+
+    const Network& network_;
+    const RunReport& report_;
+    const ChangedNetlist& read_;
+    std::vector<Change> changes_;
+    std::set<std::set<std::size_t>> clocks_known_;
+    std::set<const LinkConnection*> links_known_;
+};
+
+} // namespace
+
+std::vector<Change> changes_of(const Network& network, const RunReport& report, const ChangedNetlist& read) {
+    return Changes(network, report, read).all();
+}
+
+} // namespace placedpar

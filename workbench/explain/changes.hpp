@@ -1,0 +1,33 @@
+#pragma once
+
+#include "netlist/network/network.hpp"
+#include "netlist/read.hpp"
+#include "netlist/run_report.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A change of a netlist, as `placedpar run --set` makes it.
+struct Change {
+    /// What gains by it: everything of a sort, what an array runs on, a part of the machine or a process alone, what a
+    /// process does or sends, or a number of things.
+    enum class Of { all, array, alone, constant, number } of;
+    std::string what;   ///< "processors of master[]"
+    std::string change; ///< "twice as fast"
+    Overrides set;
+};
+
+/// Reads the netlist with these settings. Throws UserError when it is refused. May be called by several threads at
+/// once.
+using ChangedNetlist = std::function<Network(const Overrides&)>;
+
+/// The changes worth asking about: all processors, those on which the processes of an array run, and the links, a tenth
+/// faster, twice as fast, and as fast as can be said (1 GHz, 1 Gbit/s); the same of the ten processors, the ten links
+/// and the ten processes alone that were the busiest in the run; constants in cycles or bytes that processes or
+/// processors have, a tenth less, half, none; one more of what the netlist's vals replicate.
+std::vector<Change> changes_of(const Network&, const RunReport&, const ChangedNetlist&);
+
+} // namespace placedpar
