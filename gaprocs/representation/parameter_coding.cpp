@@ -18,6 +18,9 @@ void validate(const ParameterField& field, std::size_t number) {
         throw std::invalid_argument(
             fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", number, field.low,
                         field.high));
+    if (!std::isfinite(field.high - field.low))
+        throw std::invalid_argument(fmt::format("parameter {}: the range {} to {} is wider than a number can say",
+                                                number, field.low, field.high));
 }
 
 } // namespace

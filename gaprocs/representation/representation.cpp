@@ -142,11 +142,15 @@ BitString::BitString(std::size_t bits) : bits_(bits) {
 RealVector::RealVector(std::vector<RealRange> ranges) : ranges_(std::move(ranges)) {
     if (ranges_.empty())
         throw std::invalid_argument("a vector of no number");
-    for (std::size_t i = 0; i < ranges_.size(); ++i)
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
         if (!std::isfinite(ranges_[i].low) || !std::isfinite(ranges_[i].high) || !(ranges_[i].low < ranges_[i].high))
             throw std::invalid_argument(
                 fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", i,
                             ranges_[i].low, ranges_[i].high));
+        if (!std::isfinite(ranges_[i].high - ranges_[i].low))
+            throw std::invalid_argument(fmt::format("parameter {}: the range {} to {} is wider than a number can say",
+                                                    i, ranges_[i].low, ranges_[i].high));
+    }
 }
 
 double RealVector::value(const Genome& genome, std::size_t number) const {

@@ -162,6 +162,14 @@ TEST_CASE("a problem of a family is found by name and numbers, and made once") {
     CHECK(&registry.find("valley(2)") == &registry.find(" valley ( dimensions = 2, low = -1 )"));
 }
 
+TEST_CASE("a problem with a name and no numbers is a family of one") {
+    ProblemRegistry registry;
+    registry.add(minimised<Bowl>());
+    CHECK(registry.families().at(0).text() == "bowl");
+    CHECK(registry.find("bowl").problem()->bits() == 6);
+    CHECK_THROWS_AS(registry.find("bowl(1)"), UserError);
+}
+
 TEST_CASE("a problem that does not exist, or not with these numbers, is refused by what there is") {
     ProblemRegistry registry;
     registry.add("sphere", minimise(PlainSphere{}));

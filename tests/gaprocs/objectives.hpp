@@ -16,6 +16,13 @@ struct PlainSphere {
     double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 };
 
+/// It has a name, and no numbers that the name could give.
+struct Bowl {
+    static constexpr std::string_view name = "bowl", about = "the square of the distance from 1";
+    placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 2, 6}); }
+    double objective(std::span<const double> x) const { return (x[0] - 1) * (x[0] - 1); }
+};
+
 /// All that one may state, with numbers that a name may give.
 struct Valley {
     static constexpr std::string_view name = "valley", about = "a straight valley";

@@ -96,6 +96,9 @@ TEST_CASE("representations of nothing, and reversed bounds, are refused") {
     CHECK_THROWS_WITH_AS(RealVector({{0, 1}, {5, -5}}),
                          "parameter 1: the range is 5 to -5, expected a lower and a higher number",
                          std::invalid_argument);
+    CHECK_THROWS_WITH_AS(RealVector({{-1.5e308, 1.5e308}}),
+                         "parameter 0: the range -1.5e+308 to 1.5e+308 is wider than a number can say",
+                         std::invalid_argument);
     for (RealRange range : {RealRange{0, infinite}, RealRange{std::nan(""), 1}, RealRange{1, 1}})
         CHECK_THROWS_AS(RealVector({range}), std::invalid_argument);
 }
