@@ -273,7 +273,7 @@ std::vector<PathPart> CriticalPath::parts() const {
 namespace {
 
 /// "master[1].out[0] -> slave[1][0].in" as "master[].out[] -> slave[][].in".
-std::string without_subscripts(const std::string& subject) {
+std::string with_empty_subscripts(const std::string& subject) {
     static const std::regex subscript(R"(\[\d+\])");
     return std::regex_replace(subject, subscript, "[]");
 }
@@ -299,7 +299,7 @@ std::string name_of(const PathShare& share) {
 std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) { return shares_by(parts, std::identity{}); }
 
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>& parts) {
-    return shares_by(parts, without_subscripts);
+    return shares_by(parts, with_empty_subscripts);
 }
 
 } // namespace placedpar

@@ -27,7 +27,7 @@ void add_figure(StudyFigures& figures, const std::string& name, double value, co
 }
 
 /// "t[0][1].busy" of an array is also "t.busy".
-std::string without_subscripts(const std::string& figure) {
+std::string name_of_array(const std::string& figure) {
     std::size_t bracket = figure.find('['), dot = figure.rfind('.');
     return bracket == figure.npos || dot == figure.npos || dot < bracket
                ? figure
@@ -37,7 +37,7 @@ std::string without_subscripts(const std::string& figure) {
 std::vector<std::string> names_to_choose_from(const StudyFigures& figures) {
     std::set<std::string> names;
     for (const auto& each : figures)
-        names.insert(without_subscripts(each.first));
+        names.insert(name_of_array(each.first));
     return {names.begin(), names.end()};
 }
 
@@ -107,7 +107,7 @@ StudyMeasure::StudyMeasure(const std::string& text) : text_(text), name_(text) {
 }
 
 bool StudyMeasure::matches(const std::string& figure) const {
-    return figure == name_ || without_subscripts(figure) == name_;
+    return figure == name_ || name_of_array(figure) == name_;
 }
 
 std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
