@@ -108,8 +108,11 @@ ParameterDescription problem() {
 }
 
 ParameterDescription cycles_per_error() {
-    return description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
-                                "workload: one individual's error at one sample");
+    auto parameter =
+        description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
+                             "workload: one individual's error at one sample");
+    parameter.computes_reals = true;
+    return parameter;
 }
 
 ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about) {

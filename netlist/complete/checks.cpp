@@ -70,6 +70,33 @@ void check_tolerance(Completion& c) {
             "routecost and linkquota choose routes here, and place tells a channel its own");
 }
 
+/// The parameter whose default is not what the node takes that the process is placed on, if there is one.
+const ParameterDescription* wants_floating_point_unit(const Completion& c, std::size_t process) {
+    const ProcessInstance& instance = c.network.processes[process];
+    if (c.kinds[process] == nullptr || c.network.nodes[instance.node].floating_point_unit)
+        return nullptr;
+    for (const ParameterDescription& parameter : c.kinds[process]->parameters)
+        if (parameter.computes_reals && !instance.given.contains(parameter.name))
+            return &parameter;
+    return nullptr;
+}
+
+/// Said once.
+void check_floating_point(Completion& c) {
+    for (std::size_t i = 0; i < c.network.processes.size(); ++i)
+        if (const ParameterDescription* parameter = wants_floating_point_unit(c, i)) {
+            const ProcessInstance& process = c.network.processes[i];
+            const Node& node = c.network.nodes[process.node];
+            return c.reporter.warning(
+                process.declared,
+                fmt::format("\"{}\" computes with real numbers, and \"{}\", a {}, has no floating-point unit: {} = {} "
+                            "is a T800's",
+                            process.name, node.name, node.type, parameter->name,
+                            std::get<std::int64_t>(*parameter->default_value)),
+                fmt::format("say what it takes there: {} ({} = ...);", process.name, parameter->name));
+        }
+}
+
 } // namespace
 
 void complete_checks(Completion& c) {
@@ -82,6 +109,7 @@ void complete_checks(Completion& c) {
                 check_together(c, processes[i], ports);
     if (c.reporter.failed())
         return;
+    check_floating_point(c);
     for (std::size_t i = 0; i < processes.size(); ++i)
         if (c.kinds[i] != nullptr && c.kinds[i]->check)
             for (const auto& complaint : c.kinds[i]->check(c.network, i))

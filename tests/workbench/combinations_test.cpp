@@ -5,6 +5,7 @@
 #include "gaprocs/usual_settings.hpp"
 #include "tests/gaprocs/island_netlist.hpp"
 #include "tests/sanitized.hpp"
+#include "tests/seeds.hpp"
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 
@@ -156,7 +157,7 @@ void check_combination(std::uint64_t seed) {
 
     LibraryRun library(*problem, record, all.settings, island_streams(seed, all.settings.islands.size()));
     for (const IslandNetlist& machine : machines(netlist_of(all, recorded, dice), dice)) {
-        CAPTURE(seed);
+        INFO(test::replay(seed));
         CAPTURE(machine.text());
         Catalogue catalogue = known_kinds(problems);
         ReadResult read = read_netlist_text(machine.text(), catalogue);
@@ -171,6 +172,6 @@ void check_combination(std::uint64_t seed) {
 } // namespace
 
 TEST_CASE("random combinations of all policies: the same generations without a machine and on any") {
-    for (std::uint64_t seed = 1; seed <= (test::sanitized ? 4 : 30); ++seed)
+    for (std::uint64_t seed : test::seeds(test::sanitized ? 4 : 30, 1))
         check_combination(seed);
 }

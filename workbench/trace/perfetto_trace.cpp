@@ -57,6 +57,7 @@ std::string name_of_wait(const Slice& slice) {
     case Doing::alternates: return name_of_alternation(slice);
     case Doing::joins: return "waits for its components";
     case Doing::after_work: return "waits for the end of the work";
+    case Doing::stopped: return "has stopped";
     default: return "waits for its timer";
     }
 }

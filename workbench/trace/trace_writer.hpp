@@ -11,7 +11,19 @@
 namespace placedpar {
 
 /// What goes on on a track for a while. A processor executes, a link carries; the others are what a process does.
-enum class Doing { executes, carries, ready, computes, delayed, outputs, inputs, alternates, joins, after_work };
+enum class Doing {
+    executes,
+    carries,
+    ready,
+    computes,
+    delayed,
+    outputs,
+    inputs,
+    alternates,
+    joins,
+    after_work,
+    stopped
+};
 
 /// Whether a process that does this waits for a partner, its timer or its components.
 constexpr bool is_waiting(Doing doing) { return doing >= Doing::delayed; }

@@ -11,6 +11,7 @@
 #include "runtime/recovery.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -351,8 +352,8 @@ struct RandomWorld : Exchange {
 
 TEST_CASE("whatever a switch does in the middle of messages, the closed form does as every byte does") {
     std::size_t received = 0, lost = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        CAPTURE(seed);
+    for (std::uint64_t seed : test::seeds(60)) {
+        INFO(test::replay(seed));
         RandomWorld events(seed, true), closed(seed, false);
         RunResult by_events = events.simulation.run(), by_form = closed.simulation.run();
         CHECK(by_events.ending == by_form.ending);
@@ -372,6 +373,8 @@ TEST_CASE("whatever a switch does in the middle of messages, the closed form doe
         }
         received += closed.received.size();
     }
-    CHECK(received > 300);
-    CHECK(lost > 50);
+    if (test::all_seeds()) {
+        CHECK(received > 300);
+        CHECK(lost > 50);
+    }
 }

@@ -232,6 +232,22 @@ TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s out
     CHECK(4e6 / static_cast<double>(ended.count()) * 1e12 == doctest::Approx(13.3e6).epsilon(.005));
 }
 
+TEST_CASE("words of code and data outside of the chip take a computation what an access there takes longer") {
+    for (std::int64_t access : {1, 3, 5}) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{access}});
+        Time took{};
+        simulation.process(
+            "computes", [&] { compute(Cycles{1000}, {.words_outside = 400}), took = now(); }, &t800);
+        simulation.run();
+        CHECK(took == (1000 + 400 * (access - 1)) * cycle);
+    }
+    Simulation simulation;
+    simulation.process(
+        "computes", [] { compute(Cycles{1}, {.words_outside = -1}); }, &simulation.add<Processor>("t"));
+    CHECK_THROWS_AS(simulation.run(), std::logic_error);
+}
+
 TEST_CASE("memory that takes no time, or has words of another size, is refused") {
     Simulation simulation;
     CHECK_THROWS_AS(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{0}}),

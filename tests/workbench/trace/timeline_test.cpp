@@ -22,8 +22,8 @@ using namespace std::chrono_literals;
 namespace {
 
 const char* word(Doing doing) {
-    const char* words[] = {"executes", "carries", "ready",      "computes", "delayed",
-                           "outputs",  "inputs",  "alternates", "joins",    "after_work"};
+    const char* words[] = {"executes", "carries",    "ready", "computes",   "delayed", "outputs",
+                           "inputs",   "alternates", "joins", "after_work", "stopped"};
     return words[static_cast<std::size_t>(doing)];
 }
 
