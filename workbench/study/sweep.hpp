@@ -18,6 +18,24 @@ namespace placedpar {
 /// is refused with where none can.
 Network readable_network(const Study&);
 
+/// Makes runs of a study, one after the other. What they have in common is made once: the network of those of one
+/// combination.
+class StudyWorker {
+public:
+    /// REQUIRES: the study outlives it.
+    explicit StudyWorker(const Study& study) : study_(study) {}
+
+    /// None when it was interrupted.
+    std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
+
+private:
+    const Network& network_of(const Overrides&);
+
+    const Study& study_;
+    std::optional<Overrides> set_; ///< of the network
+    Network network_;
+};
+
 /// Makes the runs of a study that its results do not have yet. What comes of a run does not depend on when it is made
 /// or beside which others, so neither do the results.
 class StudySweep {
@@ -38,11 +56,15 @@ public:
     /// How long a run takes, by the wall's clock; makes one of them where none was made. None when interrupted.
     std::optional<double> seconds_a_run(Interruption&);
 
-    /// Makes all that are missing, so many at once. `show` is told now and then how many have ended.
-    void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show);
+    /// Makes all that are missing, so many at once. `show` is told now and then how many have ended. `others`, if any,
+    /// make some of them elsewhere: asked again and again, in the caller's thread, until it says that they have gone.
+    void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show,
+             const std::function<bool(bool stopped)>& others = nullptr);
+    /// For the others: the next run that somebody has to make. None when there is none left, or all is to stop.
+    std::optional<StudyRun> next();
+    void keep(const StudyRun&, const StudyOutcome&);
 
 private:
-    std::optional<StudyRun> next();
     void work(Interruption&);
     std::optional<StudyOutcome> timed_outcome(const StudyRun&, Interruption&);
     std::optional<StudyFigures> figures_near(std::uint64_t index, bool forwards, Interruption&);
