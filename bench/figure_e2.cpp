@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 
 using namespace placedpar;
 
@@ -23,7 +24,7 @@ Figures run_all(const Study& study) {
     Figures figures;
     StudyWorker worker(study);
     Interruption never;
-    auto begun = std::chrono::steady_clock::now();
+    std::clock_t begun = std::clock(); // of the processor: what else runs beside it does not count
     for (std::uint64_t i = 0; i < study.count(); ++i) {
         StudyOutcome outcome = *worker.outcome_of(*study.at(i), never);
         if (outcome.ended != "completed")
@@ -31,7 +32,7 @@ Figures run_all(const Study& study) {
         figures.simulated_seconds += std::chrono::duration<double>(outcome.time).count();
         figures.fingerprint = outcome.fingerprint;
     }
-    figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    figures.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
     return figures;
 }
 

@@ -35,10 +35,20 @@ void on_exception(Then then, Work work) {
 
 } // namespace
 
+const StudyWorker::Seeded& StudyWorker::seeded(std::uint64_t seed) {
+    constexpr std::size_t most = 100;
+    if (auto found = seeded_.find(seed); found != seeded_.end())
+        return found->second;
+    if (seeded_.size() == most)
+        seeded_.clear();
+    return seeded_.try_emplace(seed, seed).first->second;
+}
+
 const Network& StudyWorker::network_of(const Overrides& set) {
     if (!set_ || *set_ != set) {
         set_.reset();
-        network_ = placedpar::network_of(study_, set);
+        network_ = load_network(
+            study_.netlist, set, seeded(0).kinds, [](const std::string&) {}, study_.read);
         set_ = set;
     }
     return network_;
@@ -47,7 +57,7 @@ const Network& StudyWorker::network_of(const Overrides& set) {
 std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interruption& interruption) {
     try {
         const Network& network = network_of(run.set);
-        RunReport report = run_netlist(network, known_problems(run.seed),
+        RunReport report = run_netlist(network, seeded(run.seed).kinds,
                                        {.seed = run.seed, .until = study_.until, .interruption = &interruption});
         if (report.result.ending == Ending::interrupted)
             return std::nullopt;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "workbench/netlist_run.hpp"
+#include "workbench/problems.hpp"
 #include "workbench/study/results.hpp"
 #include "workbench/study/study.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -19,7 +21,7 @@ namespace placedpar {
 Network readable_network(const Study&);
 
 /// Makes runs of a study, one after the other. What they have in common is made once: the network of those of one
-/// combination.
+/// combination; the kinds, and the records that are searched over, of those of one seed.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives it.
@@ -29,10 +31,18 @@ public:
     std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
 
 private:
+    /// What a seed decides. The kinds know the problems.
+    struct Seeded {
+        explicit Seeded(std::uint64_t seed) : problems(known_problems(seed)), kinds(known_kinds(problems)) {}
+        ProblemRegistry problems;
+        Catalogue kinds;
+    };
+    const Seeded& seeded(std::uint64_t seed);
     const Network& network_of(const Overrides&);
 
     const Study& study_;
-    std::optional<Overrides> set_; ///< of the network
+    std::map<std::uint64_t, Seeded> seeded_; ///< by seed: not of very many
+    std::optional<Overrides> set_;           ///< of the network
     Network network_;
 };
 
