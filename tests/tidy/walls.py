@@ -55,9 +55,10 @@ BELOW = {
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "experiments/machine": ["experiments/kit"],
-    "app": ["workbench"],
+    "app": ["workbench/page"],
     "app/options": ["app"],
     "app/identify": ["app/options"],
+    "app/mpi": ["workbench/study"],
     "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "workbench/page", "workbench/study", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
