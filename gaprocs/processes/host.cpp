@@ -92,11 +92,17 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                            integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
                                    "how long a problem without a record is searched; each is asked for by an empty "
                                    "sample"),
-                           bytes_in_message("sample_bytes", 16, "a sample in a message")},
+                           bytes_in_message("sample_bytes", 16, "a sample in a message"),
+                           real("accuracy", {.by_default = 0, .least = 0, .most = 1},
+                                "how far the fittest estimate may be from the true parameters of a simulated record, as "
+                                "a part of them, to be accurate; 0: nobody looks")},
             .measurements = {{"estimates", "", "how many came back"},
                              {"response", "ms",
                               "from when a master had taken a sample until its estimate of it had come: the mean"},
                              {"longest_response", "ms", "the longest of these"},
+                             {"accurate_after", "ms",
+                              "from the beginning until the fittest estimate has come to be accurate for good; absent "
+                              "where it is not in the end"},
                              {"best_of", "", "the master whose last estimate is the fittest"},
                              {"the problem's parameters", "", "as decoded from that estimate"}},
             .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },

@@ -43,6 +43,7 @@ BELOW = {
     "workbench": ["classics", "gaprocs/processes", "identification/on_line", "problems", "workbench/generate", "workbench/picture", "workbench/trace"],
     "workbench/explain": ["workbench"],
     "workbench/study": ["store", "workbench"],
+    "workbench/optimise": ["workbench/explain", "workbench/study"],
     "workbench/page": ["workbench"],
     "experiments/kit": ["workbench"],
     "experiments/chapter_2": ["experiments/kit"],
@@ -59,7 +60,7 @@ BELOW = {
     "app/options": ["app"],
     "app/identify": ["app/options"],
     "app/mpi": ["workbench/study"],
-    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "workbench/page", "workbench/study", "monitor/service"],
+    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "workbench/optimise", "workbench/page", "workbench/study", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
