@@ -142,9 +142,9 @@ SwitchUse Machine::use_of(std::size_t node, const hardware::Crossbar& crossbar) 
     for (const hardware::Crossbar::Loss& loss : crossbar.losses()) {
         const hardware::FaultEffect& effect = loss.effect;
         auto link = static_cast<std::size_t>(std::ranges::find(links_, loss.link) - links_.begin());
-        const LinkConnection& connection = network_.connections[link];
-        use.losses.push_back({link_name(network_.nodes, connection.a),
-                              link_name(network_.nodes, connection.b),
+        const RouteHop hop{link, loss.leaves_a};
+        use.losses.push_back({link_name(network_.nodes, begin_of(hop, network_.connections)),
+                              link_name(network_.nodes, end_of(hop, network_.connections)),
                               effect.bytes_lost,
                               effect.acknowledges_lost,
                               {effect.first->at, effect.first->channel, effect.first->acknowledge, effect.first->byte},

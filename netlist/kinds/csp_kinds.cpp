@@ -5,6 +5,7 @@
 #include "netlist/kinds/environment.hpp"
 #include "netlist/kinds/packet.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ Packet first_packet(const ProcessEnvironment& environment) {
 class Work {
 public:
     explicit Work(const ProcessEnvironment& environment)
-        : cycles_(environment.integer("cycles")), grain_{.words_outside = environment.integer("words")} {}
+        : cycles_{environment.integer("cycles")}, grain_{.words_outside = environment.integer("words")} {}
     void compute() const { placedpar::compute(cycles_, grain_); }
 
 private:
@@ -90,6 +91,12 @@ void delta(ProcessEnvironment& environment) {
         for (auto& each : to)
             each.output(packet);
     });
+}
+
+void par_delta(ProcessEnvironment& environment) {
+    auto to = environment.outputs<Packet>("out");
+    relay(environment,
+          [&](const Packet& packet, bool) { par_for(to.size(), [&](std::size_t i) { to[i].output(packet); }); });
 }
 
 void successor(ProcessEnvironment& environment) {
@@ -173,6 +180,16 @@ ProcessKind delta_kind() {
     return relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta);
 }
 
+/// Without a model in Promela: its components would be processes of their own there.
+ProcessKind par_delta_kind() {
+    ProcessKind kind = relay_kind("csp.par_delta",
+                                  "Outputs what it inputs to all of its outputs, an array, at once: in a PAR. On "
+                                  "channels that are placed on a bus it is a broadcast.",
+                                  par_delta);
+    kind.promela = {};
+    return kind;
+}
+
 ProcessKind successor_kind() {
     return relay_kind("csp.successor", "Outputs what it inputs with the number one higher.", successor);
 }
@@ -193,8 +210,9 @@ ProcessKind consumer_kind() {
 } // namespace
 
 void add_csp_kinds(Catalogue& catalogue) {
-    for (auto kind : {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), successor_kind(), consumer_kind(),
-                      sender_or_fail_kind(), receiver_or_fail_kind(), switch_logic_kind(), switch_setter_kind()})
+    for (auto kind :
+         {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), par_delta_kind(), successor_kind(),
+          consumer_kind(), sender_or_fail_kind(), receiver_or_fail_kind(), switch_logic_kind(), switch_setter_kind()})
         catalogue.add(std::move(kind));
 }
 

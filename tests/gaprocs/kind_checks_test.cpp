@@ -442,7 +442,8 @@ TEST_CASE("netlists that run differently differ in their hash: a policy that is 
           hash(", reproduction = \"usual\", crossover_operator = \"usual\", mutation_operator = \"usual\""));
 }
 
-TEST_CASE("real numbers on a transputer without a unit for them: a warning, once, unless the netlist says their cycles") {
+TEST_CASE(
+    "real numbers on a transputer without a unit for them: a warning, once, unless the netlist says their cycles") {
     auto said_on = [](const std::string& type, const std::string& cycles) {
         Kinds kinds;
         auto lines = statements();

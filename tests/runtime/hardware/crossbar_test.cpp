@@ -236,6 +236,7 @@ TEST_CASE("what is sent without a connection is lost: a deadlock, and the switch
         REQUIRE(x.sw.losses().size() == 1);
         const Crossbar::Loss loss = x.sw.losses()[0];
         CHECK(loss.link == x.links[0]);
+        CHECK(loss.leaves_a != each.acknowledge);
         CHECK(loss.output == each.output);
         CHECK(loss.state == each.state);
         CHECK(loss.effect.bytes_lost == (each.acknowledge ? 0 : 1));
@@ -243,6 +244,25 @@ TEST_CASE("what is sent without a connection is lost: a deadlock, and the switch
         CHECK(loss.effect.first->channel == "root.out[0] -> a.in");
         CHECK(loss.effect.first->byte == 1);
     }
+}
+
+TEST_CASE("what is lost both ways at once is said of each direction, with its own output") {
+    Exchange x;
+    SwitchedLane& from_a = x.simulation.add<SwitchedLane>(x.links[0]->from_b_to_a(), x.at_a, x.in);
+    Channel<Parcel> back("a.out -> root.in", from_a);
+    x.simulation.process("root", [&] { par([&] { x.a.out().output({2, 1}); }, [&] { back.in().input(); }); });
+    x.simulation.process("a", [&] { par([&] { back.out().output({3, 1}); }, [&] { x.a.in().input(); }); });
+    CHECK(x.simulation.run().ending == Ending::stuck);
+    auto losses = x.sw.losses();
+    REQUIRE(losses.size() == 2);
+    CHECK(losses[0].leaves_a);
+    CHECK(losses[0].output == 1);
+    CHECK(losses[0].effect.first->channel == "root.out[0] -> a.in");
+    CHECK(!losses[1].leaves_a);
+    CHECK(losses[1].output == 0);
+    CHECK(losses[1].effect.first->channel == "a.out -> root.in");
+    for (const Crossbar::Loss& loss : losses)
+        CHECK(loss.effect.bytes_lost == 1);
 }
 
 TEST_CASE("a connection that changes in a message cuts it: its byte is said, with and without the closed form") {
