@@ -13,6 +13,7 @@ import argparse
 import csv
 import json
 import math
+import pathlib
 import re
 import signal
 import socket
@@ -209,8 +210,7 @@ def arguments():
     parser.add_argument("--speed", type=float, default=1, help="times real time; 0: as fast as it is answered")
     parser.add_argument("--address", default="127.0.0.1")
     parser.add_argument("--port", type=int, help="where the monitor listens")
-    parser.add_argument("--token-file", type=argparse.FileType(encoding="utf-8"), metavar="FILE",
-                        help="what the monitor wants to be told")
+    parser.add_argument("--token-file", type=pathlib.Path, metavar="FILE", help="what the monitor wants to be told")
     parser.add_argument("--start", action="store_true", help="starts a monitor for this replay")
     parser.add_argument("--machine", default="digger")
     parser.add_argument("--configuration", default="a", choices="abcde", help="of the main valve")
@@ -230,7 +230,7 @@ def main():
         records = [read_record(path) for path in options.records]
         if options.start:
             service, options.port = start_service()
-        token = options.token_file.read().strip() if options.token_file else None
+        token = options.token_file.read_text(encoding="utf-8").strip() if options.token_file else None
         monitor = Monitor(options.address, options.port, token)
         period_s = round(records[0][1]["time_s"] - records[0][0]["time_s"], 9) if len(records[0]) > 1 else 0.02
         monitor.ask({"type": "hello", "version": 1, "machine": options.machine, "period_s": period_s}, "welcome")

@@ -89,6 +89,7 @@ class Client(ServiceTest):
     def test_a_token_is_told(self):
         token = self.folder / "token"
         token.write_text("correct-horse-battery\n")
+        token.chmod(0o600)
         service = self.service("--token-file", token)
         path = self.write(boom_record(), lambda units: units[0])
         self.assertEqual(self.replay("--port", service.address[1], path).returncode, 1)
