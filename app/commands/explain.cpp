@@ -43,7 +43,8 @@ struct ExplainOptions {
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
     if (lower_case(path.extension().string()) == ".vcd")
-        throw UserError(fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
+        throw UserError(
+            fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }
 
 /// What --set says holds in the changed netlists too. Their warnings have been shown.

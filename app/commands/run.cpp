@@ -43,7 +43,9 @@ struct RunOptions {
     std::size_t seeds = 1; ///< from that one on
     bool watch = false;
 
-    std::array<std::filesystem::path, 5> outputs() const { return {json, recorded.trace, recorded.page, log, convergence}; }
+    std::array<std::filesystem::path, 5> outputs() const {
+        return {json, recorded.trace, recorded.page, log, convergence};
+    }
     bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
     Manifest manifest(const std::string& typed) const {
         return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until, shuffle};
@@ -228,7 +230,8 @@ Action declare_run(CLI::App& command, const std::string& typed) {
     add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the report for machines");
     add_searches(command, *options);
-    add_file(command, "--page", options->recorded.page, "writes the run as a page to look at in a browser, HTML in one file");
+    add_file(command, "--page", options->recorded.page,
+             "writes the run as a page to look at in a browser, HTML in one file");
     add_trace(command, *options);
     return [options, typed] { return run(*options, typed); };
 }

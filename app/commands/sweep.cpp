@@ -241,8 +241,10 @@ void add_size(CLI::App& command, SweepOptions& options) {
             "--until", [&](const std::string& text) { options.until = parse_time(text); },
             "stops a run at this moment of the machine's time")
         ->type_name("TIME");
-    command.add_option("--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said, "
-                                           "one in each rank of mpirun")
+    command
+        .add_option("--jobs", options.jobs,
+                    "so many runs at once; as many as there are cores if nothing is said, "
+                    "one in each rank of mpirun")
         ->type_name("N")
         ->check(not_a_whole_number);
 }

@@ -40,11 +40,11 @@ private:
     std::size_t jobs_;
     std::string digest_;         ///< of what rank 0 sweeps
     std::size_t unanswered_ = 0; ///< requests, which rank 0 answers unless it stops all
-    std::mutex mutex_;   ///< of what follows
+    std::mutex mutex_;           ///< of what follows
     std::condition_variable changed_;
-    std::deque<StudyRun> runs_;          ///< to be made
-    std::vector<RankMessage> ended_;     ///< to be told
-    bool no_more_ = false;               ///< rank 0 has none left
+    std::deque<StudyRun> runs_;      ///< to be made
+    std::vector<RankMessage> ended_; ///< to be told
+    bool no_more_ = false;           ///< rank 0 has none left
     bool stopped_ = false;
     std::vector<Interruption> interruptions_; ///< of one run at a time each
 };

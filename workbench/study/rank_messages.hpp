@@ -18,8 +18,8 @@ namespace placedpar {
 ///                            <-   gone                 its last word; failed, where it cannot go on
 struct RankMessage {
     enum class Kind { begin, run, none, stop, ask, ended, failed, gone } kind;
-    std::string text = "";                     ///< of begin: what is swept (digest_of); of failed: why
-    std::optional<StudyRun> run = {};          ///< of run and ended
+    std::string text = "";                    ///< of begin: what is swept (digest_of); of failed: why
+    std::optional<StudyRun> run = {};         ///< of run and ended
     std::optional<StudyOutcome> outcome = {}; ///< of ended
 };
 

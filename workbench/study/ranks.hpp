@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// The ranks of an MPI program: mpirun starts copies of this program, on one machine or many, and each has a number, its
-/// rank. They send each other texts, which come in the order in which they were sent.
+/// The ranks of an MPI program: mpirun starts copies of this program, on one machine or many, and each has a number,
+/// its rank. They send each other texts, which come in the order in which they were sent.
 ///
 /// REQUIRES: used by the thread alone that asked for it, and destroyed when nobody sends this rank anything any more.
 class Ranks {
@@ -27,7 +27,7 @@ public:
 };
 
 /// How long to leave the processor to others before looking for messages again.
-inline constexpr std::chrono::milliseconds rank_patience{1};
+inline constexpr std::chrono::milliseconds rank_patience{4};
 
 /// Those among which mpirun, or Slurm's srun, started this program; null where neither did. Throws UserError where this
 /// PlacedPar was built without MPI.

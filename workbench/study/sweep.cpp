@@ -3,6 +3,7 @@
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/study/ranks.hpp"
 #include "workbench/workers.hpp"
 
 #include <algorithm>
@@ -197,7 +198,7 @@ void StudySweep::run(std::size_t workers, Interruption& interruption,
         if (others_work)
             on_exception(stop, [&] { others_work = others(stop_); });
     };
-    const std::chrono::milliseconds often(others ? 1 : 100);
+    const std::chrono::milliseconds often = others ? rank_patience : std::chrono::milliseconds(100);
     on_workers(
         workers, [&](std::size_t worker) { on_exception([&] { stop_ = true; }, [&] { work(each[worker]); }); }, attend,
         often);

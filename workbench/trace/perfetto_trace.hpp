@@ -15,8 +15,8 @@ namespace placedpar {
 /// from slice to slice. The end of the trace is an instant (i) that says why. Names and order are metadata (M).
 ///
 /// A critical path is a process of its own above all others: a thread has the whole path, and each processor and link
-/// that it leads over one with its parts there, all of them red where a viewer lets a trace choose (cname). A flow leads
-/// from each part to the next: one line from the beginning of the run to its end.
+/// that it leads over one with its parts there, all of them red where a viewer lets a trace choose (cname). A flow
+/// leads from each part to the next: one line from the beginning of the run to its end.
 class PerfettoTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
