@@ -34,13 +34,13 @@ Time ClosedForm::end_of_what_is_certain() const {
     return end;
 }
 
-/// Packets that begin at this very moment have begun, and acknowledges are asked for. That is right because of the
-/// order within an instant (EventQueue::Priority): this has happened before a process or another link does anything.
+/// Packets of this very moment have begun, or been asked for. That is right because of the order within an instant
+/// (EventQueue::Priority): this has happened before a process or a timer does anything.
 void ClosedForm::come_back() {
-    Time now = kernel_.now();
-    behind_.advance(times_, now + Time{1});
-    ahead_until_ = now;
-    go_to(behind_, now);
+    Time after = kernel_.now() + Time{1};
+    behind_.advance(times_, after);
+    ahead_until_ = kernel_.now();
+    go_to(behind_, after);
 }
 
 LinkStreams::Progress ClosedForm::now(const LinkDirection& direction) {
@@ -48,6 +48,7 @@ LinkStreams::Progress ClosedForm::now(const LinkDirection& direction) {
     return behind_.stream(&direction == &a_to_b_ ? 0 : 1);
 }
 
+/// Packets that are due at that moment or later are still to be asked for, by events.
 void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
     const LinkStreams::Stream &forth = streams.stream(0), &back = streams.stream(1);
     auto waits = [moment](const LinkStreams::Stream& s, bool acknowledge) {
