@@ -46,7 +46,8 @@ struct OptimiseOptions {
 
 Study searched_study(const OptimiseOptions& options) {
     if (!lower_case(options.study).ends_with(".toml"))
-        throw UserError(fmt::format("{}: a search is stated by a study (.toml) that has a table [search]", options.study));
+        throw UserError(
+            fmt::format("{}: a search is stated by a study (.toml) that has a table [search]", options.study));
     Study study = read_study(options.study);
     if (!study.search)
         throw UserError(fmt::format("{}: it has no table [search], which says what to minimise: minimise = \"time\"",
@@ -140,7 +141,9 @@ std::vector<PathPart> path_of(Session& session, const Overrides& settings) {
 void print_optimum(Session& session, const Optimum& optimum, const StudySummary& summary) {
     const SearchCourse& course = optimum.courses.front();
     const Overrides best = session.space.settings(course.machines[best_of(course).front()]);
-    std::string out = print_summary(summary) + "\n" + print_comparison(optimum) + "\n";
+    std::string out = fmt::format("{} of {}; the best of them:\n\n", counted(session.space.count(), "combination"),
+                                  counted(session.space.names().size(), "setting")) +
+                      print_summary(summary) + "\n" + print_comparison(optimum) + "\n";
     if (optimum.start.merit.feasible)
         out += print_paths(path_of(session, session.space.fixed()), path_of(session, best)) + "\n";
     print_out(out + fmt::format("the best: {}\nresults: {}\n", command_of(session.study, best),

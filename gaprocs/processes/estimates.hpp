@@ -18,8 +18,8 @@ namespace placedpar {
 class Estimates {
 public:
     /// REQUIRES: a network that has passed check_host(), so that every estimate comes from a search that takes samples
-    /// of this host. Both must outlive it. Throws UserError where an accuracy is asked for of a problem whose record was
-    /// not simulated.
+    /// of this host. Both must outlive it. Throws UserError where an accuracy is asked for of a problem whose record
+    /// was not simulated.
     Estimates(ProcessEnvironment&, const ProblemRegistry&);
 
     /// How many searches send any.
@@ -50,7 +50,7 @@ private:
     std::map<std::size_t, std::vector<Time>> taken_{}; ///< by process: when it had taken each sample
     std::size_t received_ = 0;
     Time response_{}, longest_{};
-    double accuracy_;                     ///< how far the fittest may be from the truth, as a part of it; 0: not judged
+    double accuracy_; ///< how far the fittest may be from the truth, as a part of it; 0: not judged
     std::optional<Time> accurate_since_{}; ///< has been that near
 };
 

@@ -38,8 +38,8 @@ STUDY = """
 netlist = "small.cfs"
 [search]
 minimise = {minimise}
-population = 6
-generations = 8
+population = 12
+generations = 12
 [set]
 wires = "1..8"
 cycles = [1000, 2000, 3000]
@@ -183,14 +183,14 @@ class Refused(Optimise):
     def test_what_is_no_search(self):
         self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "it has no table [search]")
         self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
-        self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "minimises one measure or two", "3:12")
+        self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "minimises one measure or two", "refused.toml:2:1")
         self.refuses('netlist = "small.cfs"\n[search]\nminimise = ["time", "links", "processors"]\n',
                      "minimises one measure or two")
         self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no "minimize"',
                      'did you mean "minimise"?')
         self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "a study has one search")
-        self.refuses(STUDY.format(minimise='"time"').replace("population = 6", "population = 3"), "at least 4")
+        self.refuses(STUDY.format(minimise='"time"').replace("population = 12", "population = 3"), "at least 4")
 
     def test_a_measure_that_no_run_has(self):
         self.refuses(STUDY.format(minimise='"tine"'), 'there is no measure "tine"; did you mean "time"?')
@@ -207,7 +207,7 @@ class Refused(Optimise):
 
     def test_all_infeasible_says_what_refused_them(self):
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "5..8"),
-                     "none of 12 machines", "link[4]")
+                     "can be built and comes to an end", '"b" has no link 4', "a T800 has the links 0 to 3")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'until = "1us"\n[search]'),
                      "stopped at the time limit")
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t most_draws = 1'000'000; ///< before a condition is thought to hold for nothing
 
-constexpr std::size_t at_once = 1000;           ///< machines that are handed over to be tried out
+constexpr std::size_t at_once = 1000; ///< machines that are handed over to be tried out
 
 [[noreturn]] void refuse_empty() { throw UserError("the study's condition leaves nothing to be run"); }
 
@@ -38,6 +38,12 @@ SearchSettings settings_of(const StudySearch& wanted, std::size_t bits) {
     return settings;
 }
 
+void note_why(SearchCourse& course, const std::string& why) {
+    Infeasible& noted = course.why[why.substr(0, why.find('\n'))];
+    if (noted.machines++ == 0)
+        noted.said = why;
+}
+
 } // namespace
 
 MachineSearch::MachineSearch(const Study& study, const MachineSpace& space, MachineTrials& trials, Listener listener)
@@ -54,8 +60,6 @@ std::optional<SearchCourse> MachineSearch::genetic() {
             machines.push_back(space_.machine_of(genome));
         if (!take(course, machines, fmt::format("generation {} of {}", generation, wanted_.generations)))
             return std::nullopt;
-        if (course.machines.empty() && course.why.size() == 1) // a name that does not exist, mostly
-            return course;
         search.next_generation(fitness_of(machines));
     }
     return course;
@@ -139,7 +143,7 @@ bool MachineSearch::take(SearchCourse& course, const std::vector<std::uint64_t>&
             continue;
         const Trial& trial = trials_.of(machine);
         if (!trial.merit.feasible)
-            ++course.why[trial.why];
+            note_why(course, trial.why);
         if (!trial.simulated)
             continue;
         course.machines.push_back(machine);

@@ -153,8 +153,8 @@ std::string print_paths(const std::vector<PathPart>& start, const std::vector<Pa
     std::vector<std::pair<std::string, std::pair<double, double>>> rows(by_name.begin(), by_name.end());
     std::ranges::stable_sort(rows, std::greater(),
                              [](const auto& row) { return std::abs(row.second.first - row.second.second); });
-    std::string out = painted(Paint::heading, fmt::format("{:>12}  {:>12}  {:>12}  {}\n", "as it is", "the best",
-                                                          "ms", "on the critical path"));
+    std::string out = painted(Paint::heading, fmt::format("{:>12}  {:>12}  {:>12}  {}\n", "as it is", "the best", "ms",
+                                                          "on the critical path"));
     std::pair<double, double> rest{sum_of(of_start), sum_of(of_best)}, whole = rest;
     for (std::size_t i = 0; i < std::min(rows.size(), most_path_rows); ++i) {
         const auto& [name, times] = rows[i];
@@ -180,14 +180,14 @@ std::string command_of(const Study& study, const Overrides& settings) {
 }
 
 std::string print_why_none(const SearchCourse& course) {
-    std::vector<std::pair<std::string, std::size_t>> reasons(course.why.begin(), course.why.end());
-    std::ranges::stable_sort(reasons, std::greater(), [](const auto& each) { return each.second; });
+    std::vector<std::pair<std::string, Infeasible>> reasons(course.why.begin(), course.why.end());
+    std::ranges::stable_sort(reasons, std::greater(), [](const auto& each) { return each.second.machines; });
     std::string out = fmt::format("none of {} can be built and comes to an end:",
                                   counted(course.tried.size(), "machine that was tried", "machines that were tried"));
     if (reasons.size() == 1)
-        return out + "\n" + reasons.front().first;
+        return out + "\n" + reasons.front().second.said;
     for (std::size_t i = 0; i < std::min(reasons.size(), most_reasons); ++i)
-        out += fmt::format("\n{:>6}  {}", reasons[i].second, refusal_line(reasons[i].first));
+        out += fmt::format("\n{:>6}  {}", reasons[i].second.machines, reasons[i].first);
     return out;
 }
 

@@ -60,8 +60,7 @@ std::optional<Trial> MachineTrials::of(const Overrides& settings) {
     return trial_of(settings);
 }
 
-bool MachineTrials::make_runs(const std::vector<Overrides>& settings,
-                              const std::function<void(std::uint64_t)>& show) {
+bool MachineTrials::make_runs(const std::vector<Overrides>& settings, const std::function<void(std::uint64_t)>& show) {
     if (settings.empty())
         return !interruption_.requested();
     const Study some = study_of(study_, settings);

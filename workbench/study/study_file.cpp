@@ -98,10 +98,11 @@ private:
         if (!table)
             return report(node.source().begin, "a study has one search, which is a table", "[search]");
         StudySearch search;
-        read_table(*table, {{"minimise", [&](const toml::node& each) { search.minimise = measures(each); }},
-                            {"population", [&](const toml::node& each) { search.population = whole(each, 4); }},
-                            {"generations", [&](const toml::node& each) { search.generations = whole(each, 1); }},
-                            {"seed", [&](const toml::node& each) { search.seed = whole(each, 0); }}},
+        read_table(*table,
+                   {{"minimise", [&](const toml::node& each) { search.minimise = measures(each); }},
+                    {"population", [&](const toml::node& each) { search.population = whole(each, 4); }},
+                    {"generations", [&](const toml::node& each) { search.generations = whole(each, 1); }},
+                    {"seed", [&](const toml::node& each) { search.seed = whole(each, 0); }}},
                    "search");
         if (search.minimise.empty() || search.minimise.size() > 2)
             report(node.source().begin, "a search minimises one measure or two",

@@ -12,8 +12,8 @@
 namespace placedpar {
 
 /// Machines whose times are a random landscape: the time of setting each of some vals adds up, with a part for each two
-/// that are neighbours (S. Kauffman's NK landscapes with K = 1). What is simulated is one process that computes for that
-/// long. With `four_links`, a machine is refused where its first two settings want more than four links together.
+/// that are neighbours (S. Kauffman's NK landscapes with K = 1). What is simulated is one process that computes for
+/// that long. With `four_links`, a machine is refused where its first two settings want more than four links together.
 struct Landscape {
     std::size_t vals = 4, values = 4; ///< of each val
     std::uint64_t seed = 1;
