@@ -1,7 +1,8 @@
 // The communication-time benchmark of the occam tradition: prefix, delta, successor and consumer in a ring
-// (P. Welch, "commstime"). A loop is four communications. It prints nanoseconds of wall time per loop, once
-// with all communications at one moment of virtual time and once with time passing in every loop.
+// (P. Welch, "commstime"). A loop is four communications. It prints nanoseconds of processor time per loop,
+// once with all communications at one moment of virtual time and once with time passing in every loop.
 
+#include "bench/measure.hpp"
 #include "runtime/channel.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/parallel.hpp"
@@ -13,6 +14,7 @@
 #include <cstdlib>
 
 using namespace placedpar;
+using namespace placedpar::bench;
 
 namespace {
 
@@ -63,13 +65,12 @@ Timing commstime(long loops, Time pause) {
     Process main(
         kernel, "commstime", [&] { par(prefix, delta, successor, consumer); }, nullptr, Priority::low);
     kernel.make_ready(main);
-    auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     kernel.run(Time::max(), {});
-    std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
-    return {took.count() / static_cast<double>(loops), kernel.fingerprint().value()};
+    return {watch.nanoseconds() / static_cast<double>(loops), kernel.fingerprint().value()};
 }
 
-void report(const char* what, Time pause, long loops) {
+void measure(const char* what, Time pause, long loops) {
     commstime(loops / 10, pause); // warm-up
     Timing timing = commstime(loops, pause);
     fmt::print("{:<28} {:7.1f} ns/loop   fingerprint {:016x}\n", what, timing.nanoseconds_per_loop, timing.fingerprint);
@@ -83,6 +84,6 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "usage: commstime [LOOPS, at least 10]\n");
         return 1;
     }
-    report("no time passing", Time{0}, loops);
-    report("1 ns passing in each process", std::chrono::nanoseconds{1}, loops);
+    measure("no time passing", Time{0}, loops);
+    measure("1 ns passing in each process", std::chrono::nanoseconds{1}, loops);
 }

@@ -1,15 +1,16 @@
-// How long the simulation of a link takes: nanoseconds of wall time per byte of long messages, with the closed
+// How long the simulation of a link takes: nanoseconds of processor time per byte of long messages, with the closed
 // form and with every byte simulated, one way and both ways.
 
 #include "runtime/hardware/link.hpp"
+#include "bench/measure.hpp"
 #include "runtime/simulation.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cstdlib>
+#include <cstdint>
 
 using namespace placedpar;
+using namespace placedpar::bench;
 using namespace placedpar::hardware;
 
 namespace {
@@ -20,7 +21,7 @@ struct Block {
 };
 
 void carry(const char* what, bool every_byte, bool both_ways, long messages) {
-    constexpr std::uint32_t bytes = 1000;
+    constexpr std::uint32_t bytes = 256;
     Simulation simulation;
     Link& link = simulation.add<Link>();
     Channel<Block> there("there", link.from_a_to_b()), back("back", link.from_b_to_a());
@@ -39,21 +40,17 @@ void carry(const char* what, bool every_byte, bool both_ways, long messages) {
         link.from_a_to_b().simulate_every_byte();
         link.from_b_to_a().simulate_every_byte();
     }
-    auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     RunResult result = simulation.run();
-    std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
     double carried = static_cast<double>(messages) * bytes * (both_ways ? 2 : 1);
-    fmt::print("{:<28} {:7.2f} ns/byte   fingerprint {:016x}\n", what, took.count() / carried, result.fingerprint);
+    fmt::print("{:<28} {:7.2f} ns/byte   fingerprint {:016x}\n", what, watch.nanoseconds() / carried,
+               result.fingerprint);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    long messages = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 10'000;
-    if (messages < 1) {
-        fmt::print(stderr, "usage: link [MESSAGES of 1000 bytes, at least 1]\n");
-        return 1;
-    }
+    long messages = argument(argc, argv, 1, 10'000, "link [MESSAGES of 256 bytes]");
     carry("one way, closed form", false, false, messages);
     carry("one way, every byte", true, false, messages);
     carry("both ways, closed form", false, true, messages);

@@ -42,6 +42,8 @@ public:
     bool empty() const { return heap_.empty(); }
     /// REQUIRES: not empty().
     Time next_time() const { return heap_.front().time; }
+    /// REQUIRES: the event is scheduled.
+    Time time_of(const Event& event) const { return heap_[event.position_].time; }
 
     /// Of one time and priority, events happen in the order in which they were scheduled. REQUIRES: the event is not
     /// scheduled.

@@ -32,9 +32,10 @@ const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
 } // namespace
 
 Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const std::string& b)
-    : kernel_(kernel), timing_(checked(timing, a)), wire_from_a_(kernel, timing_), wire_from_b_(kernel, timing_),
-      a_to_b_(kernel, a + " -> " + b, timing_, wire_from_a_, wire_from_b_, b_to_a_),
-      b_to_a_(kernel, b + " -> " + a, timing_, wire_from_b_, wire_from_a_, a_to_b_) {}
+    : kernel_(kernel), timing_(checked(timing, a)), wire_from_a_(kernel, times_), wire_from_b_(kernel, times_),
+      a_to_b_(kernel, a + " -> " + b, times_, wire_from_a_, wire_from_b_, closed_form_),
+      b_to_a_(kernel, b + " -> " + a, times_, wire_from_b_, wire_from_a_, closed_form_),
+      closed_form_(kernel, times_, a_to_b_, b_to_a_) {}
 
 const FaultEffect& Link::suffer(const LinkFault& fault) { return faults().add(fault); }
 
@@ -58,11 +59,12 @@ void Link::packet_begins() {
     a_to_b_.note_speed();
     b_to_a_.note_speed();
     timing_.bits_per_second = speed;
+    times_ = PacketTimes(timing_);
 }
 
-LinkDirection::LinkDirection(Kernel& kernel, std::string name, const LinkTiming& timing, Wire& out, Wire& back,
-                             LinkDirection& opposite)
-    : kernel_(kernel), name_(std::move(name)), timing_(timing), out_(out), back_(back), opposite_(opposite) {}
+LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes& times, Wire& out, Wire& back,
+                             ClosedForm& closed_form)
+    : kernel_(kernel), name_(std::move(name)), times_(times), out_(out), back_(back), closed_form_(closed_form) {}
 
 void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
     kernel_.future().schedule(event, at, priority, out_.first_rank() + number);
@@ -108,6 +110,7 @@ void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocati
     bytes_in_part_ = bytes_left_ = bytes;
     last_part_ = last_part;
     stalled_ = false;
+    closed_form_.leave();
     if (kernel_.now() >= may_start_)
         start_byte();
     else
@@ -119,7 +122,7 @@ bool LinkDirection::receive(const SourceLocation& where) {
     receiver_ = &kernel_.running();
     bool first_byte_here = std::exchange(first_byte_waits_, false) && !left_over_;
     if (std::exchange(acknowledge_owed_, false)) {
-        opposite_.simulate_bytes_again();
+        closed_form_.leave();
         back_.ask_for_acknowledge(*this);
     }
     if (first_byte_here && bytes_left_ == 0) {
@@ -187,8 +190,6 @@ LinkDirection::Ended LinkDirection::read_byte() {
 void LinkDirection::start_byte() {
     if (writer_)
         return may_be_written();
-    skipped_bytes_ = 0;
-    opposite_.simulate_bytes_again();
     out_.ask_for_byte(*this);
 }
 
@@ -207,19 +208,20 @@ void LinkDirection::byte_started() {
     }
     if (!byte_comes_over_)
         stall();
+    closed_form_.look_ahead();
 }
 
 /// Of the byte that starts now.
 void LinkDirection::foresee_arrival() {
-    Time seen = later(kernel_.now(), timing_.wire_delay);
-    byte_noticed_.schedule(later(seen, timing_.acknowledge_latency()));
+    byte_noticed_.schedule(later(kernel_.now(), times_.to_acknowledge));
+    Time arrived = later(kernel_.now(), times_.wire_delay + times_.data);
     if (bytes_left_ + 1 == bytes_in_part_) {
         cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
-        first_byte_arrived_.schedule(later(seen, timing_.data()));
+        first_byte_arrived_.schedule(arrived);
     }
     if (bytes_left_ == 0) {
         last_of_part_ = last_byte_arrived_[0].scheduled();
-        last_byte_arrived_[last_of_part_].schedule(later(seen, timing_.data()));
+        last_byte_arrived_[last_of_part_].schedule(arrived);
     }
 }
 
@@ -232,7 +234,7 @@ void LinkDirection::byte_noticed() {
     else
         acknowledge_owed_ = true;
     if (kernel_.trace() && acknowledge_owed_ && bytes_left_ > 0)
-        trace_break(kernel_.now() - timing_.acknowledge_latency() - timing_.wire_delay);
+        trace_break(kernel_.now() - times_.to_acknowledge);
 }
 
 void LinkDirection::first_byte_arrived() {
@@ -256,16 +258,14 @@ void LinkDirection::acknowledge_started() {
         return stall();
     }
     unacknowledged_ = false;
-    Time seen = later(kernel_.now(), timing_.wire_delay);
-    may_start_ = later(seen, timing_.restart_latency());
+    may_start_ = later(kernel_.now(), times_.to_next_byte);
     if (bytes_left_ == 0) {
         take_part();
-        sending_ended_.schedule(later(seen, timing_.acknowledge()));
-    } else if (quiet_enough_to_skip()) {
-        skip_middle_bytes();
+        sending_ended_.schedule(later(kernel_.now(), times_.wire_delay + times_.acknowledge));
     } else {
         start_byte_.schedule(may_start_);
     }
+    closed_form_.look_ahead();
 }
 
 /// Bytes follow each other without a break from the first of a part to the last, except that the first may have to wait
@@ -278,27 +278,23 @@ void LinkDirection::trace_bytes(Time since) {
 void LinkDirection::trace_break(Time byte_started) {
     trace_carries_ = false;
     std::uint64_t bytes = bytes_carried_ - std::exchange(bytes_traced_, bytes_carried_);
-    kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, timing_.data()));
+    kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, times_.data));
 }
 
 Time LinkDirection::time_occupied() const {
     auto bytes = static_cast<std::int64_t>(bytes_carried() - bytes_at_old_speed_);
-    Time end = old_speed_until_;
-    if (std::uint32_t skipped = skipped_bytes_started(); skipped > 0)
-        end = later(first_skipped_start_ + (skipped - 1) * timing_.byte_period(), timing_.data());
-    else if (bytes > 0)
-        end = later(last_start_, timing_.data());
+    Time end = bytes > 0 ? later(progress().last_start, times_.data) : old_speed_until_;
     Time to_come = std::max(end, kernel_.now()) - kernel_.now();
-    return later(occupied_at_old_speed_, times(bytes, timing_.data())) - to_come;
+    return later(occupied_at_old_speed_, times(bytes, times_.data)) - to_come;
 }
 
-/// REQUIRES: no byte that is simulated together with others is to come.
+/// REQUIRES: the closed form is not ahead.
 void LinkDirection::note_speed() {
     auto bytes = static_cast<std::int64_t>(bytes_carried() - bytes_at_old_speed_);
     if (bytes == 0)
         return;
-    occupied_at_old_speed_ = later(occupied_at_old_speed_, times(bytes, timing_.data()));
-    old_speed_until_ = later(last_start_, timing_.data());
+    occupied_at_old_speed_ = later(occupied_at_old_speed_, times(bytes, times_.data));
+    old_speed_until_ = later(last_start_, times_.data);
     bytes_at_old_speed_ = bytes_carried();
 }
 

@@ -2,6 +2,7 @@
 
 #include "runtime/carrier.hpp"
 #include "runtime/event.hpp"
+#include "runtime/hardware/link_closed_form.hpp"
 #include "runtime/hardware/link_faults.hpp"
 #include "runtime/hardware/link_timing.hpp"
 #include "runtime/hardware/wire.hpp"
@@ -54,14 +55,14 @@ protected:
 /// Throws std::logic_error when a second channel uses it, and for a message without bytes.
 class LinkDirection final : public Carrier, private WireUser {
 public:
-    /// Its bytes travel on `out`, their acknowledges on `back`; `opposite` uses them the other way round.
-    LinkDirection(Kernel&, std::string name, const LinkTiming&, Wire& out, Wire& back, LinkDirection& opposite);
+    /// Its bytes travel on `out`, their acknowledges on `back`. The closed form is that of its link.
+    LinkDirection(Kernel&, std::string name, const PacketTimes&, Wire& out, Wire& back, ClosedForm&);
 
     /// One of its two engines moves the messages from this memory, or to it. REQUIRES: it outlives the run.
     void move_messages_of(MemoryOfEngines& memory) { memories_.push_back(&memory); }
     /// The words of the part under way that such an engine has moved before now.
     std::uint64_t words_moved(const MemoryOfEngines& memory, Time now) const {
-        return sender_ ? memory.words_in(bytes_started_before(now)) : 0;
+        return sender_ ? memory.words_in(bytes_begun_before(now)) : 0;
     }
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
@@ -108,16 +109,13 @@ public:
     }
     /// The speed of the link is about to change.
     void note_speed();
-    /// What leads its packets on, or loses them, is about to change.
-    void way_changes() { simulate_bytes_again(); }
-
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
     /// "t[0].link[1] -> t[1].link[0]"
     const std::string& name() const { return name_; }
     /// Those that the wire has begun to carry.
-    std::uint64_t bytes_carried() const { return bytes_carried_ - skipped_bytes_ + skipped_bytes_started(); }
+    std::uint64_t bytes_carried() const { return bytes_carried_ + bytes_left_ - progress().bytes_left; }
     /// How long the wire has carried their bits.
     Time time_occupied() const;
 
@@ -153,19 +151,17 @@ private:
     void trace_bytes(Time since);
     void trace_break(Time byte_started);
 
-    // The closed form (link_closed_form.cpp).
-    /// Whether it will use neither wire until a process acts.
-    bool quiet() const { return !sender_ || acknowledge_owed_ || stalled_; }
-    bool quiet_enough_to_skip() const {
-        return !every_byte_ && !writer_ && !reader_ && bytes_left_ > 2 && opposite_.quiet() &&
-               (!faults_ || no_fault_until_the_last_byte());
+    // For the closed form.
+    friend class ClosedForm;
+    LinkStreams::Stream stream() const;
+    /// By now.
+    LinkStreams::Progress progress() const {
+        return closed_form_.is_ahead() ? closed_form_.now(*this) : LinkStreams::Progress{bytes_left_, last_start_};
     }
-    bool no_fault_until_the_last_byte() const;
-    void skip_middle_bytes();
-    std::uint32_t skipped_bytes_started() const;
-    std::uint32_t bytes_started_before(Time now) const;
-    std::uint32_t skipped_bytes_started_by(Time) const;
-    void simulate_bytes_again();
+    bool must_be_seen() const;
+    bool is_sure_of_its_receiver() const;
+    void go_to(const LinkStreams::Stream&, Time);
+    std::uint32_t bytes_begun_before(Time now) const;
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
     struct StepEvent final : Event {
@@ -179,10 +175,10 @@ private:
 
     Kernel& kernel_;
     std::string name_;
-    const LinkTiming& timing_;
+    const PacketTimes& times_;
     Wire& out_;
     Wire& back_;
-    LinkDirection& opposite_;
+    ClosedForm& closed_form_;
     AnyChannel* channel_ = nullptr;          ///< whose messages it carries
     std::vector<MemoryOfEngines*> memories_; ///< at its ends
 
@@ -204,9 +200,7 @@ private:
     bool readable_ = false;
 
     bool every_byte_ = false;
-    std::uint32_t skipped_bytes_ = 0; ///< bytes of the part under way that the closed form stands for
-    Time first_skipped_start_{};
-    Time last_start_{}; ///< of the bytes before those
+    Time last_start_{}; ///< of a byte
 
     StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
     StepEvent<&LinkDirection::byte_noticed, EventQueue::request, 1> byte_noticed_{*this};
@@ -237,13 +231,12 @@ private:
     bool trace_carries_ = false;     ///< the trace was told that bytes follow each other
 };
 
-/// Of the part under way. One that starts now is not counted: whether it has started yet depends on the order of this
+/// Of the part under way. One that begins now is not counted: whether it has begun yet depends on the order of this
 /// instant's events.
-inline std::uint32_t LinkDirection::bytes_started_before(Time now) const {
-    std::uint32_t bytes = bytes_in_part_ - bytes_left_;
-    if (bytes > 0 && last_start_ >= now)
-        --bytes;
-    return skipped_bytes_ == 0 ? bytes : bytes - skipped_bytes_ + skipped_bytes_started_by(now - Time{1});
+inline std::uint32_t LinkDirection::bytes_begun_before(Time now) const {
+    auto [bytes_left, last_start] = progress();
+    std::uint32_t bytes = bytes_in_part_ - bytes_left;
+    return bytes > 0 && last_start >= now ? bytes - 1 : bytes;
 }
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
@@ -267,10 +260,7 @@ public:
     /// Its wires lead through something that may stop their packets. REQUIRES: before the run; it outlives the run.
     void lead_through(Passage&);
     /// A passage is about to change.
-    void way_changes() {
-        a_to_b_.way_changes();
-        b_to_a_.way_changes();
-    }
+    void way_changes() { closed_form_.leave(); }
 
 private:
     LinkFaults& faults();
@@ -278,9 +268,11 @@ private:
 
     Kernel& kernel_;
     LinkTiming timing_;
+    PacketTimes times_{timing_};
     std::optional<LinkFaults> faults_;
     Wire wire_from_a_, wire_from_b_;
     LinkDirection a_to_b_, b_to_a_;
+    ClosedForm closed_form_;
 };
 
 } // namespace placedpar::hardware

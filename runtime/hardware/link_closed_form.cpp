@@ -1,62 +1,109 @@
-// The closed form of a message on a link whose other direction is quiet. Its bytes follow each other at a
-// fixed period, so that those between the first and the last need no events: only the start of the last is
-// scheduled. If the other direction wants one of the wires before that, the state in which simulated bytes would have
-// left the link is computed, and from there on every byte is simulated again.
+#include "runtime/hardware/link_closed_form.hpp"
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace placedpar::hardware {
 
-/// REQUIRES: the acknowledge of a byte has just started, and the other direction is quiet.
-void LinkDirection::skip_middle_bytes() {
-    skipped_bytes_ = std::exchange(bytes_left_, 1) - 1;
-    bytes_carried_ += skipped_bytes_;
-    first_skipped_start_ = std::max(may_start_, out_.free_at());
-    start_byte_.schedule(later(first_skipped_start_, times(skipped_bytes_, timing_.byte_period())));
-    if (kernel_.trace())
-        trace_bytes(first_skipped_start_);
-}
+ClosedForm::ClosedForm(Kernel& kernel, const PacketTimes& times, LinkDirection& a_to_b, LinkDirection& b_to_a)
+    : kernel_(kernel), times_(times), a_to_b_(a_to_b), b_to_a_(b_to_a) {}
 
-std::uint32_t LinkDirection::skipped_bytes_started() const { return skipped_bytes_started_by(kernel_.now()); }
+bool ClosedForm::is_ahead() const { return kernel_.now() < ahead_until_; }
 
-std::uint32_t LinkDirection::skipped_bytes_started_by(Time when) const {
-    if (skipped_bytes_ == 0 || when < first_skipped_start_)
-        return 0;
-    return static_cast<std::uint32_t>(
-        std::min<std::int64_t>((when - first_skipped_start_) / timing_.byte_period() + 1, skipped_bytes_));
-}
-
-/// Bytes that started and acknowledges that were requested up to and including this moment count as done; later ones
-/// become events. At this very moment that is right because of the order within an instant (EventQueue::Priority):
-/// acknowledges have been requested before another direction or process asks for a wire, and starts of bytes on
-/// different wires do not affect each other.
-void LinkDirection::simulate_bytes_again() {
-    if (skipped_bytes_ == 0)
+void ClosedForm::look_ahead() {
+    if (a_to_b_.must_be_seen() || b_to_a_.must_be_seen())
         return;
     Time now = kernel_.now();
+    behind_ = LinkStreams(now, {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()});
+    LinkStreams ahead = behind_;
+    ahead.advance(times_, end_of_what_is_certain());
+    ahead_until_ = ahead.now();
+    if (is_ahead())
+        go_to(ahead, ahead_until_);
+}
+
+/// Events that come after this may change what the link does.
+Time ClosedForm::end_of_what_is_certain() const {
+    constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // later moments are rounded to it
+    Time end = a_to_b_.faults_ ? std::min(end_of_time, a_to_b_.faults_->steady_until(kernel_.now())) : end_of_time;
+    for (const LinkDirection* direction : {&a_to_b_, &b_to_a_})
+        if (direction->byte_noticed_.scheduled() && !direction->is_sure_of_its_receiver())
+            end = std::min(end, kernel_.future().time_of(direction->byte_noticed_));
+    return end;
+}
+
+/// Packets of this very moment have begun, or been asked for. That is right because of the order within an instant
+/// (EventQueue::Priority): this has happened before a process or a timer does anything.
+void ClosedForm::come_back() {
+    Time after = kernel_.now() + Time{1};
+    behind_.advance(times_, after);
+    ahead_until_ = kernel_.now();
+    go_to(behind_, after);
+}
+
+LinkStreams::Progress ClosedForm::now(const LinkDirection& direction) {
+    behind_.advance(times_, kernel_.now() + Time{1});
+    return behind_.stream(&direction == &a_to_b_ ? 0 : 1);
+}
+
+/// Packets that are due at that moment or later are still to be asked for, by events.
+void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
+    const LinkStreams::Stream &forth = streams.stream(0), &back = streams.stream(1);
+    auto waits = [moment](const LinkStreams::Stream& s, bool acknowledge) {
+        return s.flows && s.acknowledge == acknowledge && s.due < moment;
+    };
+    a_to_b_.out_.go_to(streams.free_at(0), waits(forth, false) ? &a_to_b_ : nullptr,
+                       waits(back, true) ? &b_to_a_ : nullptr);
+    b_to_a_.out_.go_to(streams.free_at(1), waits(back, false) ? &b_to_a_ : nullptr,
+                       waits(forth, true) ? &a_to_b_ : nullptr);
+    a_to_b_.go_to(forth, moment);
+    b_to_a_.go_to(back, moment);
+}
+
+/// What the packets of this direction that follow need of it.
+LinkStreams::Stream LinkDirection::stream() const {
+    LinkStreams::Stream stream{{bytes_left_, last_start_}};
+    const EventQueue& future = kernel_.future();
+    if (start_byte_.scheduled())
+        stream.due = future.time_of(start_byte_);
+    else if (byte_noticed_.scheduled())
+        stream.due = future.time_of(byte_noticed_);
+    else
+        stream.due = LinkStreams::past;
+    stream.acknowledge = byte_noticed_.scheduled() || back_.acknowledge_waits(*this);
+    stream.flows = stream.acknowledge || start_byte_.scheduled() || out_.byte_waits(*this);
+    return stream;
+}
+
+/// Whether events must stand for its next packets, if any are to come.
+bool LinkDirection::must_be_seen() const {
+    bool begins = start_byte_.scheduled() || out_.byte_waits(*this);
+    bool first_byte_begins = begins && bytes_left_ == bytes_in_part_;
+    bool to_be_traced = begins && kernel_.trace() && !trace_carries_;
+    return every_byte_ || writer_ || reader_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
+}
+
+/// Of its receiver it is certain that he will take the byte under way, and others will follow. One that still waits for
+/// the end of the part before may not.
+bool LinkDirection::is_sure_of_its_receiver() const {
+    return receiver_ && bytes_left_ > 0 && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
+}
+
+void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
+    if (!stream.flows)
+        return;
+    bytes_carried_ += bytes_left_;
+    bytes_carried_ -= bytes_left_ = stream.bytes_left;
+    last_start_ = stream.last_start;
+    unacknowledged_ = stream.acknowledge;
+    byte_comes_over_ = true;
+    may_start_ = stream.acknowledge ? last_start_ : std::max(last_start_, stream.due);
     cancel(start_byte_);
-    std::uint32_t started = skipped_bytes_started();
-    std::uint32_t to_come = std::exchange(skipped_bytes_, 0) - started;
-    bytes_left_ += to_come;
-    bytes_carried_ -= to_come;
-    if (started > 0) {
-        Time start = first_skipped_start_ + (started - 1) * timing_.byte_period();
-        last_start_ = start;
-        out_.occupied_until(later(start, timing_.data()));
-        Time noticed = later(start, timing_.wire_delay + timing_.acknowledge_latency());
-        if (noticed > now) {
-            unacknowledged_ = byte_comes_over_ = true;
-            byte_noticed_.schedule(noticed);
-            return;
-        }
-        back_.occupied_until(later(noticed, timing_.acknowledge()));
-        may_start_ = later(noticed, timing_.wire_delay + timing_.restart_latency());
-    }
-    start_byte_.schedule(std::max(may_start_, now));
+    cancel(byte_noticed_);
+    if (stream.due >= moment)
+        stream.acknowledge ? byte_noticed_.schedule(stream.due) : start_byte_.schedule(stream.due);
 }
 
 } // namespace placedpar::hardware

@@ -43,17 +43,22 @@ bool LinkFaults::take(const FaultEffect::Hit& packet, bool leaves_a) {
     return closed != passages_.end();
 }
 
-bool LinkFaults::Each::is_steady(Time now, Time last) const {
-    if (spent || fault.until <= now || fault.from > last)
-        return true;
-    bool slow_throughout = fault.kind == LinkFault::Kind::slow && acts(now) && last < fault.until;
-    return slow_throughout && effect.first.has_value();
+Time LinkFaults::Each::steady_until(Time now) const {
+    if (spent || fault.until <= now)
+        return Time::max();
+    if (fault.from > now)
+        return fault.from;
+    bool slows_and_is_noted = fault.kind == LinkFault::Kind::slow && effect.first.has_value();
+    return slows_and_is_noted ? fault.until : now;
 }
 
-bool LinkFaults::are_steady(Time now, Time last) const {
-    return std::ranges::all_of(faults_, [&](const Each& each) { return each.is_steady(now, last); }) &&
-           std::ranges::all_of(passages_,
-                               [](const Passage* each) { return each->leads_on(true) && each->leads_on(false); });
+Time LinkFaults::steady_until(Time now) const {
+    if (!std::ranges::all_of(passages_, [](const Passage* p) { return p->leads_on(true) && p->leads_on(false); }))
+        return now;
+    Time until = Time::max();
+    for (const Each& each : faults_)
+        until = std::min(until, each.steady_until(now));
+    return until;
 }
 
 } // namespace placedpar::hardware

@@ -70,9 +70,9 @@ public:
     std::int64_t bits_per_second(Time now) const;
     /// Whether the byte or acknowledge that begins now is lost. Notes what the faults have done.
     bool take(const FaultEffect::Hit& packet, bool leaves_a);
-    /// Whether all packets that begin from now up to `last` get over, at the speed of now, with nothing to note, if
-    /// what they lead through does not change.
-    bool are_steady(Time now, Time last) const;
+    /// All packets that begin from now until that moment get over, at the speed of now, with nothing to note, if what
+    /// they lead through does not change.
+    Time steady_until(Time now) const;
 
 private:
     struct Each {
@@ -81,7 +81,7 @@ private:
         bool spent = false; ///< the one acknowledge is lost
         bool acts(Time now) const { return !spent && fault.from <= now && now < fault.until; }
         bool takes(const FaultEffect::Hit&, bool leaves_a) const;
-        bool is_steady(Time now, Time last) const;
+        Time steady_until(Time now) const;
     };
 
     std::int64_t bits_per_second_; ///< without faults

@@ -20,11 +20,6 @@ bool LinkDirection::is_lost(bool acknowledge) {
     return faults_->take(hit, acknowledge != leaves_a_);
 }
 
-bool LinkDirection::no_fault_until_the_last_byte() const {
-    Time first = std::max(may_start_, out_.free_at());
-    return faults_->are_steady(kernel_.now(), later(first, times(bytes_left_ - 1, timing_.byte_period())));
-}
-
 void LinkDirection::stall() {
     stalled_ = true;
     if (kernel_.trace() && trace_carries_)
@@ -32,7 +27,7 @@ void LinkDirection::stall() {
 }
 
 /// By the receiving end, of the message under way. A byte for which no process has asked counts when it waits there
-/// whole. REQUIRES, here and below: its bytes are simulated one by one.
+/// whole. REQUIRES, here and below: the closed form is not ahead.
 std::uint64_t LinkDirection::bytes_taken() const {
     if (left_over_)
         return *left_over_;
@@ -90,7 +85,7 @@ void LinkDirection::drop_output() {
 bool LinkDirection::give_up_output(AnyChannel& channel) {
     if (!sender_ && !channel.output_waits())
         return false;
-    simulate_bytes_again();
+    closed_form_.leave();
     output_given_up_ = true;
     sent_when_given_up_ = bytes_acknowledged();
     drop_output();
@@ -123,7 +118,7 @@ void LinkDirection::receiver_leaves() {
 bool LinkDirection::give_up_input(AnyChannel& channel) {
     if (!channel.input_waits())
         return false;
-    simulate_bytes_again();
+    closed_form_.leave();
     input_given_up_ = true;
     taken_when_given_up_ = bytes_taken();
     receiver_leaves();
@@ -137,7 +132,7 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
 std::uint64_t LinkDirection::reset_output(AnyChannel&) { return std::exchange(sent_when_given_up_, 0); }
 
 std::uint64_t LinkDirection::reset_input(AnyChannel&) {
-    simulate_bytes_again();
+    closed_form_.leave();
     std::uint64_t taken = std::max(std::exchange(taken_when_given_up_, 0), bytes_taken());
     receiver_leaves();
     left_over_.reset();

@@ -2,8 +2,6 @@
 
 #include "runtime/time.hpp"
 
-#include <algorithm>
-
 namespace placedpar::hardware {
 
 /// How long the bits of a link take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
@@ -46,10 +44,19 @@ struct LinkTiming {
         Time latency = duration_of(restart_tenths, 10 * bits_per_second) + restart_logic;
         return overlapped_acknowledge ? latency : acknowledge() + latency;
     }
-    /// From the start of a byte to the start of the next when the other direction is quiet and the receiver ready.
-    constexpr Time byte_period() const {
-        return std::max(data(), 2 * wire_delay + acknowledge_latency() + restart_latency());
-    }
+};
+
+/// The same, divided once: links ask for them with each packet.
+struct PacketTimes {
+    explicit constexpr PacketTimes(const LinkTiming& timing)
+        : data(timing.data()), acknowledge(timing.acknowledge()), wire_delay(timing.wire_delay),
+          to_acknowledge(later(timing.wire_delay, timing.acknowledge_latency())),
+          to_next_byte(later(timing.wire_delay, timing.restart_latency())) {}
+
+    Time data, acknowledge; ///< how long a wire carries them
+    Time wire_delay;
+    Time to_acknowledge; ///< from the start of a byte to the request for its acknowledge
+    Time to_next_byte;   ///< from the start of an acknowledge to the request for the next byte
 };
 
 } // namespace placedpar::hardware

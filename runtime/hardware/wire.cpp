@@ -6,8 +6,8 @@
 
 namespace placedpar::hardware {
 
-Wire::Wire(Kernel& kernel, const LinkTiming& timing)
-    : kernel_(kernel), timing_(timing), first_rank_(kernel.new_ranks(ranks_of_a_wire)) {}
+Wire::Wire(Kernel& kernel, const PacketTimes& times)
+    : kernel_(kernel), times_(times), first_rank_(kernel.new_ranks(ranks_of_a_wire)) {}
 
 void Wire::serve() {
     Time now = kernel_.now();
@@ -15,15 +15,27 @@ void Wire::serve() {
         if (watch_)
             watch_->packet_begins();
         if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
-            free_at_ = later(now, timing_.acknowledge());
+            free_at_ = later(now, times_.acknowledge);
             user->acknowledge_started();
         } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
-            free_at_ = later(now, timing_.data());
+            free_at_ = later(now, times_.data);
             sender->byte_started();
         }
     }
+    foresee_end();
+}
+
+void Wire::foresee_end() {
     if ((acknowledge_for_ || byte_for_) && !freed_.scheduled())
         kernel_.future().schedule(freed_, free_at_, EventQueue::start, first_rank_);
+}
+
+void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
+    kernel_.future().cancel(freed_);
+    free_at_ = free_at;
+    byte_for_ = byte_for;
+    acknowledge_for_ = acknowledge_for;
+    foresee_end();
 }
 
 } // namespace placedpar::hardware

@@ -37,14 +37,14 @@ protected:
 /// after the other. If both wait, the acknowledge goes first.
 class Wire {
 public:
-    Wire(Kernel&, const LinkTiming&);
+    Wire(Kernel&, const PacketTimes&);
 
     /// Of its events. The three ranks after it are for the direction whose bytes it carries.
     std::uint64_t first_rank() const { return first_rank_; }
     /// The end of the packet that it carries or carried last.
     Time free_at() const { return free_at_; }
-    /// Notes packets that were not simulated one by one.
-    void occupied_until(Time time) { free_at_ = std::max(free_at_, time); }
+    /// It is another moment for it: the end of the packet that it carries then, and who waits for that.
+    void go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for);
 
     void watch(WireWatch& watch) { watch_ = &watch; }
 
@@ -56,7 +56,8 @@ public:
         acknowledge_for_ = &user;
         serve();
     }
-    /// Whether the direction's acknowledge has yet to begin.
+    /// Whether the direction's byte or acknowledge has been asked for, and has yet to begin.
+    bool byte_waits(const WireUser& user) const { return byte_for_ == &user; }
     bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
     /// A direction does not want to send after all what has not begun yet.
     void withdraw_byte() { byte_for_ = nullptr; }
@@ -69,9 +70,10 @@ private:
         Wire& wire;
     };
     void serve();
+    void foresee_end();
 
     Kernel& kernel_;
-    const LinkTiming& timing_;
+    const PacketTimes& times_;
     std::uint64_t first_rank_;
     Time free_at_{};
     WireUser* byte_for_ = nullptr;        ///< the direction that waits to send a byte

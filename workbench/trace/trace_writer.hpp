@@ -1,10 +1,12 @@
 #pragma once
 
 #include "runtime/time.hpp"
+#include "workbench/trace/path_mark.hpp"
 #include "workbench/trace/tracks.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,6 +62,9 @@ public:
     virtual void write(const Slice&) = 0;
     /// Both of its slices have been written.
     virtual void write(const Passage&) = 0;
+    /// The critical path, where it is known, in order of time; before finish(). What a format has no means for is left
+    /// out.
+    virtual void draw_path(std::span<const PathMark>) {}
     /// The trace covers the time from `begin` to `end`; `why` says what happened then: "deadlock".
     virtual void finish(Time begin, Time end, const std::string& why) = 0;
 };

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string>
+
+namespace placedpar::bench {
+
+/// Processor time since it was made: other programs on the machine disturb it less than a clock on the wall.
+class Stopwatch {
+public:
+    double nanoseconds() const { return static_cast<double>(now() - start_); }
+    double seconds() const { return nanoseconds() * 1e-9; }
+
+private:
+    static std::int64_t now() {
+        timespec time{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+    }
+    std::int64_t start_ = now();
+};
+
+/// Bytes of memory that the program has at the moment (Linux).
+inline double resident_bytes() {
+    std::ifstream statm("/proc/self/statm");
+    double size = 0, resident = 0;
+    statm >> size >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// One row of a benchmark's table.
+inline void report(const std::string& what, double nanoseconds_per_event, double bytes_per_process,
+                   std::uint64_t fingerprint) {
+    fmt::print("{:<38} {:8.1f} ns/event   {:8.0f} bytes/process   fingerprint {:016x}\n", what, nanoseconds_per_event,
+               bytes_per_process, fingerprint);
+}
+
+/// Argument number i, or what is usual; ends the program where it is no number from 1 on.
+inline long argument(int argc, char** argv, int i, long usual, const char* usage) {
+    if (i >= argc)
+        return usual;
+    char* end = nullptr;
+    long value = std::strtol(argv[i], &end, 10);
+    if (value >= 1 && *end == '\0')
+        return value;
+    fmt::print(stderr, "usage: {}\n", usage);
+    std::exit(1);
+}
+
+} // namespace placedpar::bench

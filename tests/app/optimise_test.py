@@ -1,0 +1,220 @@
+"""placedpar optimise: the best machine of a study, whatever happens meanwhile, and what it refuses."""
+
+import contextlib
+import csv
+import os
+import pathlib
+import pty
+import re
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree
+
+from program import EXAMPLES, PROGRAM, placedpar
+
+MACHINE = EXAMPLES / "71-best-machine" / "machine.cfs"
+
+# Links of one transputer to another are wired beyond the four that there are: a constraint that the netlist states.
+NETLIST = """
+val wires 1;
+val cycles 900;
+T800 a, b;
+process source, sink;
+use "csp.producer" for source;
+use "csp.consumer" for sink;
+source (count = 1, cycles = cycles / wires + 17 * wires);
+sink (count = 1);
+place source on a;
+place sink on a;
+connect source.out to sink.in;
+rep i = 0 for wires
+    connect a.link[i] to b.link[i];
+"""
+STUDY = """
+netlist = "small.cfs"
+[search]
+minimise = {minimise}
+population = 12
+generations = 12
+[set]
+wires = "1..8"
+cycles = [1000, 2000, 3000]
+"""
+FARM = f"""
+netlist = "{MACHINE}"
+where = "masters <= 4"
+[search]
+minimise = "time"
+population = 12
+generations = 6
+[set]
+samples = 6
+masters = "1..6"
+links = "1..2"
+split = ["individuals", "demand", "evaluations"]
+"""
+
+
+def best_line(output):
+    return re.search(r"^the best: (.*)$", output, re.MULTILINE).group(1)
+
+
+class Optimise(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.write("small.cfs", NETLIST)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+        return name
+
+    def small(self, minimise='"time"'):
+        return self.write("small.toml", STUDY.format(minimise=minimise))
+
+    def optimise(self, *arguments, code=0, **options):
+        done = placedpar("optimise", *arguments, folder=self.folder, **options)
+        self.assertEqual(done.returncode, code, done.stderr + done.stdout)
+        return done.stdout if code == 0 else done.stderr
+
+    def refuses(self, text, *messages, arguments=()):
+        said = self.optimise(self.write("refused.toml", text), *arguments, code=1)
+        for message in messages:
+            self.assertIn(message, said)
+
+    def rows(self, path="small.sqlite"):
+        with contextlib.closing(sqlite3.connect(self.folder / path)) as database:
+            return list(database.execute("SELECT * FROM runs ORDER BY settings, seed"))
+
+
+class Found(Optimise):
+    def test_the_best_is_that_of_the_exhaustive_search_and_can_be_run_again(self):
+        said = self.optimise(self.small(), "--exhaustive", "--random")
+        least = {line.split()[0]: line.split()[2] for line in said.splitlines()
+                 if line.startswith(("genetic", "random", "exhaustive"))}
+        self.assertEqual(set(least), {"genetic", "random", "exhaustive"})
+        self.assertEqual(least["genetic"], least["exhaustive"])
+        again = placedpar(*best_line(said).split()[1:], folder=self.folder).stdout
+        self.assertIn("completed at", again)
+        self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), float(least["genetic"]), places=5)
+
+    def test_the_four_links_are_never_exceeded(self):
+        said = self.optimise(self.small(), "--exhaustive")
+        run = {row[0] for row in self.rows() if row[2] == "completed"}
+        refused = {row[0] for row in self.rows() if row[2] == "refused"}
+        self.assertTrue(all(re.search(r'"wires":"[1-4]"', settings) for settings in run - {"{}"}))
+        self.assertTrue(all(re.search(r'"wires":"[5-8]"', settings) for settings in refused))
+        self.assertIn("wires=4", best_line(said))
+        self.assertIn("exhaustive          12", said)
+
+    def test_two_measures_give_a_front(self):
+        self.optimise(self.small('["time", "links"]'), "--csv", "front.csv", "--svg", "front.svg")
+        with open(self.folder / "front.csv", encoding="utf-8", newline="") as file:
+            front = list(csv.DictReader(file))
+        self.assertEqual([int(row["wires"]) for row in front], [4, 3, 2, 1])
+        times = [float(row["time [ms] mean"]) for row in front]
+        self.assertEqual(times, sorted(times))
+        xml.etree.ElementTree.parse(self.folder / "front.svg")
+
+    def test_why_it_is_the_best_adds_up_to_both_runs(self):
+        said = self.optimise(self.write("farm.toml", FARM))
+        table = said[said.index("on the critical path"):].split("\n\n")[0].splitlines()[1:]
+        parts = [[float(cell) for cell in line.split()[:3]] for line in table]
+        for column in range(2):
+            self.assertAlmostEqual(sum(part[column] for part in parts[:-1]), parts[-1][column], places=1)
+        again = placedpar(*best_line(said).split()[1:], folder=self.folder).stdout
+        self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), parts[-1][1], places=2)
+        start = placedpar("run", MACHINE, "--set", "samples=6").stdout
+        self.assertAlmostEqual(float(start.split("completed at ")[1].split()[0]), parts[-1][0], places=2)
+
+
+class TheSame(Optimise):
+    def test_whatever_runs_at_once_and_whatever_has_been_run(self):
+        study = self.write("farm.toml", FARM)
+        one = self.optimise(study, "--jobs", 1, "--results", "one.sqlite")
+        two = self.optimise(study, "--jobs", 3, "--results", "two.sqlite")
+        self.assertEqual(one.replace("one.sqlite", ""), two.replace("two.sqlite", ""))
+        self.assertEqual(self.rows("one.sqlite"), self.rows("two.sqlite"))
+        self.assertEqual(self.optimise(study, "--results", "one.sqlite"), one)
+        self.assertEqual(self.rows("one.sqlite"), self.rows("two.sqlite"))
+
+    def test_after_it_was_killed(self):
+        study = self.write("farm.toml", FARM)
+        whole = self.optimise(study, "--results", "whole.sqlite")
+        for patience in (0.1, 0.4):
+            with subprocess.Popen([PROGRAM, "optimise", study], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL) as process:
+                time.sleep(patience)
+                process.kill()
+        self.assertEqual(self.optimise(study).replace("farm.sqlite", "whole.sqlite"), whole)
+        self.assertEqual(self.rows("farm.sqlite"), self.rows("whole.sqlite"))
+
+    def test_interrupted_it_says_so(self):
+        study = self.write("farm.toml", FARM.replace("generations = 6", "generations = 600000"))
+        with subprocess.Popen([PROGRAM, "optimise", study, "--seed", "2"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(0.5)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=60)[1]
+        self.assertIn("the same command goes on from them", said)
+        self.assertEqual(process.returncode, 130)
+
+    def test_a_terminal_is_told_how_far_it_is(self):
+        outer, inner = pty.openpty()
+        study = self.write("farm.toml", FARM)
+        with subprocess.Popen([PROGRAM, "optimise", study], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=inner) as process:
+            os.close(inner)
+            told = b""
+            with contextlib.suppress(OSError):
+                while chunk := os.read(outer, 4096):
+                    told += chunk
+        os.close(outer)
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(told, rb"generation \d of 6: \d+ machines")
+
+
+class Refused(Optimise):
+    def test_what_is_no_search(self):
+        self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "it has no table [search]")
+        self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
+        self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "minimises one measure or two", "refused.toml:2:1")
+        self.refuses('netlist = "small.cfs"\n[search]\nminimise = ["time", "links", "processors"]\n',
+                     "minimises one measure or two")
+        self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no "minimize"',
+                     'did you mean "minimise"?')
+        self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "a study has one search")
+        self.refuses(STUDY.format(minimise='"time"').replace("population = 12", "population = 3"), "at least 4")
+
+    def test_a_measure_that_no_run_has(self):
+        self.refuses(STUDY.format(minimise='"tine"'), 'there is no measure "tine"; did you mean "time"?')
+
+    def test_a_name_that_the_netlist_does_not_have(self):
+        self.refuses(STUDY.format(minimise='"time"').replace("wires", "wirs"), "wirs", "wires")
+
+    def test_a_space_without_machines(self):
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'where = "wires > 9"\n[search]'),
+                     "the study's condition leaves nothing to be run")
+        self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[1000, 2000, 3000]", "1000"),
+                     "no setting of the study has several values")
+        self.refuses(STUDY.format(minimise='"time"') + "[[also]]\nset = {wires = 2}\n", "[[also]]")
+
+    def test_all_infeasible_says_what_refused_them(self):
+        self.refuses(STUDY.format(minimise='"time"').replace("1..8", "5..8"),
+                     "can be built and comes to an end", '"b" has no link 4', "a T800 has the links 0 to 3")
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'until = "1us"\n[search]'),
+                     "stopped at the time limit")
+
+    def test_an_exhaustive_search_of_too_many(self):
+        text = STUDY.format(minimise='"time"').replace("[1000, 2000, 3000]", '"1..100000"')
+        self.refuses(text, "800000 combinations are too many", "--yes", arguments=["--exhaustive"])
+
+
+if __name__ == "__main__":
+    unittest.main()
