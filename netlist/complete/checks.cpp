@@ -140,12 +140,14 @@ void complete_checks(Completion& c) {
                 check_together(c, processes[i], ports);
     if (c.reporter.failed())
         return;
-    check_floating_point(c);
-    check_room_for_packets(c);
     for (std::size_t i = 0; i < processes.size(); ++i)
         if (c.kinds[i] != nullptr && c.kinds[i]->check)
             for (const auto& complaint : c.kinds[i]->check(c.network, i))
                 report(c, complaint);
+    if (c.reporter.failed())
+        return;
+    check_floating_point(c);
+    check_room_for_packets(c);
 }
 
 } // namespace placedpar
