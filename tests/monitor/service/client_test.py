@@ -21,8 +21,8 @@ OF_ONE = {"psi": 1, "Pa": 6894.757293168, "kPa": 6.894757293168, "MPa": 0.006894
 def promised():
     """Of each sensor, the units in the table of docs/records.md."""
     units = {}
-    table = (ROOT / "docs" / "records.md").read_text(encoding="utf-8").partition("| link | sensor |")[2].partition("\n\n")[0]
-    for line in table.splitlines():
+    page = (ROOT / "docs" / "records.md").read_text(encoding="utf-8")
+    for line in page.partition("| link | sensor |")[2].partition("\n\n")[0].splitlines():
         cells = [cell.strip() for cell in line.split("|")]
         for sensor in re.findall(r"`(\w+)`", cells[2] if len(cells) > 2 else ""):
             units[sensor] = [cells[3].partition(",")[0], *cells[4].split(", ")]
