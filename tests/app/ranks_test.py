@@ -52,13 +52,18 @@ class Ranks(InFolder):
             return 0  # there is no table yet
 
     def test_any_number_of_ranks_makes_the_same(self):
-        self.sweep(*STUDY[1:], "--seeds", 4, "--results", "kept")
+        self.study(f"""
+            netlist = "{FIGURE_E2}"
+            measure = ["master.T_exe"]
+            seeds = 4
+            set = {{slaves = "0..3", master.trials = 3}}""")
+        self.sweep("study.toml", "--results", "kept")
         printed, table = self.report("kept", "--csv", "one.csv"), rows(self.folder / "kept")
         self.assertEqual(len(table), 16)
         for ranks, jobs in ((1, 1), (2, 1), (3, 1), (2, 2)):
             with self.subTest(ranks=ranks, jobs=jobs):
                 (self.folder / "kept").unlink()
-                self.finish(self.start(ranks, *STUDY, "--seeds", 4, "--results", "kept", "--jobs", jobs))
+                self.finish(self.start(ranks, "sweep", "study.toml", "--results", "kept", "--jobs", jobs))
                 self.assertEqual(rows(self.folder / "kept"), table)
                 self.assertEqual(self.report("kept", "--csv", "ranks.csv"), printed)
                 self.assertEqual((self.folder / "ranks.csv").read_bytes(), (self.folder / "one.csv").read_bytes())
