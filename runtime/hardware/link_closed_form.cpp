@@ -17,11 +17,20 @@ void ClosedForm::look_ahead() {
         return;
     Time now = kernel_.now();
     behind_ = LinkStreams(now, {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()});
-    LinkStreams ahead = behind_;
-    ahead.advance(times_, end_of_what_is_certain());
-    ahead_until_ = ahead.now();
+    ahead_ = behind_;
+    ahead_.advance(times_, end_of_what_is_certain());
+    ahead_until_ = ahead_.now();
     if (is_ahead())
-        go_to(ahead, ahead_until_);
+        go_to(ahead_, ahead_until_);
+}
+
+/// What is behind need not fall into step again where what is ahead has.
+void ClosedForm::follow() {
+    if (ahead_.repeats_since() <= kernel_.now()) {
+        behind_ = ahead_;
+        behind_.go_back_to_repetition();
+        ahead_ = {};
+    }
 }
 
 /// Events that come after this may change what the link does.
@@ -38,14 +47,15 @@ Time ClosedForm::end_of_what_is_certain() const {
 /// (EventQueue::Priority): this has happened before a process or a timer does anything.
 void ClosedForm::come_back() {
     Time after = kernel_.now() + Time{1};
+    follow();
     behind_.advance(times_, after);
     ahead_until_ = kernel_.now();
     go_to(behind_, after);
 }
 
 LinkStreams::Progress ClosedForm::now(const LinkDirection& direction) {
-    behind_.advance(times_, kernel_.now() + Time{1});
-    return behind_.stream(&direction == &a_to_b_ ? 0 : 1);
+    follow();
+    return behind_.progress(times_, &direction == &a_to_b_ ? 0 : 1, kernel_.now());
 }
 
 /// Packets that are due at that moment or later are still to be asked for, by events.

@@ -33,13 +33,15 @@ public:
 
 private:
     Time end_of_what_is_certain() const;
+    void follow();
     void come_back();
     void go_to(const LinkStreams&, Time);
 
     Kernel& kernel_;
     const PacketTimes& times_;
     LinkDirection &a_to_b_, &b_to_a_;
-    LinkStreams behind_; ///< at a moment that has been; it follows where it is asked for what is now
+    LinkStreams behind_; ///< at a moment that has been
+    LinkStreams ahead_;  ///< where the directions and wires are
     Time ahead_until_{};
 };
 

@@ -102,15 +102,18 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
 
 /// The receiving end is in no message any more. If the sender is in one, it gets no further.
 void LinkDirection::receiver_leaves() {
-    if (!left_over_ && bytes_taken() > 0) {
+    bool in_message = bytes_taken() > 0;
+    if (in_message && !left_over_) {
         drop_bytes_on_their_way();
-        for (auto& event : last_byte_arrived_)
-            cancel(event);
-        taken_ = false;
         cancel(start_byte_);
         out_.withdraw_byte();
         receiver_left_ = true;
         stall();
+    }
+    if (in_message) { // the end of a part of it may still be on the wire
+        for (auto& event : last_byte_arrived_)
+            cancel(event);
+        taken_ = false;
     }
     first_byte_waits_ = false;
 }

@@ -27,6 +27,7 @@ public:
         bool flows = false;       ///< a packet of it is to come
         bool acknowledge = false; ///< which is the acknowledge of the byte begun last, else the next byte
         Time due{};               ///< when it is asked for
+        Time start_before{};      ///< of the byte before the last, if it began here
     };
     /// Of a packet that is asked for already, and waits for the wire.
     static constexpr Time past{-1};
@@ -34,45 +35,45 @@ public:
     LinkStreams() = default;
     /// At that moment. Wire number i carries the bytes of direction i, and is free from free_at[i] on.
     LinkStreams(Time now, const std::array<Stream, 2>& streams, const std::array<Time, 2>& free_at)
-        : now_(now), streams_(streams), free_at_(free_at) {}
+        : at_{now, streams, free_at} {}
 
     /// Lets all packets begin that do so before that moment, up to the first of those that others can see: the last
     /// byte of a part, or its acknowledge.
     void advance(const PacketTimes&, Time before);
+    /// How far a direction is at that moment. REQUIRES: it is not before now(), and nothing has been seen by then.
+    Progress progress(const PacketTimes&, std::size_t direction, Time moment);
+
+    /// From when on it is known that everything repeats itself: Time::max() while it is not.
+    Time repeats_since() const { return period_ > Time{0} ? noted_.now : Time::max(); }
+    /// Goes back to that moment. REQUIRES: it is known.
+    void go_back_to_repetition() { at_ = noted_; }
 
     /// When the last packet began.
-    Time now() const { return now_; }
-    const Stream& stream(std::size_t direction) const { return streams_[direction]; }
-    Time free_at(std::size_t wire) const { return free_at_[wire]; }
+    Time now() const { return at_.now; }
+    const Stream& stream(std::size_t direction) const { return at_.streams[direction]; }
+    Time free_at(std::size_t wire) const { return at_.free_at[wire]; }
 
 private:
-    /// Where the other direction is when a direction begins a byte. If it is there again, everything repeats itself.
-    struct Phase {
-        bool acknowledge = false;
-        Time due{}, free_at{}; ///< from now on
-        bool operator==(const Phase&) const = default;
-    };
+    struct State {
+        Time now{};
+        std::array<Stream, 2> streams;
+        std::array<Time, 2> free_at{};
 
-    std::size_t wire_of(std::size_t direction) const {
-        return direction ^ std::size_t{streams_[direction].acknowledge};
-    }
-    Time begin_of_next(std::size_t direction) const;
-    std::size_t next_direction() const;
-    bool is_seen(const Stream&) const;
-    void begin_packet(const PacketTimes&, std::size_t direction);
-    Phase phase_of(std::size_t other) const;
-    void watch_for_period(std::size_t other, Time before);
+        std::size_t wire_of(std::size_t direction) const {
+            return direction ^ std::size_t{streams[direction].acknowledge};
+        }
+        Time begin_of_next(std::size_t direction) const;
+        void begin_packet(const PacketTimes&, std::size_t direction);
+        bool is_in_phase_with(const State&, std::size_t other) const;
+    };
+    bool watch_for_repetition(std::size_t other);
     void pass_periods(Time before);
 
-    Time now_{};
-    std::array<Stream, 2> streams_;
-    std::array<Time, 2> free_at_{};
-
-    // The moment that the present is compared with: a later one each time that twice as many bytes have begun.
-    Phase noted_;
-    Time noted_at_{};
-    std::array<std::uint32_t, 2> bytes_left_then_{};
+    State at_;
+    State noted_; ///< a moment that the present is compared with: a later one each time that twice as many bytes began
     std::uint32_t bytes_until_note_ = 1, bytes_between_notes_ = 1;
+    Time period_{};                                 ///< 0 until it is known
+    std::array<std::uint32_t, 2> bytes_a_period_{}; ///< of each direction
 };
 
 } // namespace placedpar::hardware

@@ -188,6 +188,8 @@ void Processor::schedule_end() {
 }
 
 void Processor::settle() {
+    if (settled_at_ == kernel_.now())
+        return;
     work_left(*current_) -= kernel_.now() - std::exchange(settled_at_, kernel_.now());
     std::int64_t words = words_moved_by_links();
     if (std::int64_t moved = words - std::exchange(words_settled_, words))
