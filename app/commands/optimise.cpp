@@ -12,6 +12,7 @@
 #include "workbench/problems.hpp"
 #include "workbench/study/study_file.hpp"
 #include "workbench/study/study_report.hpp"
+#include "workbench/study/summary_cells.hpp"
 #include "workbench/study/sweep.hpp"
 #include "workbench/workers.hpp"
 
@@ -164,6 +165,8 @@ ExitCode optimise(const OptimiseOptions& typed) {
         return ExitCode::interrupted;
     }
     StudySummary summary = summary_of_best(session.results, session.study, session.space, optimum->courses.front());
+    for (std::size_t i = 0; i < optimum->measures.size(); ++i)
+        optimum->measures[i] = measure_with_unit(summary, i);
     print_optimum(session, *optimum, summary);
     if (!options.csv.empty())
         write_whole(options.csv, summary_csv(summary));

@@ -57,6 +57,20 @@ masters = "1..6"
 links = "1..2"
 split = ["individuals", "demand", "evaluations"]
 """
+SPHERE = """
+T800 t;
+workstation sun;
+connect sun.link[0] to t.link[0];
+process host, master;
+use "ga.host" for host;
+use "ga.master" for master;
+host (problem = "sphere", generations = 5, accuracy = 0.1);
+master (problem = "sphere", population = 8);
+connect host.to_masters[0] to master.from_host;
+connect master.to_host to host.from_masters[0];
+place host on sun;
+place master on t;
+"""
 
 
 def best_line(output):
@@ -110,7 +124,7 @@ class Found(Optimise):
         self.assertTrue(all(re.search(r'"wires":"[1-4]"', settings) for settings in run - {"{}"}))
         self.assertTrue(all(re.search(r'"wires":"[5-8]"', settings) for settings in refused))
         self.assertIn("wires=4", best_line(said))
-        self.assertIn("exhaustive          12", said)
+        self.assertRegex(said, r"exhaustive +12 ")
 
     def test_two_measures_give_a_front(self):
         self.optimise(self.small('["time", "links"]'), "--csv", "front.csv", "--svg", "front.svg")
@@ -131,6 +145,40 @@ class Found(Optimise):
         self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), parts[-1][1], places=2)
         start = placedpar("run", MACHINE, "--set", "samples=6").stdout
         self.assertAlmostEqual(float(start.split("completed at ")[1].split()[0]), parts[-1][0], places=2)
+
+
+class TimeToAccuracy(unittest.TestCase):
+    TRUTH = 0.0086 # in^3/psi, of the record of "boom"
+
+    @staticmethod
+    def host(samples, accuracy, *settings):
+        """What the host measured over so many samples: a longer run begins as a shorter one does."""
+        said = placedpar("run", MACHINE, "--set", f"samples={samples}", "--set", f"accuracy={accuracy}", *settings)
+        measured = re.findall(r"^host +(\S+) +(\S+)", said.stdout, re.MULTILINE)
+        return {**dict(measured), "whole": said.stdout.split("completed at ")[1].split()[0]}
+
+    def test_it_is_since_when_the_fittest_estimate_is_accurate_for_good(self):
+        accuracy, since = 0.02, 0
+        for samples in range(5, 21):
+            host = self.host(samples, accuracy)
+            accurate = abs(float(host["C_BOi"]) - self.TRUTH) <= accuracy * self.TRUTH
+            self.assertEqual("accurate_after" in host, accurate, samples)
+            if accurate:
+                after = float(host["accurate_after"])
+                self.assertGreaterEqual(after, since)
+                self.assertLessEqual(after, float(host["whole"]))
+            else: # it cannot have been accurate for good before the last estimates of this sample
+                since = float(self.host(samples, 1)["whole"]) - 45 # a sample takes 44.6 ms at most
+        self.assertGreater(since, 0)
+
+    def test_nobody_looks_unless_asked_and_without_a_truth_it_is_refused(self):
+        self.assertNotIn("host", [line.split()[0] for line in placedpar("run", MACHINE).stdout.splitlines()[3:8]])
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "sphere.cfs"
+            netlist.write_text(SPHERE, encoding="utf-8")
+            refused = placedpar("run", netlist)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("true parameters", refused.stderr)
 
 
 class TheSame(Optimise):

@@ -46,29 +46,32 @@ std::set<Costs> joint_front(const Optimum& optimum) {
     return costs_on_front(all);
 }
 
-std::string print_costs(const Costs& costs) {
-    std::string out;
-    for (double cost : costs)
-        out += fmt::format("  {:>14.6g}", cost);
-    return out;
+std::string comparison_row(const std::string& way, const std::string& machines, const std::string& first,
+                           const std::string& second) {
+    return fmt::format("{:<12}{:>10}  {:>24}  {:>14}", way, machines, first, second);
 }
+
+std::string print_cost(const Costs& costs) { return fmt::format("{:.6g}", costs.front()); }
+
+std::string without_blanks_behind(std::string line) { return line.erase(line.find_last_not_of(' ') + 1); }
 
 std::string refusal_line(const std::string& why) { return why.substr(0, why.find('\n')); }
 
 std::string print_start(const Trial& start) {
-    std::string name = fmt::format("{:<12}{:>10}", "as it is", 1);
-    return start.merit.feasible ? fmt::format("{}{}\n", name, print_costs(start.merit.costs))
-                                : fmt::format("{}  {}\n", name, refusal_line(start.why));
+    return comparison_row("as it is", "1",
+                          start.merit.feasible ? print_cost(start.merit.costs) : refusal_line(start.why), "");
 }
 
 /// How many of the front's points it found; of one cost, what it found, and when first.
 std::string print_course(const SearchCourse& course, const std::set<Costs>& joint) {
-    std::string out = fmt::format("{:<12}{:>10}", course.way, course.machines.size());
+    std::string machines = std::to_string(course.machines.size());
     std::set<Costs> own = costs_on_front(course);
     if (own.begin()->size() == 1)
-        return fmt::format("{}{}  {:>14}\n", out, print_costs(*own.begin()), course.front().front() + 1);
+        return comparison_row(course.way, machines, print_cost(*own.begin()),
+                              std::to_string(course.front().front() + 1));
     auto shared = std::ranges::count_if(own, [&](const Costs& costs) { return joint.contains(costs); });
-    return fmt::format("{}  {:>14}  {:>14}\n", out, own.size(), fmt::format("{} of {}", shared, joint.size()));
+    return comparison_row(course.way, machines, std::to_string(own.size()),
+                          fmt::format("{} of {}", shared, joint.size()));
 }
 
 double sum_of(const std::vector<PathShare>& shares) {
@@ -128,18 +131,14 @@ StudySummary summary_of_best(StudyResults& results, const Study& study, const Ma
 
 std::string print_comparison(const Optimum& optimum) {
     bool two = optimum.measures.size() > 1;
-    std::string out = painted(Paint::heading, fmt::format("{:<12}{:>10}", "search", "machines"));
-    std::string heads;
+    std::string head = two ? comparison_row("search", "machines", "its front", "of all fronts")
+                           : comparison_row("search", "machines", optimum.measures.front(), "found with");
+    std::string out = painted(Paint::heading, head) + "\n";
     if (!two)
-        heads = fmt::format("  {:>14}  {:>14}", optimum.measures.front(), "found with");
-    else
-        heads = fmt::format("  {:>14}  {:>14}", "its front", "of all fronts");
-    out += painted(Paint::heading, heads) + "\n";
-    if (!two)
-        out += print_start(optimum.start);
+        out += without_blanks_behind(print_start(optimum.start)) + "\n";
     const std::set<Costs> joint = joint_front(optimum);
     for (const SearchCourse& course : optimum.courses)
-        out += print_course(course, joint);
+        out += print_course(course, joint) + "\n";
     return out;
 }
 

@@ -61,7 +61,7 @@ std::optional<Trial> MachineTrials::of(const Overrides& settings) {
 }
 
 bool MachineTrials::make_runs(const std::vector<Overrides>& settings, const std::function<void(std::uint64_t)>& show) {
-    if (settings.empty())
+    if (settings.empty() || interruption_.requested())
         return !interruption_.requested();
     const Study some = study_of(study_, settings);
     StudySweep(some, results_).run(workers_, interruption_, show);

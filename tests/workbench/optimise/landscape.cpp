@@ -28,12 +28,13 @@ std::string Landscape::netlist() const {
         text += fmt::format("val v{} 0;\nval table{} {};\n", i, i, table(random, values * values));
     for (std::size_t i = 0; i < vals; ++i)
         sum += fmt::format(" + table{}[{} * v{} + v{}]", i, values, i, (i + 1) % vals);
-    text += fmt::format("T800 t, far;\nprocess source, sink;\nuse \"csp.producer\" for source;\n"
+    text += fmt::format("T800 t;\nprocess source, sink;\nuse \"csp.producer\" for source;\n"
                         "use \"csp.consumer\" for sink;\nsource (count = 1, cycles = {});\nsink (count = 1);\n"
                         "place source on t;\nplace sink on t;\nconnect source.out to sink.in;\n",
                         sum);
     if (four_links)
-        text += "rep i = 0 for v0 + v1\n    connect t.link[i] to far.link[i];\n";
+        text += "if v0 + v1 > 0 {\n    T800 far;\n    rep i = 0 for v0 + v1\n        connect t.link[i] to "
+                "far.link[i];\n}\n";
     return text;
 }
 
