@@ -248,7 +248,8 @@ TEST_CASE("what is sent without a connection is lost: a deadlock, and the switch
 
 TEST_CASE("what is lost both ways at once is said of each direction, with its own output") {
     Exchange x;
-    SwitchedLane& from_a = x.simulation.add<SwitchedLane>(x.links[0]->from_b_to_a(), x.at_a, x.in);
+    SharedEngine out_of_a{"a.link[0]"};
+    SwitchedLane& from_a = x.simulation.add<SwitchedLane>(x.links[0]->from_b_to_a(), out_of_a, x.in);
     Channel<Parcel> back("a.out -> root.in", from_a);
     x.simulation.process("root", [&] { par([&] { x.a.out().output({2, 1}); }, [&] { back.in().input(); }); });
     x.simulation.process("a", [&] { par([&] { back.out().output({3, 1}); }, [&] { x.a.in().input(); }); });
