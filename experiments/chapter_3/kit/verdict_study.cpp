@@ -3,6 +3,7 @@
 #include "experiments/chapter_3/kit/tested_machine.hpp"
 #include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "identification/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -87,8 +88,8 @@ Eigen::Vector3d evidence(const LinkJudge& judge) {
     return known.array() / 2 / (1 + known.array() * unknown.array());
 }
 
-/// How the first movements scatter about their mean: 1 where the variances that are stated are theirs, less where they
-/// are stated too great. Areas have no offset.
+/// How the first movements scatter about their mean, over the median of that (E. Wilson and M. Hilferty, 1931) where
+/// the variances that are stated are theirs: less than 1 where they are stated too great. Areas have no offset.
 double scatter_over_stated(const LinkJudge& judge, AreasFrom from) {
     double squares = 0;
     for (const Deviation& each : judge.state().first) {
@@ -96,7 +97,8 @@ double scatter_over_stated(const LinkJudge& judge, AreasFrom from) {
         squares += off.dot(each.information() * off);
     }
     const std::size_t unknowns = from == AreasFrom::areas ? 2 : 3;
-    return squares / static_cast<double>((judge.state().first.size() - 1) * unknowns);
+    const auto freedom = static_cast<double>((judge.state().first.size() - 1) * unknowns);
+    return squares / (freedom * std::pow(1 - 2 / (9 * freedom), 3));
 }
 
 /// Of one machine: movements until a false alarm, 0 for none; the evidence of the three ways, and the scatter; and of
@@ -140,7 +142,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 double limit_percent(const TestedFault& fault, const std::vector<Figures>& machines) {
     constexpr double one_in_a_hundred = 2.326; // standard deviations
     const std::size_t way = fault.called == AlarmKind::compliance ? 0 : fault.called == AlarmKind::leak ? 1 : 2;
-    const double scatter = sum(column(machines, scatter_figure)) / static_cast<double>(machines.size());
+    const double scatter = median(column(machines, scatter_figure)); // a mean would be of the worst machine
     double found = 0;
     for (double of_unit : column(machines, evidence_figure + way)) {
         const double beyond = std::sqrt(2 * of_unit * fault.units * fault.units / scatter) - one_in_a_hundred;
