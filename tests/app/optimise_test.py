@@ -21,12 +21,12 @@ MACHINE = EXAMPLES / "71-best-machine" / "machine.cfs"
 # Links of one transputer to another are wired beyond the four that there are: a constraint that the netlist states.
 NETLIST = """
 val wires 1;
-val cycles 900;
+val cycles 90000;
 T800 a, b;
 process source, sink;
 use "csp.producer" for source;
 use "csp.consumer" for sink;
-source (count = 1, cycles = cycles / wires + 17 * wires);
+source (count = 1, cycles = cycles / wires + 1700 * wires);
 sink (count = 1);
 place source on a;
 place sink on a;
@@ -42,7 +42,7 @@ population = 12
 generations = 12
 [set]
 wires = "1..8"
-cycles = [1000, 2000, 3000]
+cycles = [100000, 200000, 300000]
 """
 FARM = f"""
 netlist = "{MACHINE}"
@@ -96,8 +96,8 @@ class Optimise(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stderr + done.stdout)
         return done.stdout if code == 0 else done.stderr
 
-    def refuses(self, text, *messages, arguments=()):
-        said = self.optimise(self.write("refused.toml", text), *arguments, code=1)
+    def refuses(self, text, *messages, arguments=(), name="refused.toml"):
+        said = self.optimise(self.write(name, text), *arguments, code=1)
         for message in messages:
             self.assertIn(message, said)
 
@@ -249,7 +249,7 @@ class Refused(Optimise):
     def test_a_space_without_machines(self):
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'where = "wires > 9"\n[search]'),
                      "the study's condition leaves nothing to be run")
-        self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[1000, 2000, 3000]", "1000"),
+        self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[100000, 200000, 300000]", "100000"),
                      "no setting of the study has several values")
         self.refuses(STUDY.format(minimise='"time"') + "[[also]]\nset = {wires = 2}\n", "[[also]]")
 
@@ -257,10 +257,10 @@ class Refused(Optimise):
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "5..8"),
                      "can be built and comes to an end", '"b" has no link 4', "a T800 has the links 0 to 3")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'until = "1us"\n[search]'),
-                     "stopped at the time limit")
+                     "stopped at the time limit", name="stopped.toml")
 
     def test_an_exhaustive_search_of_too_many(self):
-        text = STUDY.format(minimise='"time"').replace("[1000, 2000, 3000]", '"1..100000"')
+        text = STUDY.format(minimise='"time"').replace("[100000, 200000, 300000]", '"1..100000"')
         self.refuses(text, "800000 combinations are too many", "--yes", arguments=["--exhaustive"])
 
 

@@ -13,7 +13,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_draws = 1'000'000; ///< before a condition is thought to hold for nothing
+constexpr int most_draws = 20'000; ///< in a row, before the condition is thought to hold for nothing more
 
 constexpr std::size_t at_once = 1000; ///< machines that are handed over to be tried out
 
@@ -70,12 +70,14 @@ std::optional<SearchCourse> MachineSearch::genetic() {
 std::vector<Genome> MachineSearch::first_population() {
     RandomStream random(wanted_.seed, "optimise/first");
     std::vector<Genome> population;
-    for (std::uint64_t draws = 0; population.size() < wanted_.population; ++draws) {
+    for (int draws = 0; population.size() < wanted_.population; ++draws) {
         if (draws == most_draws)
             refuse_empty();
         Genome genome = Genome::random(space_.bits(), random);
-        if (space_.holds(space_.machine_of(genome)))
-            population.push_back(std::move(genome));
+        if (!space_.holds(space_.machine_of(genome)))
+            continue;
+        population.push_back(std::move(genome));
+        draws = 0;
     }
     return population;
 }
@@ -112,11 +114,12 @@ std::optional<SearchCourse> MachineSearch::random(std::size_t simulated) {
 std::vector<std::uint64_t> MachineSearch::draw(std::size_t wanted, std::set<std::uint64_t>& drawn,
                                                RandomStream& random) {
     std::vector<std::uint64_t> machines;
-    for (std::uint64_t draws = 0; machines.size() < wanted && draws < most_draws; ++draws)
+    for (int draws = 0; machines.size() < wanted && draws < most_draws; ++draws)
         if (std::uint64_t machine = draw_below(space_.count(), random);
             !drawn.contains(machine) && space_.holds(machine)) {
             drawn.insert(machine);
             machines.push_back(machine);
+            draws = 0;
         }
     return machines;
 }
@@ -136,6 +139,7 @@ std::optional<SearchCourse> MachineSearch::exhaustive() {
 
 /// Tries them out, and adds what is new. False when interrupted.
 bool MachineSearch::take(SearchCourse& course, const std::vector<std::uint64_t>& machines, const std::string& step) {
+    listener_({course, step, 0});
     if (!trials_.try_out(machines, [&](std::uint64_t runs) { listener_({course, step, runs}); }))
         return false;
     for (std::uint64_t machine : machines) {
