@@ -111,7 +111,8 @@ struct Session {
 
 /// None when interrupted.
 std::optional<Optimum> search_for(Session& session) {
-    Optimum optimum{.measures = session.study.search->minimise};
+    Optimum optimum;
+    optimum.measures = session.study.search->minimise;
     Progress line;
     MachineSearch search(session.study, session.space, session.trials,
                          [&](const CourseProgress& progress) { line.show(told(progress)); });

@@ -47,7 +47,7 @@ void note_why(SearchCourse& course, const std::string& why) {
 } // namespace
 
 MachineSearch::MachineSearch(const Study& study, const MachineSpace& space, MachineTrials& trials, Listener listener)
-    : study_(study), wanted_(*study.search), space_(space), trials_(trials), listener_(std::move(listener)) {}
+    : wanted_(*study.search), space_(space), trials_(trials), listener_(std::move(listener)) {}
 
 std::optional<SearchCourse> MachineSearch::genetic() {
     SearchCourse course{.way = "genetic"};

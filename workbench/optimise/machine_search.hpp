@@ -64,7 +64,6 @@ private:
     bool take(SearchCourse&, const std::vector<std::uint64_t>& machines, const std::string& step);
     std::vector<double> fitness_of(const std::vector<std::uint64_t>& machines);
 
-    const Study& study_;
     const StudySearch& wanted_;
     const MachineSpace& space_;
     MachineTrials& trials_;

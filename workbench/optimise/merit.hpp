@@ -9,7 +9,7 @@ namespace placedpar {
 /// What a machine is worth to a search.
 struct Merit {
     bool feasible = false;
-    std::vector<double> costs = {}; ///< to be minimised; of one number for all feasible machines
+    std::vector<double> costs; ///< to be minimised; of one number for all feasible machines
 };
 
 /// Feasible before infeasible (K. Deb, "An efficient constraint handling method for genetic algorithms", 2000); of two

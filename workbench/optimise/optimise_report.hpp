@@ -16,9 +16,9 @@ namespace placedpar {
 
 /// What came of a search for the best machine.
 struct Optimum {
-    std::vector<std::string> measures;      ///< that were minimised: one or two, with their units
-    Trial start = {};                       ///< the netlist as it is, with what all machines have in common
-    std::vector<SearchCourse> courses = {}; ///< the genetic one first; each has feasible machines
+    std::vector<std::string> measures; ///< that were minimised: one or two, with their units
+    Trial start;                       ///< the netlist as it is, with what all machines have in common
+    std::vector<SearchCourse> courses; ///< the genetic one first; each has feasible machines
 };
 
 /// The machines to be shown, by place in the course: of one cost the best few, of two the front; one of each cost.
