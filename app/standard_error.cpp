@@ -13,7 +13,8 @@ void print_warnings(const std::string& warnings) { fmt::print(stderr, "{}", warn
 Progress::Progress() : terminal_(::isatty(STDERR_FILENO)) {}
 
 void Progress::show(const std::string& what) {
-    if (terminal_) {
+    if (terminal_ && what != shown_) {
+        shown_ = what;
         fmt::print(stderr, "\r\033[K{} ...", what);
         std::fflush(stderr);
     }

@@ -19,6 +19,7 @@ public:
 
 private:
     bool terminal_;
+    std::string shown_;
 };
 
 } // namespace placedpar

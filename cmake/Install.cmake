@@ -10,6 +10,9 @@ endforeach()
 install(TARGETS placedpar_program EXPORT PlacedParTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/include/placedpar DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS placedpar RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET placedpar_mpi)
+    install(TARGETS placedpar_mpi LIBRARY DESTINATION lib/placedpar) # workbench/study/ranks.cpp looks there
+endif()
 set(printed ${PROJECT_BINARY_DIR}/app) # by the program: app/CMakeLists.txt
 install(FILES ${printed}/placedpar.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${printed}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME placedpar)

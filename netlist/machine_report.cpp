@@ -142,14 +142,15 @@ SwitchUse Machine::use_of(std::size_t node, const hardware::Crossbar& crossbar) 
     for (const hardware::Crossbar::Loss& loss : crossbar.losses()) {
         const hardware::FaultEffect& effect = loss.effect;
         auto link = static_cast<std::size_t>(std::ranges::find(links_, loss.link) - links_.begin());
-        const LinkConnection& connection = network_.connections[link];
-        use.losses.push_back({link_name(network_.nodes, connection.a),
-                              link_name(network_.nodes, connection.b),
-                              effect.bytes_lost,
-                              effect.acknowledges_lost,
-                              {effect.first->at, effect.first->channel, effect.first->acknowledge, effect.first->byte},
-                              loss.output,
-                              loss.state});
+        const RouteHop hop{link, loss.leaves_a};
+        SwitchUse::Loss& lost = use.losses.emplace_back();
+        lost.from = link_name(network_.nodes, begin_of(hop, network_.connections));
+        lost.to = link_name(network_.nodes, end_of(hop, network_.connections));
+        lost.bytes = effect.bytes_lost;
+        lost.acknowledges = effect.acknowledges_lost;
+        lost.first = {effect.first->at, effect.first->channel, effect.first->acknowledge, effect.first->byte};
+        lost.output = loss.output;
+        lost.state = loss.state;
     }
     return use;
 }

@@ -187,6 +187,7 @@ const char* name_of(Activity activity) {
     case Activity::alternating: return "alternates";
     case Activity::joining: return "waits for its components";
     case Activity::after_work: return "waits for the end of the work";
+    case Activity::stopped: return "has stopped";
     case Activity::halted: return "is halted";
     case Activity::ended: return "has ended";
     }
@@ -230,7 +231,8 @@ bool is_lost(const Process& process) {
                : process.activity() == Activity::inputting ? channel->input_is_lost()
                                                            : false;
     };
-    return halted(process) || (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
+    return halted(process) || process.activity() == Activity::stopped ||
+           (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
 }
 
 /// Whether only another process can make it go on, and which is known, or none can.

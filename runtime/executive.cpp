@@ -7,9 +7,15 @@ namespace placedpar {
 void compute(Cycles cycles, const Grain& grain) {
     Kernel& kernel = Kernel::here();
     if (Executive* executive = kernel.running().executive())
-        executive->compute(cycles, grain);
+        executive->compute(cycles + grain.words_outside * executive->costs().word_outside, grain);
     else
         kernel.takes_no_time();
+}
+
+void stop(const SourceLocation& where) {
+    Process& self = Kernel::here().running();
+    for (;;)
+        self.wait_for(Activity::stopped, nullptr, where);
 }
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/process.hpp"
+#include "runtime/source_location.hpp"
 #include "runtime/time.hpp"
 
 #include <cstdint>
@@ -16,6 +17,7 @@ struct OperationCosts {
     Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
     Cycles hard_communication{}; ///< the same on a hard channel, for each part of the message
     Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second
+    Cycles word_outside{};       ///< of what a process computes with (Grain), beyond the cycle that it counts
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< of a PAR, for each but the last, which its process runs itself
@@ -99,6 +101,10 @@ private:
 /// can be left: counted from the end, at which it can. Throws std::logic_error when cycles < 0 or one of the grain's
 /// < 1.
 void compute(Cycles, const Grain& = {});
+
+/// occam's STOP: the running process does nothing any more, while others go on. Who waits for it waits for ever, as the
+/// process of whose PAR it is a component. A run at whose end it is left ends as in a deadlock.
+[[noreturn]] void stop(const SourceLocation& = SourceLocation::current());
 
 /// The running process pays for an operation: `cost`, called with its executive's costs, says how much. For example
 /// `charge(self, &OperationCosts::timer_read)`.

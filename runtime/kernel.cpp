@@ -236,7 +236,7 @@ StackUser stack_user(const Process& process) { return {process.outermost().name(
 
 std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     const Process* running = current_ ? current_->running_ : nullptr;
-    if (!running || !running->worker_ || !running->worker_->memory.zone_contains(address))
+    if (!running || !running->worker_ || !running->worker_->memory.was_left_for(address))
         return std::nullopt;
     return stack_user(*running);
 }

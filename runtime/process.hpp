@@ -19,20 +19,25 @@ class Kernel;
 class Process;
 class Worker;
 
-/// Where the code that a process computes with can be left, in cycles of its executive: at least 1 each.
+/// What a computation is made of: where its code can be left, in cycles of its executive, at least 1 each; and what of
+/// it lies outside of the chip.
 struct Grain {
     /// From one descheduling point (`j`, `lend`) to the next: at the end of its timeslice a low-priority process gives
     /// way there.
     Cycles between_points{1};
     /// Of an instruction: an interrupt waits for its end. A division of integers takes 39 (databook).
     Cycles instruction{1};
+    /// Of code fetched, and of data read or written, outside of the chip. The cycles of the computation count each as
+    /// one, as on the chip; its executive adds what an access outside takes longer.
+    std::int64_t words_outside = 0;
 };
 
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// What a process is doing, or what it waits for. `halted` is for reports: its executive has stopped for ever.
-enum class Activity { ready, delayed, outputting, inputting, alternating, joining, after_work, halted, ended };
+/// What a process is doing, or what it waits for; `stopped`: for nothing. `halted` is for reports: its executive has
+/// stopped for ever.
+enum class Activity { ready, delayed, outputting, inputting, alternating, joining, after_work, stopped, halted, ended };
 
 /// A PAR: how many of its components still run, and the process that waits for them.
 struct Join {
@@ -74,6 +79,8 @@ public:
     Priority priority() const { return priority_; }
     Kernel& kernel() const { return kernel_; }
     bool ended() const { return activity_ == Activity::ended; }
+    /// Whether it has had a turn. REQUIRES: it has not ended.
+    bool has_begun() const { return worker_ != nullptr; }
     /// Makes it a part of the machine instead of the program: a run does not wait for it to end.
     void serve_machine();
     bool serves_machine() const { return machine_; }

@@ -2,6 +2,18 @@
 
 namespace placedpar {
 
+namespace {
+
+std::vector<std::string> who_never_ran(const Kernel& kernel) {
+    std::vector<std::string> paths;
+    for (const Process* process : kernel.living())
+        if (!process->has_begun())
+            paths.push_back(process->path());
+    return paths;
+}
+
+} // namespace
+
 Simulation::~Simulation() {
     processes_.clear();
     while (!devices_.empty())
@@ -34,6 +46,7 @@ RunResult Simulation::run(Time limit, const std::function<void()>& work_over) {
             result.deadlock = find_deadlock(kernel_);
         else if (ending != Ending::completed)
             result.deadlock = find_partial_deadlock(kernel_);
+        result.never_ran = who_never_ran(kernel_);
     };
     result.ending = kernel_.run(limit, std::move(observer));
     result.fingerprint = kernel_.fingerprint().value();

@@ -26,6 +26,9 @@ struct RunResult {
     /// If the run ended stuck: all processes that are left. If it was stopped before its end: those that would never
     /// have gone on, however long it had lasted.
     std::optional<Deadlock> deadlock;
+    /// Processes that were left and had not had a single turn: who else had their processor, or that it was halted,
+    /// kept them from it. In order of creation.
+    std::vector<std::string> never_ran;
 };
 
 /// Processes and the devices that they run on, to be run once. Where a program that uses PlacedPar as a library begins.

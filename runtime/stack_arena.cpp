@@ -14,11 +14,18 @@ constexpr std::size_t stacks_in_a_piece = 256;
 constexpr std::size_t piece_bytes = stacks_in_a_piece * slice_bytes;
 constexpr std::size_t guarded_stacks = SwitchedStack::watched ? 0 : 16'000;
 
+bool is_written(const std::byte* begin, const std::byte* end) {
+    return std::any_of(begin, end, [](std::byte each) { return each != std::byte{0}; });
+}
+
 } // namespace
 
-bool Stack::has_overflowed() const {
-    return std::any_of(bottom - 64, bottom, [](std::byte each) { return each != std::byte{0}; });
+bool Stack::was_left_for(const void* address) const {
+    const std::byte* zone = bottom - zone_bytes;
+    return guarded ? address >= zone && address < bottom : address < zone && is_written(zone, bottom);
 }
+
+bool Stack::has_overflowed() const { return is_written(bottom - 64, bottom); }
 
 StackArena::~StackArena() {
     for (std::byte* piece : pieces_)

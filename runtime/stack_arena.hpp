@@ -17,7 +17,9 @@ struct Stack {
     static constexpr std::size_t bytes = (SwitchedStack::watched ? 1024 : 256) * 1024;
     static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than most arrays, which are not written in order
 
-    bool zone_contains(const void* address) const { return address >= bottom - zone_bytes && address < bottom; }
+    /// Whether who uses it came by its end to the address where a fault was: into the zone that is guarded or, where it
+    /// is not, through it.
+    bool was_left_for(const void* address) const;
     /// Whether somebody has written to the end of the zone, which was all zeros. For stacks that are not guarded.
     bool has_overflowed() const;
 };

@@ -59,7 +59,10 @@ int Timer::bits() const {
 }
 
 std::int32_t Timer::read() const {
-    charge(Kernel::here().running(), &OperationCosts::timer_read);
+    Kernel& kernel = Kernel::here();
+    if (!kernel.running().executive())
+        kernel.takes_no_time();
+    charge(kernel.running(), &OperationCosts::timer_read);
     return as_word(now() / tick(), bits());
 }
 

@@ -58,10 +58,12 @@ std::string print_deviation(const LinkVerdict& link) {
         return fmt::format("{:+.{}f} (standard error {:.{}f})", unit * by(link.verdict, way), decimals,
                            unit * link.verdict.deviation.standard_error(way), decimals);
     };
-    return fmt::format("compliance {} in^3/psi, leak {} in^3/(s psi), spool {} in",
+    const std::string offset = knows_offset(link.verdict.deviation)
+                                   ? fmt::format(", spool {} in", with_error(Way::offset, link.units.offset_in, 4))
+                                   : "";
+    return fmt::format("compliance {} in^3/psi, leak {} in^3/(s psi){}",
                        with_error(Way::compliance, link.units.compliance_in3_per_psi, 5),
-                       with_error(Way::leak, link.units.leak_in3_per_s_psi, 4),
-                       with_error(Way::offset, link.units.offset_in, 4));
+                       with_error(Way::leak, link.units.leak_in3_per_s_psi, 4), offset);
 }
 
 std::string print_verdict(Link link, const LinkVerdict& said) {
@@ -82,13 +84,17 @@ boost::json::object off_json(const Deviation& deviation, Way way, double unit) {
             {"standard_error", or_null(unit * deviation.standard_error(way))}};
 }
 
+boost::json::value offset_json(const Deviation& deviation, const WayUnits& units) {
+    if (!knows_offset(deviation))
+        return nullptr;
+    return off_json(deviation, Way::offset, units.offset_in);
+}
+
 boost::json::object whole_json(const WholeMovement& whole) {
     return {{"compliance", or_null(whole.compliance_in3_per_psi)},
             {"standard_error", or_null(compliance_error(whole))},
             {"leak_in3_per_s_psi", off_json(whole.deviation, Way::leak, whole.units.leak_in3_per_s_psi)},
-            {"offset_in", knows_offset(whole.deviation)
-                              ? boost::json::value(off_json(whole.deviation, Way::offset, whole.units.offset_in))
-                              : nullptr}};
+            {"offset_in", offset_json(whole.deviation, whole.units)}};
 }
 
 boost::json::object finding_json(const LinkFinding& link) {
@@ -124,7 +130,7 @@ boost::json::object verdict_json(Link link, const Diagnosis& diagnosis) {
             {"compliance_in3_per_psi",
              off_json(said.verdict.deviation, Way::compliance, said.units.compliance_in3_per_psi)},
             {"leak_in3_per_s_psi", off_json(said.verdict.deviation, Way::leak, said.units.leak_in3_per_s_psi)},
-            {"offset_in", off_json(said.verdict.deviation, Way::offset, said.units.offset_in)}};
+            {"offset_in", offset_json(said.verdict.deviation, said.units)}};
 }
 
 } // namespace

@@ -42,7 +42,11 @@ File load_text(const std::filesystem::path& path) {
 
 Network load_network(const std::filesystem::path& path, const Overrides& overrides, const ProblemRegistry& problems,
                      const WarningSink& warn, const ReadOptions& options) {
-    Catalogue catalogue = known_kinds(problems);
+    return load_network(path, overrides, known_kinds(problems), warn, options);
+}
+
+Network load_network(const std::filesystem::path& path, const Overrides& overrides, const Catalogue& catalogue,
+                     const WarningSink& warn, const ReadOptions& options) {
     ReadResult read = read_netlist(path, catalogue, overrides, options);
     if (!read.network)
         throw RefusedInput(render(read));

@@ -27,7 +27,10 @@ void Interruption::request() noexcept {
 }
 
 RunReport run_netlist(const Network& network, const ProblemRegistry& problems, const RunSettings& settings) {
-    Catalogue catalogue = known_kinds(problems, settings.observer);
+    return run_netlist(network, known_kinds(problems, settings.observer), settings);
+}
+
+RunReport run_netlist(const Network& network, const Catalogue& catalogue, const RunSettings& settings) {
     Machine machine(network, catalogue, settings.seed);
     if (settings.shuffle)
         machine.shuffle(*settings.shuffle);

@@ -36,5 +36,7 @@ struct RunSettings {
 
 /// Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
+/// The same with kinds that are known already, to those who observe, too: the settings' observer is not told.
+RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 
 } // namespace placedpar

@@ -3,6 +3,7 @@
 #include "text/counted.hpp"
 #include "text/paint.hpp"
 #include "workbench/policies_report.hpp"
+#include "workbench/string_fields.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,8 +42,36 @@ std::string what_is_searched(const RecordedProblem& recorded) {
     return objective ? goal_of(*objective) : record_of(recorded);
 }
 
+/// A field; or of many those that are alike and follow each other, "x_1 ... x_20".
+struct FieldRow {
+    StringField first;
+    std::string last;
+
+    std::string names() const { return last == first.name ? last : fmt::format("{} ... {}", first.name, last); }
+};
+
+std::vector<FieldRow> rows_of(const std::vector<StringField>& fields) {
+    constexpr std::size_t few = 8;
+    std::vector<FieldRow> rows;
+    for (const StringField& field : fields)
+        if (!rows.empty() && rows.back().first.is_like(field) && fields.size() > few)
+            rows.back().last = field.name;
+        else
+            rows.push_back({field, field.name});
+    return rows;
+}
+
+std::string print_fields(const std::vector<StringField>& fields) {
+    std::string out = painted(Paint::heading, "\nfields\n");
+    for (const FieldRow& row : rows_of(fields))
+        out += fmt::format("  {:<16} {:>2} bits  {:.6g} .. {:.6g}{}, in steps of {:.3g}\n", row.names(), row.first.bits,
+                           row.first.least, row.first.most, row.first.unit.empty() ? "" : " " + row.first.unit,
+                           row.first.step());
+    return out;
+}
+
 /// "C_BUi in^3/psi"; of many alike the first and the last.
-std::string print_parameters(const SearchProblem& problem) {
+std::string print_names(const SearchProblem& problem) {
     auto names = problem.parameter_names(), units = problem.parameter_units();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (!units[i].empty())
@@ -50,6 +79,18 @@ std::string print_parameters(const SearchProblem& problem) {
     if (names.size() > 4)
         names = {names[0], names[1], "...", names.back()};
     return names.empty() ? "" : fmt::format("parameters: {}\n", fmt::join(names, ", "));
+}
+
+boost::json::array fields_json(const SearchProblem& problem) {
+    boost::json::array array;
+    for (const StringField& field : string_fields(problem))
+        array.push_back({{"name", field.name},
+                         {"unit", field.unit},
+                         {"bits", field.bits},
+                         {"least", field.least},
+                         {"most", field.most},
+                         {"step", field.step()}});
+    return array;
 }
 
 boost::json::value value_or_null(std::optional<double> value) {
@@ -79,8 +120,9 @@ std::string print_problem(const ProblemRegistry& problems, const std::string& na
     auto family = family_named(problems, base_of(name));
     if (family)
         out += family->about + "\n";
-    out += fmt::format("{}\nstring: {}\n", what_is_searched(recorded), counted(recorded.problem()->bits(), "bit")) +
-           print_parameters(*recorded.problem());
+    auto fields = string_fields(*recorded.problem());
+    out += fmt::format("{}\nstring: {}\n", what_is_searched(recorded), counted(recorded.problem()->bits(), "bit"));
+    out += fields.empty() ? print_names(*recorded.problem()) : print_fields(fields);
     return family ? out + print_numbers(*family) : out;
 }
 
@@ -97,7 +139,8 @@ boost::json::object problem_json(const ProblemRegistry& problems, const std::str
             {"unit", objective ? objective->unit : ""},
             {"optimum", value_or_null(objective ? objective->optimum : std::nullopt)},
             {"samples", recorded.samples()},
-            {"bits", recorded.problem()->bits()}};
+            {"bits", recorded.problem()->bits()},
+            {"fields", fields_json(*recorded.problem())}};
 }
 
 boost::json::array problems_json(const ProblemRegistry& problems) {

@@ -390,6 +390,8 @@ std::string print_report(const RunReport& report, const Network& network, const 
     if (report.result.deadlock)
         out += (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock, while others could go on:\n") +
                report.result.deadlock->text();
+    if (!report.result.never_ran.empty())
+        out += fmt::format("\nnever ran: {}\n", fmt::join(report.result.never_ran, ", "));
     if (!report.measurements.empty())
         out += print_measurements(report.measurements);
     out += print_searches(searches);
@@ -418,6 +420,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["switches"] = array_of(report, report.switches);
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
+    if (!report.result.never_ran.empty())
+        json["never_ran"] = texts_of(report.result.never_ran);
     return json;
 }
 

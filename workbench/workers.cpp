@@ -1,7 +1,6 @@
 #include "workbench/workers.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <future>
 #include <thread>
 #include <vector>
@@ -11,12 +10,12 @@ namespace placedpar {
 std::size_t count_cores() { return std::max(std::thread::hardware_concurrency(), 1U); }
 
 void on_workers(std::size_t workers, const std::function<void(std::size_t)>& work,
-                const std::function<void()>& meanwhile) {
+                const std::function<void()>& meanwhile, std::chrono::milliseconds often) {
     std::vector<std::future<void>> running; // each waits for its thread when it is destroyed
     for (std::size_t i = 0; i < workers; ++i)
         running.push_back(std::async(std::launch::async, work, i));
     for (std::future<void>& each : running)
-        while (each.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
+        while (each.wait_for(often) != std::future_status::ready)
             meanwhile();
     for (std::future<void>& each : running)
         each.get();

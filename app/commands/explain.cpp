@@ -2,14 +2,17 @@
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/options/time_option.hpp"
+#include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 #include "workbench/explain/explanation.hpp"
 #include "workbench/load.hpp"
 #include "workbench/manifest.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/search_log.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,10 +28,24 @@ namespace {
 struct ExplainOptions {
     NetlistOptions netlist;
     std::string json; ///< a file; "": not written
+    RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
     bool what_if = true;
+
+    Manifest manifest(const std::string& typed) const {
+        return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until};
+    }
+    std::array<std::filesystem::path, 3> outputs() const { return {json, recorded.trace, recorded.page}; }
 };
+
+/// A value change dump has waveforms only.
+void require_path_format(const std::filesystem::path& path) {
+    require_trace_format(path);
+    if (lower_case(path.extension().string()) == ".vcd")
+        throw UserError(
+            fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
+}
 
 /// What --set says holds in the changed netlists too. Their warnings have been shown.
 ChangedNetlist reading_with(const NetlistOptions& options) {
@@ -40,23 +57,33 @@ ChangedNetlist reading_with(const NetlistOptions& options) {
     };
 }
 
-Explanation explain(const Network& network, const ExplainOptions& options, Interruption& interruption) {
+/// Runs it, and draws the critical path where that is asked for.
+Explanation explain(const Network& network, const ExplainOptions& options, const std::string& typed,
+                    Interruption& interruption) {
     CriticalPath path;
+    Recorders recorders(network, options.recorded, &path);
+    GenerationLog searches = log_of(network);
     Explanation explanation;
-    explanation.report =
-        run_netlist(network, known_problems(options.seed),
-                    {.seed = options.seed, .until = options.until, .trace = &path, .interruption = &interruption});
+    explanation.report = run_netlist(network, known_problems(options.seed),
+                                     {.seed = options.seed,
+                                      .until = options.until,
+                                      .trace = recorders.sink(),
+                                      .observer = &searches,
+                                      .interruption = &interruption});
     explanation.accounts = path.accounts();
     explanation.waits_at_links = path.waits_at_links();
     explanation.path = path.parts();
+    recorders.finish({network, explanation.report, options.manifest(typed), searches}, marks_of(explanation.path));
     return explanation;
 }
 
-void require_output(const ExplainOptions& options) {
-    if (options.json.empty())
-        return;
-    require_apart(std::array<std::filesystem::path, 1>{options.json}, options.netlist.file);
-    require_writable(options.json);
+void require_outputs(const ExplainOptions& options) {
+    if (!options.recorded.trace.empty())
+        require_path_format(options.recorded.trace);
+    require_apart(options.outputs(), options.netlist.file);
+    for (const auto& path : options.outputs())
+        if (!path.empty())
+            require_writable(path);
 }
 
 void write_output(const Explanation& explanation, const Network& network, const ExplainOptions& options) {
@@ -87,11 +114,11 @@ ExitCode exit_code_of(const Explanation& explanation) {
                                     : exit_code_of(explanation.report.result.ending);
 }
 
-ExitCode explain(const ExplainOptions& options) {
-    require_output(options);
+ExitCode explain(const ExplainOptions& options, const std::string& typed) {
+    require_outputs(options);
     Network network = load_network(options.netlist);
     InterruptedBySignals interruption;
-    Explanation explanation = explain(network, options, interruption);
+    Explanation explanation = explain(network, options, typed, interruption);
     if (asks_what_if(explanation, options))
         add_answers(explanation, network, options, interruption);
     print_out(print_explanation(explanation, network));
@@ -99,14 +126,18 @@ ExitCode explain(const ExplainOptions& options) {
     return exit_code_of(explanation);
 }
 
-Action declare_explain(CLI::App& command, const std::string&) {
+Action declare_explain(CLI::App& command, const std::string& typed) {
     auto options = std::make_shared<ExplainOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
     add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the explanation for machines");
+    add_file(command, "--trace", options->recorded.trace,
+             "writes a timeline with the critical path in it, for ui.perfetto.dev (.json)");
+    add_file(command, "--page", options->recorded.page,
+             "writes the run as a page to look at in a browser, with the critical path as a line");
     command.add_flag("!--no-what-if", options->what_if, "does not try out what changes of the machine would gain");
-    return [options] { return explain(*options); };
+    return [options, typed] { return explain(*options, typed); };
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/options/time_option.hpp"
+#include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "app/watch.hpp"
@@ -12,13 +13,10 @@
 #include "workbench/convergence.hpp"
 #include "workbench/gnuplot.hpp"
 #include "workbench/manifest.hpp"
-#include "workbench/page/run_page.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/run_report.hpp"
 #include "workbench/search_log.hpp"
 #include "workbench/search_report.hpp"
-#include "workbench/trace/trace_file.hpp"
-#include "workbench/trace/trace_fork.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,15 +35,17 @@ namespace {
 
 struct RunOptions {
     NetlistOptions netlist;
-    std::string json, trace, page, log, convergence; ///< files; "": not written
-    TraceWindow traced;
+    std::string json, log, convergence; ///< files; "": not written
+    RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> shuffle = {};
     std::size_t seeds = 1; ///< from that one on
     bool watch = false;
 
-    std::array<std::filesystem::path, 5> outputs() const { return {json, trace, page, log, convergence}; }
+    std::array<std::filesystem::path, 5> outputs() const {
+        return {json, recorded.trace, recorded.page, log, convergence};
+    }
     bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
     Manifest manifest(const std::string& typed) const {
         return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until, shuffle};
@@ -60,14 +60,14 @@ struct FinishedRun {
 
 void require_outputs(const RunOptions& options) {
     auto outputs = options.outputs();
-    if (options.seeds > 1 && !options.trace.empty())
+    if (options.seeds > 1 && !options.recorded.trace.empty())
         throw UserError(fmt::format("--trace: a timeline is of one run, and --seeds asks for {}", options.seeds));
-    if (options.seeds > 1 && !options.page.empty())
+    if (options.seeds > 1 && !options.recorded.page.empty())
         throw UserError(fmt::format("--page: a page is of one run, and --seeds asks for {}", options.seeds));
-    if (options.traced.is_part() && options.trace.empty() && options.page.empty())
+    if (options.recorded.window.is_part() && options.recorded.trace.empty() && options.recorded.page.empty())
         throw UserError("--trace-from and --trace-until say which part of a run --trace or --page shows");
-    if (!options.trace.empty())
-        require_trace_format(options.trace);
+    if (!options.recorded.trace.empty())
+        require_trace_format(options.recorded.trace);
     if (!options.convergence.empty())
         require_gnuplot();
     require_apart(outputs, options.netlist.file);
@@ -179,43 +179,18 @@ ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     return runs.size() == asked ? ExitCode::success : ExitCode::interrupted;
 }
 
-/// Who is told of the run while it goes on.
-class Recorders {
-public:
-    Recorders(const Network& network, const RunOptions& options) {
-        if (!options.trace.empty())
-            sinks_.push_back(&trace_.emplace(options.trace, network, options.traced).sink());
-        if (!options.page.empty())
-            sinks_.push_back(&page_.emplace(network, options.traced).sink());
-    }
-    /// Null where nobody is.
-    TraceSink* sink() { return sinks_.empty() ? nullptr : &fork_.emplace(sinks_); }
-    void finish(const PageContent& content, const RunOptions& options) {
-        if (page_)
-            write_whole(options.page, page_->html(content));
-        if (trace_)
-            print_warnings(trace_->finish(content.report.result));
-    }
-
-private:
-    std::optional<TraceFile> trace_;
-    std::optional<RunPage> page_;
-    std::vector<TraceSink*> sinks_;
-    std::optional<TraceFork> fork_;
-};
-
 ExitCode run(const RunOptions& options, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
     Network network = load_network(options.netlist);
     require_fit(network, options);
-    Recorders recorders(network, options);
+    Recorders recorders(network, options.recorded);
     std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink());
     std::vector<SeededLog> logs = logs_of(runs);
     print_out(options.seeds == 1 ? print_report(runs.front().report, network, logs.front().log)
                                  : print_runs(network, runs, logs, options.seeds));
     write_files(network, runs, logs, options, manifest);
-    recorders.finish({network, runs.front().report, manifest, logs.front().log}, options);
+    recorders.finish({network, runs.front().report, manifest, logs.front().log});
     return exit_code_of(runs, options.seeds);
 }
 
@@ -233,12 +208,12 @@ void add_searches(CLI::App& command, RunOptions& options) {
 }
 
 void add_trace(CLI::App& command, RunOptions& options) {
-    CLI::Option* trace = add_file(command, "--trace", options.trace,
+    CLI::Option* trace = add_file(command, "--trace", options.recorded.trace,
                                   "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
-    add_time(command, "--trace-from", options.traced.from,
+    add_time(command, "--trace-from", options.recorded.window.from,
              "begins the timeline, or the page, at this moment of the machine's time");
-    add_time(command, "--trace-until", options.traced.until, "ends the timeline, or the page, at this moment");
-    add_count(command, "--trace-limit", options.traced.most_entries,
+    add_time(command, "--trace-until", options.recorded.window.until, "ends the timeline, or the page, at this moment");
+    add_count(command, "--trace-limit", options.recorded.window.most_entries,
               "ends the timeline when it has so many slices and messages")
         ->needs(trace);
 }
@@ -255,7 +230,8 @@ Action declare_run(CLI::App& command, const std::string& typed) {
     add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the report for machines");
     add_searches(command, *options);
-    add_file(command, "--page", options->page, "writes the run as a page to look at in a browser, HTML in one file");
+    add_file(command, "--page", options->recorded.page,
+             "writes the run as a page to look at in a browser, HTML in one file");
     add_trace(command, *options);
     return [options, typed] { return run(*options, typed); };
 }

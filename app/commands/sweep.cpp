@@ -9,6 +9,9 @@
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
+#include "workbench/study/rank_helper.hpp"
+#include "workbench/study/rank_zero.hpp"
+#include "workbench/study/ranks.hpp"
 #include "workbench/study/results.hpp"
 #include "workbench/study/study_file.hpp"
 #include "workbench/study/study_report.hpp"
@@ -22,6 +25,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -108,13 +112,14 @@ std::string print_count(std::uint64_t count) {
 }
 
 /// Of very many runs the user says whether they are meant. Throws UserError where nobody can be asked.
-bool is_meant(const SweepOptions& options, const StudySweep::Missing& missing, std::optional<double> seconds) {
+bool is_meant(const SweepOptions& options, const StudySweep::Missing& missing, std::size_t at_once,
+              std::optional<double> seconds) {
     if (missing.runs <= most_unasked || options.yes || !seconds)
         return true;
     std::string many = fmt::format(
         "{}{} runs of about {:.3g} s, {} on {}", missing.exact ? "" : "up to ", print_count(missing.runs), *seconds,
-        print_duration(*seconds * static_cast<double>(missing.runs) / static_cast<double>(options.jobs)),
-        counted(options.jobs, "core"));
+        print_duration(*seconds * static_cast<double>(missing.runs) / static_cast<double>(at_once)),
+        counted(at_once, "core"));
     if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
         throw UserError(many + "; --yes begins with them");
     fmt::print(stderr, "{}. Begin? [y/N] ", many);
@@ -164,21 +169,34 @@ std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& 
 
 /// False when it was interrupted, or not meant.
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
-                       Interruption& interruption) {
+                       Interruption& interruption, RankZero* others) {
     StudySweep sweep(study, results);
     sweep.try_measures(interruption);
     StudySweep::Missing missing = sweep.missing();
     bool asks = missing.runs > most_unasked && !options.yes;
-    if (!is_meant(options, missing, asks ? sweep.seconds_a_run(interruption) : std::nullopt))
+    std::size_t at_once = options.jobs * (others ? others->ranks() : 1);
+    if (!is_meant(options, missing, at_once, asks ? sweep.seconds_a_run(interruption) : std::nullopt))
         return false;
     SweepProgress progress(missing);
-    sweep.run(workers_for(missing, options), interruption, [&](std::uint64_t ended) { progress.show(ended); });
+    std::function<bool(bool)> serve;
+    if (others) {
+        others->begin(sweep, results.source());
+        serve = [&](bool stopped) { return others->serve(stopped); };
+    }
+    sweep.run(
+        workers_for(missing, options), interruption, [&](std::uint64_t ended) { progress.show(ended); }, serve);
     return !interruption.requested();
 }
 
-ExitCode sweep(const SweepOptions& typed) {
-    SweepOptions options = typed;
-    options.jobs = options.jobs == 0 ? count_cores() : options.jobs;
+/// As a rank other than 0.
+ExitCode help(Ranks& ranks, const SweepOptions& options) {
+    InterruptedBySignals interruption;
+    RankHelper(ranks, options.jobs).help([&] { return study_of(options); }, interruption);
+    return ExitCode::success;
+}
+
+/// With the others, where this is rank 0 of several.
+ExitCode sweep(const SweepOptions& options, RankZero* others) {
     Study study = study_of(options);
     for (const std::string& measure : study.measures)
         StudyMeasure{measure};
@@ -186,7 +204,7 @@ ExitCode sweep(const SweepOptions& typed) {
     StudyResults results(results_of(options), source_of(study, network), options.any_version);
     InterruptedBySignals interruption;
     results.set_measures(study.measures);
-    bool whole = make_missing_runs(study, options, results, interruption);
+    bool whole = make_missing_runs(study, options, results, interruption, others);
     if (interruption.requested()) {
         say_interrupted(results);
         return ExitCode::interrupted;
@@ -195,6 +213,19 @@ ExitCode sweep(const SweepOptions& typed) {
         print_out(print_summary(summary_of(results, {}, &study)) +
                   fmt::format("\nresults: {}\n", results.path().string()));
     return ExitCode::success;
+}
+
+ExitCode sweep(const SweepOptions& typed) {
+    std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
+    SweepOptions options = typed;
+    if (options.jobs == 0)
+        options.jobs = ranks ? 1 : count_cores();
+    if (!ranks)
+        return sweep(options, nullptr);
+    if (ranks->own() > 0)
+        return help(*ranks, options);
+    RankZero others(*ranks);
+    return sweep(options, &others);
 }
 
 void add_size(CLI::App& command, SweepOptions& options) {
@@ -210,7 +241,10 @@ void add_size(CLI::App& command, SweepOptions& options) {
             "--until", [&](const std::string& text) { options.until = parse_time(text); },
             "stops a run at this moment of the machine's time")
         ->type_name("TIME");
-    command.add_option("--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said")
+    command
+        .add_option("--jobs", options.jobs,
+                    "so many runs at once; as many as there are cores if nothing is said, "
+                    "one in each rank of mpirun")
         ->type_name("N")
         ->check(not_a_whole_number);
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 
@@ -64,9 +65,13 @@ std::vector<Result> contest(std::uint64_t seeds, std::uint64_t most_evaluations)
     for (const auto& group : {ours(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({.contestant = contestant, .needed = {}, .seconds = {}});
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) // in turn, so that a busy moment of the machine meets everybody
+    // In turn, so that a busy moment of the machine meets everybody; a dot for each seed, since all take minutes.
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         for (Result& result : results)
             result.run(seed, most_evaluations);
+        fmt::print(stderr, ".");
+    }
+    fmt::print(stderr, "\n");
     return results;
 }
 
@@ -93,6 +98,7 @@ int main(int argc, char** argv) {
     }
     fmt::print("Rastrigin's function in {} dimensions to {}: at most {} evaluations; {} seeds\n\n", Valley::dimensions,
                Valley::target, most, seeds);
+    std::fflush(stdout);
     auto results = contest(static_cast<std::uint64_t>(seeds), static_cast<std::uint64_t>(most));
     fmt::print("{:40}{:^30}{:>11}{:>9}\n", "", "evaluations needed", "seconds,", "ns an");
     fmt::print("{:<31}{:>9}{:>12}{:>9}{:>9}{:>10}{:>12}\n", "", "reached", "P10", "median", "P90", "median",

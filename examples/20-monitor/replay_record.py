@@ -13,6 +13,7 @@ import argparse
 import csv
 import json
 import math
+import pathlib
 import re
 import signal
 import socket
@@ -78,51 +79,64 @@ def valve_of(fields):
     return ()
 
 
+def usable(path, columns):
+    """The columns that a message takes: a link's field and the factor, None for those that it does not."""
+    links = {}
+    for what, _ in columns:
+        if what and what != "time":
+            links.setdefault(what[0], []).append(what[1])
+    taken = {"time"}
+    for symbol, fields in links.items():
+        if valve_of(fields) and "inlet_psi" in fields and "angle_deg" in fields:
+            taken |= {(symbol, field) for field in ("inlet_psi", "angle_deg", *valve_of(fields))}
+    if taken == {"time"}:
+        raise Refused(f"{path}: no link has inlet_pressure, angle and one of spool, servo, inlet_area with bypass_area")
+    return [(what, scale) if what in taken else (None, 1) for what, scale in columns]
+
+
+def read_sample(columns, row):
+    """A row as a message. Raises ValueError for a cell that is needed and no number."""
+    time_s, links = 0, {}
+    for (what, scale), cell in zip(columns, row):
+        if what is None:
+            continue
+        value = float(cell) * scale
+        if what == "time":
+            time_s = value
+        else:
+            symbol, field = what
+            links.setdefault(symbol, {})[field] = max(value, 0.0) if field == "spool_in" else value  # noise about 0
+    return {"type": "sample", "time_s": time_s, "links": links}
+
+
 def read_record(path):
-    """The samples as messages, and the links they are about."""
+    """The samples as messages."""
     with open(path, newline="", encoding="utf-8-sig") as file:
         rows = [row for row in csv.reader(line for line in file if not line.startswith("#")) if row]
     if not rows:
         raise Refused(f"{path}: there is no header")
-    columns, samples = read_header(path, rows[0]), []
+    columns, samples = usable(path, read_header(path, rows[0])), []
     for number, row in enumerate(rows[1:], 1):
         if len(row) != len(columns):
             raise Refused(f"{path}: sample {number} has {len(row)} values, expected {len(columns)}")
-        links, time_s = {}, 0
-        for (what, scale), cell in zip(columns, row):
-            try:
-                value = float(cell) * scale if what else 0
-            except ValueError:
-                raise Refused(f"{path}: sample {number}: {cell!r} is no number") from None
-            if what == "time":
-                time_s = value
-            elif what:
-                links.setdefault(what[0], {})[what[1]] = value
-        samples.append({"type": "sample", "time_s": time_s, "links": usable(links)})
-    if not samples or not samples[0]["links"]:
-        raise Refused(f"{path}: no link has inlet_pressure, angle and one of spool, servo, inlet_area with bypass_area")
+        try:
+            samples.append(read_sample(columns, row))
+        except ValueError as error:
+            raise Refused(f"{path}: sample {number}: {error}") from None
+    if not samples:
+        raise Refused(f"{path}: there are no samples")
     return samples
-
-
-def usable(links):
-    """Of each link that has what it takes, just that."""
-    chosen = {}
-    for symbol, fields in links.items():
-        valve = valve_of(fields)
-        if valve and "inlet_psi" in fields and "angle_deg" in fields:
-            chosen[symbol] = {name: fields[name] for name in ("inlet_psi", "angle_deg", *valve)}
-            if "spool_in" in chosen[symbol]:
-                chosen[symbol]["spool_in"] = max(chosen[symbol]["spool_in"], 0.0)  # sensor noise about 0
-    return chosen
 
 
 class Monitor:
     """A connection to the service."""
 
-    def __init__(self, address, port):
+    def __init__(self, address, port, token):
         self.socket = socket.create_connection((address, port), timeout=30)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.lines = self.socket.makefile("r", encoding="utf-8")
+        if token:
+            self.ask({"type": "token", "token": token}, "accepted")
 
     def send(self, message):
         self.socket.sendall(json.dumps(message).encode() + b"\n")
@@ -196,6 +210,7 @@ def arguments():
     parser.add_argument("--speed", type=float, default=1, help="times real time; 0: as fast as it is answered")
     parser.add_argument("--address", default="127.0.0.1")
     parser.add_argument("--port", type=int, help="where the monitor listens")
+    parser.add_argument("--token-file", type=pathlib.Path, metavar="FILE", help="what the monitor wants to be told")
     parser.add_argument("--start", action="store_true", help="starts a monitor for this replay")
     parser.add_argument("--machine", default="digger")
     parser.add_argument("--configuration", default="a", choices="abcde", help="of the main valve")
@@ -215,7 +230,8 @@ def main():
         records = [read_record(path) for path in options.records]
         if options.start:
             service, options.port = start_service()
-        monitor = Monitor(options.address, options.port)
+        token = options.token_file.read_text(encoding="utf-8").strip() if options.token_file else None
+        monitor = Monitor(options.address, options.port, token)
         period_s = round(records[0][1]["time_s"] - records[0][0]["time_s"], 9) if len(records[0]) > 1 else 0.02
         monitor.ask({"type": "hello", "version": 1, "machine": options.machine, "period_s": period_s}, "welcome")
         end_s = None

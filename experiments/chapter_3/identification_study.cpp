@@ -70,7 +70,7 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
         comparison.add(compared_cell(row, level.name, unit, bound.known, value, decimals));
         comparison.cells.back().at_most = bound.most;
     };
-    Study all = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
+    SearchStudy all = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
     add("error, median", "%", level.median_percent, all.median_percent(), 2);
     add("  90th percentile", "%", level.ninetieth_percent, all.ninetieth_percent(), 2);
     if (!level.ninetieth_percent.most)
@@ -80,7 +80,7 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
     // One search in thirty is 5 codes off or more: in one of 400 studies so are a tenth of its 50.
     add("codes from the best of all, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
     add("codes from that to the best in SI, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
-    Study rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
+    SearchStudy rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
     add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
     comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
 }
@@ -127,7 +127,7 @@ std::vector<Variant> variants() {
 }
 
 void add_variant(Comparison& comparison, const Variant& variant, const Transients& transients, const Seeds& seeds) {
-    Study result = study(transients, variant.way, seeds);
+    SearchStudy result = study(transients, variant.way, seeds);
     auto add = [&](const char* column, double value, int decimals) {
         comparison.add(plain_cell(variant.name, column, "", value, decimals)); // the columns' units differ
     };
@@ -156,7 +156,7 @@ Comparison variants_comparison(std::string name, const std::vector<Variant>& all
 
 Series distribution(const NoiseLevel& level, const Seeds& seeds) {
     Series series{level.name, {{0, 0}}};
-    Study result = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
+    SearchStudy result = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
     for (std::size_t i = 1; i <= seeds.size(); ++i) {
         double share = static_cast<double>(i) / static_cast<double>(seeds.size()),
                error = quantile(result.error_percent, share);

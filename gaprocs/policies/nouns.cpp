@@ -5,6 +5,7 @@
 #include "gaprocs/policies/crossover.hpp"
 #include "gaprocs/policies/emigration.hpp"
 #include "gaprocs/policies/forms.hpp"
+#include "gaprocs/policies/initial_population.hpp"
 #include "gaprocs/policies/island_choice.hpp"
 #include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
@@ -42,17 +43,17 @@ Noun also_called(std::vector<std::string> words, Noun noun) {
     return noun;
 }
 
-Noun representation() {
-    Noun noun = noun_of<Coding>();
-    noun.forms = {forms::permutation()};
+/// The same, with a way that is no policy.
+Noun with_form(Noun noun, Form form) {
+    noun.forms.push_back(std::move(form));
     return noun;
 }
 
 } // namespace
 
 std::vector<Noun> policy_nouns() {
-    return {also_called({"encoding", "genome"}, representation()),
-            forms::initial_population(),
+    return {also_called({"encoding", "genome"}, with_form(noun_of<Coding>(), forms::permutation())),
+            also_called({"population"}, with_form(noun_of<InitialPopulation>(), forms::predefined())),
             forms::fitness(),
             forms::window(),
             noun_of<Reproduction>(),

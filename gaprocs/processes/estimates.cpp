@@ -4,8 +4,12 @@
 #include "gaprocs/processes/peers.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/timer.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -40,7 +44,11 @@ void measure_individual(ProcessEnvironment& environment, const SearchProblem& pr
 
 Estimates::Estimates(ProcessEnvironment& environment, const ProblemRegistry& problems)
     : environment_(environment), problems_(problems), inputs_(environment.inputs<EstimateMessage>("from_masters")),
-      last_(inputs_.size()) {
+      last_(inputs_.size()), accuracy_(environment.real("accuracy")) {
+    if (accuracy_ > 0 && problems.find(environment.text("problem")).problem()->true_parameters().empty())
+        throw UserError(fmt::format("accuracy = {}, but nobody knows the true parameters of \"{}\": they are known of "
+                                    "a record that is simulated",
+                                    accuracy_, environment.text("problem")));
     for (const Peer& search : peers_at(environment.network(), environment.index(), "from_masters"))
         processes_.push_back(search.process);
 }
@@ -51,7 +59,21 @@ void Estimates::receive(std::size_t search) {
     for (EstimateMessage estimate = inputs_[search].input(); !estimate.end; estimate = inputs_[search].input()) {
         note(processes_[search], estimate);
         last_[search] = std::move(estimate);
+        if (accuracy_ > 0)
+            judge_fittest();
     }
+}
+
+void Estimates::judge_fittest() {
+    const std::vector<double> truth = problems_.find(environment_.text("problem")).problem()->true_parameters();
+    const std::vector<double> found = values_of(fittest());
+    bool accurate = std::equal(truth.begin(), truth.end(), found.begin(), found.end(), [&](double wanted, double is) {
+        return std::abs(is - wanted) <= accuracy_ * std::abs(wanted);
+    });
+    if (!accurate)
+        accurate_since_.reset();
+    else if (!accurate_since_)
+        accurate_since_ = now();
 }
 
 /// A search that is on no processor answers at the very time at which it takes a sample: perhaps before that is noted.
@@ -74,18 +96,32 @@ void Estimates::report() const {
     report_fittest();
 }
 
-/// Read as its search codes the problem's strings.
-void Estimates::report_fittest() const {
+std::size_t Estimates::fittest() const {
     std::size_t fittest = searches();
     for (std::size_t search = 0; search < searches(); ++search)
         if (last_[search].generation > 0 &&
             (fittest == searches() || last_[search].best.fitness > last_[fittest].best.fitness))
             fittest = search;
-    const ProcessInstance& process = environment_.network().processes[processes_[fittest]];
+    return fittest;
+}
+
+/// What a search's last estimate stands for, read as that search codes the problem's strings.
+std::vector<double> Estimates::values_of(std::size_t search) const {
+    return problem_of(search)->decode(last_[search].best.genome);
+}
+
+void Estimates::report_fittest() const {
+    std::size_t best = fittest();
+    environment_.measure("best_of", environment_.network().processes[processes_[best]].name);
+    measure_individual(environment_, *problem_of(best), last_[best].best, values_of(best));
+    if (accurate_since_)
+        environment_.measure("accurate_after", in_milliseconds(*accurate_since_), "ms");
+}
+
+std::shared_ptr<const SearchProblem> Estimates::problem_of(std::size_t search) const {
+    const ProcessInstance& process = environment_.network().processes[processes_[search]];
     auto coding = Coding::named(std::get<std::string>(process.parameters.at("coding")));
-    auto problem = problems_.find(environment_.text("problem")).problem()->coded(coding);
-    environment_.measure("best_of", process.name);
-    measure_individual(environment_, *problem, last_[fittest].best, problem->decode(last_[fittest].best.genome));
+    return problems_.find(environment_.text("problem")).problem()->coded(coding);
 }
 
 } // namespace placedpar

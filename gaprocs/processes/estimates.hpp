@@ -7,16 +7,19 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace placedpar {
 
 /// What the searches send back to their host, and how long each took: from when a search had taken a sample until its
-/// estimate of that sample had come.
+/// estimate of that sample had come; and since when the fittest of them has been accurate.
 class Estimates {
 public:
     /// REQUIRES: a network that has passed check_host(), so that every estimate comes from a search that takes samples
-    /// of this host. Both must outlive it.
+    /// of this host. Both must outlive it. Throws UserError where an accuracy is asked for of a problem whose record
+    /// was not simulated.
     Estimates(ProcessEnvironment&, const ProblemRegistry&);
 
     /// How many searches send any.
@@ -32,6 +35,11 @@ public:
 
 private:
     void note(std::size_t process, const EstimateMessage&);
+    /// The last estimate that is the fittest; searches() where none has come.
+    std::size_t fittest() const;
+    std::shared_ptr<const SearchProblem> problem_of(std::size_t search) const;
+    std::vector<double> values_of(std::size_t search) const;
+    void judge_fittest();
     void report_fittest() const;
 
     ProcessEnvironment& environment_;
@@ -42,6 +50,8 @@ private:
     std::map<std::size_t, std::vector<Time>> taken_{}; ///< by process: when it had taken each sample
     std::size_t received_ = 0;
     Time response_{}, longest_{};
+    double accuracy_; ///< how far the fittest may be from the truth, as a part of it; 0: not judged
+    std::optional<Time> accurate_since_{}; ///< has been that near
 };
 
 /// What an individual is worth and stands for, as measurements of the process. `values`: decoded, none where the

@@ -80,28 +80,35 @@ private:
 ProcessKind host_kind(const ProblemRegistry& problems) {
     using namespace search_description;
     using namespace description;
-    return {.name = "ga.host",
-            .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
-                     "they take it, and takes the estimates that come back.",
-            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
-                      optional(input<EstimateMessage>("from_masters", "estimate",
-                                                      "an array: one end for each master whose estimates come back"))},
-            .parameters = {problem(),
-                           integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
-                                   "how many samples of the record are sent; 0: all"),
-                           integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
-                                   "how long a problem without a record is searched; each is asked for by an empty "
-                                   "sample"),
-                           bytes_in_message("sample_bytes", 16, "a sample in a message")},
-            .measurements = {{"estimates", "", "how many came back"},
-                             {"response", "ms",
-                              "from when a master had taken a sample until its estimate of it had come: the mean"},
-                             {"longest_response", "ms", "the longest of these"},
-                             {"best_of", "", "the master whose last estimate is the fittest"},
-                             {"the problem's parameters", "", "as decoded from that estimate"}},
-            .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
-            .check = [&problems](const Network& network,
-                                 std::size_t process) { return check_host(network, process, problems); }};
+    return {
+        .name = "ga.host",
+        .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
+                 "they take it, and takes the estimates that come back.",
+        .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
+                  optional(input<EstimateMessage>("from_masters", "estimate",
+                                                  "an array: one end for each master whose estimates come back"))},
+        .parameters = {problem(),
+                       integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                               "how many samples of the record are sent; 0: all"),
+                       integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
+                               "how long a problem without a record is searched; each is asked for by an empty "
+                               "sample"),
+                       bytes_in_message("sample_bytes", 16, "a sample in a message"),
+                       real("accuracy", {.by_default = 0, .least = 0, .most = 1},
+                            "how far the fittest estimate may be from the true parameters of a simulated record, as "
+                            "a part of them, to be accurate; 0: nobody looks")},
+        .measurements = {{"estimates", "", "how many came back"},
+                         {"response", "ms",
+                          "from when a master had taken a sample until its estimate of it had come: the mean"},
+                         {"longest_response", "ms", "the longest of these"},
+                         {"accurate_after", "ms",
+                          "from the beginning until the fittest estimate has come to be accurate for good; absent "
+                          "where it is not in the end"},
+                         {"best_of", "", "the master whose last estimate is the fittest"},
+                         {"the problem's parameters", "", "as decoded from that estimate"}},
+        .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
+        .check = [&problems](const Network& network,
+                             std::size_t process) { return check_host(network, process, problems); }};
 }
 
 } // namespace placedpar

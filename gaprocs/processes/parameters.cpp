@@ -1,6 +1,7 @@
 #include "gaprocs/processes/parameters.hpp"
 
 #include "gaprocs/initial_population.hpp"
+#include "gaprocs/policies/initial_population.hpp"
 #include "gaprocs/processes/search_description.hpp"
 #include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
@@ -37,9 +38,9 @@ void set_policy(Step& usual, const std::string& text) {
 /// None where all are drawn by the search.
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
-    if (initial.empty())
+    if (initial.empty() || initial == RandomStart::name)
         return {};
-    if (initial != search_description::spread)
+    if (initial != SpreadStart::name)
         return load_population(initial, problem.representation());
     RandomStream random = environment.random_stream(stream_name(environment) + " spread");
     return spread_population(size(environment, "population"), problem, random);

@@ -3,12 +3,17 @@
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/policies/coding.hpp"
 #include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/initial_population.hpp"
 #include "gaprocs/policies/mutation.hpp"
 #include "gaprocs/policies/reproduction.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/settings.hpp"
 #include "netlist/kinds/description.hpp"
+#include "text/user_error.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <utility>
 
 namespace placedpar::search_description {
@@ -28,6 +33,25 @@ Parameters population_parameters() {
         deciding("window", integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
                                    "generations for each new sample (thesis 4.3)")),
     };
+}
+
+/// A file that is there, or one of the policies. "" is the first of them.
+void check_initial(const std::string& text) {
+    if (text.empty() || std::filesystem::exists(text))
+        return;
+    try {
+        InitialPopulation::named(text);
+    } catch (const UserError& no_policy) {
+        throw UserError(fmt::format("there is no file of this name; else {}", no_policy.what()));
+    }
+}
+
+ParameterDescription initial() {
+    auto description = policy<InitialPopulation>("initial", InitialPopulation().text(),
+                                                 "where the search begins; or a file with the first of the first "
+                                                 "population, a string in each line: the others are drawn at random");
+    description.check = check_initial;
+    return description;
 }
 
 Parameters operator_parameters() {
@@ -56,10 +80,7 @@ Parameters operator_parameters() {
                                "permutations inversion)"),
         policy<Coding>("coding", Coding().text(),
                        "how a field of the string stands for a number (thesis: natural); the slaves are told"),
-        deciding("initial-population", text("initial", {.by_default = ""},
-                                            "a file with the first of the first population, a string in each line; the "
-                                            "others are drawn at random. Or \"spread\": the codes of each field evenly "
-                                            "over its range")),
+        initial(),
         text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
     };
 }
@@ -87,8 +108,11 @@ ParameterDescription problem() {
 }
 
 ParameterDescription cycles_per_error() {
-    return description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
-                                "workload: one individual's error at one sample");
+    auto parameter =
+        description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
+                             "workload: one individual's error at one sample");
+    parameter.computes_reals = true;
+    return parameter;
 }
 
 ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about) {

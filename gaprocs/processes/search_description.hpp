@@ -34,8 +34,6 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
 
 /// What a netlist says of a step that is to take the policy that suits the problem: usual_settings().
 inline constexpr std::string_view usual = "usual";
-/// What it says of a first population that covers the range of each field: spread_population().
-inline constexpr std::string_view spread = "spread";
 
 /// The same, by default the one that suits the problem.
 template <class Step>

@@ -50,7 +50,13 @@ LinkCalibrations boom_calibrations(const LinkMechanics& boom) {
 
 std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable) {
-    Record measured = measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, noise, uniform);
+    return boom_record(simulate_excavator(scenario), scenario, noise, uniform, usable);
+}
+
+std::vector<std::vector<double>> boom_record(const ExcavatorMotion& motion, const ExcavatorScenario& scenario,
+                                             const MeasurementNoise& noise, const UniformSource& uniform,
+                                             const UsableSamples& usable) {
+    Record measured = measure_excavator(motion, scenario, sampling_period_s, noise, uniform);
     Circuit circuit = boom_circuit();
     auto samples = circuit_samples(measured, circuit, boom_calibrations(scenario.links.front().mechanics));
     std::vector<std::vector<double>> record;

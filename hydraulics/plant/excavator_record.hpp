@@ -24,5 +24,9 @@ LinkCalibrations boom_calibrations(const LinkMechanics& boom);
 /// takes the usable samples, as plain numbers in the order of LinkSample.
 std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable = {});
+/// The same of a motion that has been simulated. REQUIRES: it is the scenario's.
+std::vector<std::vector<double>> boom_record(const ExcavatorMotion& motion, const ExcavatorScenario& scenario,
+                                             const MeasurementNoise& noise, const UniformSource& uniform,
+                                             const UsableSamples& usable = {});
 
 } // namespace placedpar::hydraulics

@@ -100,6 +100,8 @@ json::object verdict_json(const LinkVerdict& link) {
     };
     auto error = [&](Way way, double unit) { return rounded(unit * verdict.deviation.standard_error(way)); };
     const WayUnits& units = link.units;
+    // Areas that are read themselves have none.
+    const bool knows_offset = verdict.deviation.by[static_cast<Eigen::Index>(Way::offset)] != 0;
     return {{"verdict", name_of(verdict.kind)},
             {"probability", rounded(verdict.probability)},
             {"movements", verdict.movements},
@@ -107,8 +109,8 @@ json::object verdict_json(const LinkVerdict& link) {
             {"compliance_error_in3_per_psi", error(Way::compliance, units.compliance_in3_per_psi)},
             {"leak_in3_per_s_psi", by(Way::leak, units.leak_in3_per_s_psi)},
             {"leak_error_in3_per_s_psi", error(Way::leak, units.leak_in3_per_s_psi)},
-            {"offset_in", by(Way::offset, units.offset_in)},
-            {"offset_error_in", error(Way::offset, units.offset_in)}};
+            {"offset_in", knows_offset ? by(Way::offset, units.offset_in) : json::value(nullptr)},
+            {"offset_error_in", knows_offset ? error(Way::offset, units.offset_in) : json::value(nullptr)}};
 }
 
 json::object check_json(const Diagnosis& diagnosis, Link link) {

@@ -1,10 +1,13 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
+#include "runtime/hardware/router.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace placedpar {
 
@@ -70,6 +73,61 @@ void check_tolerance(Completion& c) {
             "routecost and linkquota choose routes here, and place tells a channel its own");
 }
 
+/// How many channels travel in packets by each node, from it or to it.
+std::vector<std::int64_t> channels_in_packets(const Network& network) {
+    std::vector<std::int64_t> counts(network.nodes.size(), 0);
+    for (const NetworkChannel& channel : network.channels) {
+        if (!channel.placement.in_packets)
+            continue;
+        ++counts[begin_of(channel.placement.route.front(), network.connections).node];
+        for (const RouteHop& hop : channel.placement.route)
+            ++counts[end_of(hop, network.connections).node];
+    }
+    return counts;
+}
+
+/// A warning, since nothing else that lies in the memory is known.
+void check_room_for_packets(Completion& c) {
+    const std::vector<std::int64_t> channels = channels_in_packets(c.network);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const Node& node = c.network.nodes[i];
+        const std::int64_t room = channels[i] * hardware::Route::room;
+        if (node.attributes.contains("memory") && room > node.integer("memory"))
+            c.reporter.warning(node.declared,
+                               fmt::format("\"{}\" has {} bytes of memory; the packets of the {} channels that lead "
+                                           "there, or through it, need {}",
+                                           node.name, node.integer("memory"), channels[i], room),
+                               "give it more, or lead channels elsewhere: routecost, place p.out on LINK;");
+    }
+}
+
+/// The parameter whose default is not what the node takes that the process is placed on, if there is one.
+const ParameterDescription* wants_floating_point_unit(const Completion& c, std::size_t process) {
+    const ProcessInstance& instance = c.network.processes[process];
+    if (c.kinds[process] == nullptr || c.network.nodes[instance.node].floating_point_unit)
+        return nullptr;
+    for (const ParameterDescription& parameter : c.kinds[process]->parameters)
+        if (parameter.computes_reals && !instance.given.contains(parameter.name))
+            return &parameter;
+    return nullptr;
+}
+
+/// Said once.
+void check_floating_point(Completion& c) {
+    for (std::size_t i = 0; i < c.network.processes.size(); ++i)
+        if (const ParameterDescription* parameter = wants_floating_point_unit(c, i)) {
+            const ProcessInstance& process = c.network.processes[i];
+            const Node& node = c.network.nodes[process.node];
+            return c.reporter.warning(
+                process.declared,
+                fmt::format("\"{}\" computes with real numbers, and \"{}\", a {}, has no floating-point unit: {} = {} "
+                            "is a T800's",
+                            process.name, node.name, node.type, parameter->name,
+                            std::get<std::int64_t>(*parameter->default_value)),
+                fmt::format("say what it takes there: {} ({} = ...);", process.name, parameter->name));
+        }
+}
+
 } // namespace
 
 void complete_checks(Completion& c) {
@@ -86,6 +144,10 @@ void complete_checks(Completion& c) {
         if (c.kinds[i] != nullptr && c.kinds[i]->check)
             for (const auto& complaint : c.kinds[i]->check(c.network, i))
                 report(c, complaint);
+    if (c.reporter.failed())
+        return;
+    check_floating_point(c);
+    check_room_for_packets(c);
 }
 
 } // namespace placedpar

@@ -5,6 +5,7 @@
 #include "netlist/kinds/environment.hpp"
 #include "netlist/kinds/packet.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +22,25 @@ namespace {
 using description::packet_bytes;
 using description::packet_count;
 using description::packet_cycles;
+using description::packet_words;
 using description::packets_in;
 using description::packets_out;
 
 Packet first_packet(const ProcessEnvironment& environment) {
     return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
 }
+
+/// The computation for a packet.
+class Work {
+public:
+    explicit Work(const ProcessEnvironment& environment)
+        : cycles_{environment.integer("cycles")}, grain_{.words_outside = environment.integer("words")} {}
+    void compute() const { placedpar::compute(cycles_, grain_); }
+
+private:
+    Cycles cycles_;
+    Grain grain_;
+};
 
 // Each process passes a stated number of packets and then ends. Textbooks let these processes run for ever; here a
 // network of them ends, so that its run can be compared with another. A process that ends sooner than its neighbour
@@ -37,11 +51,11 @@ Packet first_packet(const ProcessEnvironment& environment) {
 template <class HandOn>
 void relay(ProcessEnvironment& environment, HandOn hand_on) {
     auto from = environment.input<Packet>("in");
-    Cycles work{environment.integer("cycles")};
+    const Work work(environment);
     std::int64_t packets = environment.integer("count");
     for (std::int64_t i = 0; i < packets; ++i) {
         Packet packet = from.input();
-        compute(work);
+        work.compute();
         hand_on(packet, i + 1 == packets);
     }
 }
@@ -49,9 +63,9 @@ void relay(ProcessEnvironment& environment, HandOn hand_on) {
 void produce(ProcessEnvironment& environment) {
     auto to = environment.output<Packet>("out");
     Packet packet = first_packet(environment);
-    Cycles work{environment.integer("cycles")};
+    const Work work(environment);
     for (std::int64_t i = 0; i < environment.integer("count"); ++i) {
-        compute(work);
+        work.compute();
         packet.number = i;
         to.output(packet);
     }
@@ -77,6 +91,12 @@ void delta(ProcessEnvironment& environment) {
         for (auto& each : to)
             each.output(packet);
     });
+}
+
+void par_delta(ProcessEnvironment& environment) {
+    auto to = environment.outputs<Packet>("out");
+    relay(environment,
+          [&](const Packet& packet, bool) { par_for(to.size(), [&](std::size_t i) { to[i].output(packet); }); });
 }
 
 void successor(ProcessEnvironment& environment) {
@@ -126,7 +146,7 @@ ProcessKind producer_kind() {
     return {.name = "csp.producer",
             .about = "Outputs numbered packets.",
             .ports = {packets_out()},
-            .parameters = {packet_count(), packet_bytes(), packet_cycles()},
+            .parameters = {packet_count(), packet_bytes(), packet_cycles(), packet_words()},
             .body = produce,
             .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
@@ -136,7 +156,7 @@ ProcessKind relay_kind(std::string name, std::string about, std::function<void(P
     return {.name = std::move(name),
             .about = std::move(about),
             .ports = {packets_in(), packets_out()},
-            .parameters = {packet_count(), packet_cycles()},
+            .parameters = {packet_count(), packet_cycles(), packet_words()},
             .body = std::move(body),
             .promela = relayed(handed_on)};
 }
@@ -149,7 +169,7 @@ ProcessKind prefix_kind() {
     return {.name = "csp.prefix",
             .about = "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
             .ports = {packets_in(), packets_out()},
-            .parameters = {packet_count(), packet_bytes(), packet_cycles()},
+            .parameters = {packet_count(), packet_bytes(), packet_cycles(), packet_words()},
             .body = prefix,
             .promela = [](const PromelaProcess& self) {
                 return self.channel("out") + " ! m;\n" + relayed(handed_on_but_the_last)(self);
@@ -160,6 +180,16 @@ ProcessKind delta_kind() {
     return relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta);
 }
 
+/// Without a model in Promela: its components would be processes of their own there.
+ProcessKind par_delta_kind() {
+    ProcessKind kind = relay_kind("csp.par_delta",
+                                  "Outputs what it inputs to all of its outputs, an array, at once: in a PAR. On "
+                                  "channels that are placed on a bus it is a broadcast.",
+                                  par_delta);
+    kind.promela = {};
+    return kind;
+}
+
 ProcessKind successor_kind() {
     return relay_kind("csp.successor", "Outputs what it inputs with the number one higher.", successor);
 }
@@ -168,7 +198,7 @@ ProcessKind consumer_kind() {
     return {.name = "csp.consumer",
             .about = "Takes packets in and measures how fast they come.",
             .ports = {packets_in()},
-            .parameters = {packet_count(), packet_cycles()},
+            .parameters = {packet_count(), packet_cycles(), packet_words()},
             .measurements = {{"time", "ms", "from its start to the last packet"},
                              {"last_number", "", "the number of the last packet"},
                              {"time_per_packet", "us", "mean"},
@@ -180,8 +210,9 @@ ProcessKind consumer_kind() {
 } // namespace
 
 void add_csp_kinds(Catalogue& catalogue) {
-    for (auto kind : {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), successor_kind(), consumer_kind(),
-                      sender_or_fail_kind(), receiver_or_fail_kind(), switch_logic_kind(), switch_setter_kind()})
+    for (auto kind :
+         {producer_kind(), identity_kind(), prefix_kind(), delta_kind(), par_delta_kind(), successor_kind(),
+          consumer_kind(), sender_or_fail_kind(), receiver_or_fail_kind(), switch_logic_kind(), switch_setter_kind()})
         catalogue.add(std::move(kind));
 }
 

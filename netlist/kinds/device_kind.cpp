@@ -24,6 +24,7 @@ NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceMo
     type.preset.type = model.type.empty() ? model.name : model.type;
     type.preset.kind = kind;
     type.preset.overlapped_acknowledge = model.overlapped_acknowledge;
+    type.preset.floating_point_unit = model.floating_point_unit;
     type.preset.attributes = model.attributes;
     for (const auto& attribute : kind->attributes)
         type.preset.attributes.emplace(attribute.value.name, attribute.value.default_value.value());

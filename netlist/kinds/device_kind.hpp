@@ -64,6 +64,7 @@ struct DeviceModel {
     int links = 0;         ///< link[0] to link[links - 1]
     std::map<std::string, Value, std::less<>> attributes = {}; ///< those that differ from the kind's defaults
     bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while it comes in
+    bool floating_point_unit = true;                           ///< as of Node
     bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
 };
 

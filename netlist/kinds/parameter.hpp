@@ -22,6 +22,8 @@ struct ParameterDescription {
     std::string about;                  ///< one line
     /// For text that is more than a word: throws UserError, saying what would be right. `choices` are then examples.
     std::function<void(const std::string&)> check = {};
+    /// Of cycles: they are of real numbers, and the default is what a processor with a unit for those takes.
+    bool computes_reals = false;
     std::string noun = ""; ///< what it decides, by a name under which the program tells more; "" where it does not
 };
 

@@ -15,11 +15,16 @@ namespace placedpar {
 
 namespace {
 
+/// T805, T801, T800.
+bool has_floating_point_unit(const std::string& chip) { return chip.starts_with("T80"); }
+
 DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool overlapped_acknowledge) {
+    const bool floating_point_unit = has_floating_point_unit(name);
     return {.name = std::move(name),
             .links = links,
             .attributes = {{"memory", memory_bytes}},
-            .overlapped_acknowledge = overlapped_acknowledge};
+            .overlapped_acknowledge = overlapped_acknowledge,
+            .floating_point_unit = floating_point_unit};
 }
 
 /// Memory: on the chip. The M212 has two links for the network; two of its four lead to its disk ports.
@@ -104,8 +109,9 @@ std::vector<AttributeDescription> transputer_attributes() {
             attribute.drawn = megahertz;
     attributes.push_back(
         {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-                                       "of an access to a word of the memory in which its messages lie; 0: 3, 2 of a "
-                                       "T2, or 1 where memory is at most the 4K of a chip"),
+                                       "of an access to a word of the memory in which its messages lie, and what code "
+                                       "and data a program says to lie outside of the chip; 0: 3, 2 of a T2, or 1 "
+                                       "where memory is at most the 4K of a chip"),
          .json_name = "memory_access_cycles"});
     attributes.push_back({.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                                         "of leading a channel through it; the cheapest route is taken"),

@@ -30,6 +30,7 @@ struct Node {
     std::shared_ptr<const DeviceKind> kind; ///< never null in a Network
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while it comes in
+    bool floating_point_unit = true;                      ///< it computes with real numbers as a T800 does
     std::map<std::string, Value> other;                   ///< attributes of the real tool, not used by a simulation
     Location declared;
 

@@ -8,9 +8,10 @@ namespace placedpar {
 
 void add_benchmark_problems(ProblemRegistry& problems) {
     for (const ProblemFamily& family :
-         {minimised<Sphere>(), minimised<Rosenbrock>(), minimised<Step>(), minimised<Quartic>(), minimised<Foxholes>(),
-          minimised<Rastrigin>(), minimised<Schwefel>(), minimised<Griewank>(), maximised<OneMax>(), maximised<Trap>(),
-          maximised<NkLandscape>(), minimised<CircleTour>(), minimised<LatticeTour>(), minimised<RandomTour>()})
+         {minimised<Sphere>(), minimised<Rosenbrock>(), minimised<StepFunction>(), minimised<Quartic>(),
+          minimised<Foxholes>(), minimised<Rastrigin>(), minimised<Schwefel>(), minimised<Griewank>(),
+          maximised<OneMax>(), maximised<Trap>(), maximised<NkLandscape>(), minimised<CircleTour>(),
+          minimised<LatticeTour>(), minimised<RandomTour>()})
         problems.add(family);
 }
 

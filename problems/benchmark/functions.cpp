@@ -48,7 +48,7 @@ double Rosenbrock::objective(std::span<const double> x) const {
     return sum;
 }
 
-double Step::objective(std::span<const double> x) const {
+double StepFunction::objective(std::span<const double> x) const {
     return sum_of(x, [](double each) { return std::floor(each); });
 }
 

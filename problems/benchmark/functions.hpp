@@ -49,7 +49,7 @@ struct Rosenbrock : OverBox<Rosenbrock> {
 };
 
 /// The sum of the whole numbers below: -6 for each parameter at its lower end.
-struct Step : OverBox<Step> {
+struct StepFunction : OverBox<StepFunction> {
     static constexpr std::string_view name = "step", about = "the sum of floors (De Jong's F3): a plateau at each step";
     static constexpr std::size_t usual_dimensions = 5, usual_bits = 10;
     static constexpr double low = -5.12, high = 5.12;

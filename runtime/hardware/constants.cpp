@@ -64,11 +64,12 @@ std::vector<Constant> of_processors() {
     };
 }
 
-/// The members of OperationCosts are named one by one, so that none can be left out.
+/// The members of OperationCosts are named one by one, so that none can be left out. What a word outside takes longer
+/// is among the accesses of the processor.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
-    const auto& [soft, hard, copied_word, bytes_in_a_word, start, run, end, read, wait, wait_past, alt, enable,
-                 enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end, attempt, reset] =
+    const auto& [soft, hard, copied_word, word_outside, bytes_in_a_word, start, run, end, read, wait, wait_past, alt,
+                 enable, enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end, attempt, reset] =
         instructions::t800;
     using enum Mark;
     auto row = [group](std::string_view name, Cycles cycles, Mark mark = published, std::string_view source = table) {

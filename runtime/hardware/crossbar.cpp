@@ -130,6 +130,7 @@ bool Crossbar::Way::leads_on(bool leaves_a) const {
 }
 
 void Crossbar::Way::lose(const FaultEffect::Hit& packet, bool leaves_a) {
+    Loss& loss = leaves_a ? from_a : from_b;
     if (!loss.effect.first) {
         loss.effect.first = packet;
         loss.output = output(leaves_a);
@@ -142,8 +143,9 @@ void Crossbar::Way::lose(const FaultEffect::Hit& packet, bool leaves_a) {
 std::deque<Crossbar::Loss> Crossbar::losses() const {
     std::deque<Loss> losses;
     for (const Way& way : ways_)
-        if (way.loss.effect.first)
-            losses.push_back(way.loss);
+        for (const Loss* loss : {&way.from_a, &way.from_b})
+            if (loss->effect.first)
+                losses.push_back(*loss);
     return losses;
 }
 

@@ -77,11 +77,12 @@ public:
     /// What was lost at an output that did not lead on what came in for it.
     struct Loss {
         const Link* link;
+        bool leaves_a; ///< it came from there
         FaultEffect effect;
         int output;        ///< of the first packet
         std::string state; ///< what the output did then: "was connected to no input"
     };
-    /// Of each link that lost anything, in the order of lead_on().
+    /// Of each direction of a link that lost anything, in the order of lead_on(), first those from a.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
     /// Made, one for each output.
@@ -102,14 +103,15 @@ private:
 
     /// A link that leads through it.
     struct Way final : Passage {
-        Way(Crossbar& c, Link& l, int a, int b) : crossbar(c), link(l), at_a(a), at_b(b), loss{&l, {}, 0, ""} {}
+        Way(Crossbar& c, Link& l, int a, int b)
+            : crossbar(c), link(l), at_a(a), at_b(b), from_a{&l, true, {}, 0, ""}, from_b{&l, false, {}, 0, ""} {}
         bool leads_on(bool leaves_a) const override;
         void lose(const FaultEffect::Hit&, bool leaves_a) override;
         int output(bool leaves_a) const { return leaves_a ? at_b : at_a; }
         Crossbar& crossbar;
         Link& link;
         int at_a, at_b;
-        Loss loss;
+        Loss from_a, from_b;
     };
 
     void connect(int input, int output);

@@ -13,11 +13,12 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// occam's costs, what the program's communication library adds, and copies from memory to memory: a word is read and
-/// written.
+/// occam's costs, what the program's communication library adds, and what words cost in this memory: one that is copied
+/// is read and written.
 OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     OperationCosts costs = instructions::t800;
     costs.copied_word = 2 * memory.access;
+    costs.word_outside = Cycles{static_cast<std::int64_t>(memory.access) - 1};
     costs.bytes_in_a_word = memory.bytes_in_a_word;
     costs.soft_communication = channel_call + costs.soft_communication;
     costs.hard_communication = channel_call + costs.hard_communication;
@@ -31,6 +32,8 @@ void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (grain.between_points < Cycles{1} || grain.instruction < Cycles{1})
         throw std::logic_error("process " + self.path() + " computes with a grain of less than a cycle");
+    if (grain.words_outside < 0)
+        throw std::logic_error("process " + self.path() + " computes with a negative number of words");
 }
 
 } // namespace

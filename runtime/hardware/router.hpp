@@ -137,6 +137,8 @@ struct Hop {
 class Route final : public Carrier {
 public:
     static constexpr std::size_t most_under_way = 4; ///< ours: packets that the sender is ahead of acknowledges
+    /// Bytes that each processor on its way, both ends included, keeps for it.
+    static constexpr std::int64_t room = most_under_way * (Packet::header_bytes + Packet::most_bytes);
 
     /// REQUIRES: at least one hop; each begins at the router where the one before ends, and none is passed twice.
     Route(Kernel&, const std::vector<Hop>&);

@@ -5,9 +5,12 @@ import glob
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
+
+import trace_reader
 
 PROGRAM = os.environ["PLACEDPAR"]
 EXAMPLES = os.environ["PLACEDPAR_EXAMPLES"]
@@ -67,6 +70,51 @@ class Explain(unittest.TestCase):
         for what in slower:
             self.assertRegex(what["slower_by"], r"^\+\d+\.\d{3} ms \w+")
         self.assertIn("Graham", run.stdout)
+
+    def test_the_path_is_one_line_in_the_trace(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "trace.json"
+            _, document = explained(FIGURE_E2, "--no-what-if", "--trace", str(path))
+            trace = trace_reader.JsonTrace(path)
+        parts = [(part["begin_ps"], part["end_ps"], ": ".join(filter(None, (part["step"], part["subject"]))))
+                 for part in document["critical_path"]]
+        self.assertEqual([(s.begin, s.end, s.name) for s in trace.slices["all of it"]], parts)
+        self.assertEqual(trace.tracks[0], "all of it")
+        via = {track: trace.slices[track] for track in trace.tracks if trace.node_of[track] == "critical path"}
+        placed = sorted((s for track, slices in via.items() if track != "all of it" for s in slices), key=lambda s: s.begin)
+        self.assertEqual([(s.begin, s.end, s.name) for s in placed], parts)  # each takes a processor or a link
+        for track, slices in via.items():
+            for each in slices:
+                if each.name.startswith("computing: master[0] "):
+                    self.assertIn(track, ("all of it", "via processor t[0][0]"))
+                    executed = [(max(s.begin, each.begin), min(s.end, each.end)) for s in trace.slices["processor t[0][0]"]
+                                if s.name.startswith("master[0]") and s.begin < each.end and each.begin < s.end]
+                    self.assertEqual(trace_reader.measure(executed), each.end - each.begin)
+        steps = sorted((arrow for arrow in trace.arrows if arrow.name == "critical path"), key=lambda a: a.left)
+        self.assertGreater(len(steps), 100)
+        for arrow, following in zip(steps, steps[1:]):
+            self.assertEqual(arrow.arrived, arrow.left + 1)
+            self.assertEqual(arrow.target, following.source)
+
+    def test_the_path_is_on_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "run.html"
+            _, document = explained(FIGURE_E2, "--no-what-if", "--page", str(path))
+            data = json.loads(re.search(r'<script id="data" type="application/json">(.*?)</script>',
+                                        path.read_text(encoding="utf-8"), re.S).group(1))
+        timeline = data["timeline"]
+        line = list(zip(*[iter(timeline["path"])] * 4))
+        self.assertEqual([(begin, begin + length) for _, begin, length, _ in line],
+                         [(part["begin_ps"], part["end_ps"]) for part in document["critical_path"]])
+        self.assertIn("master[0]", {timeline["texts"][name].split()[-3] for track, _, _, name in line
+                                    if timeline["tracks"][track]["name"] == "t[0][0]" and " on " in timeline["texts"][name]})
+
+    def test_waveforms_have_no_path(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = subprocess.run([PROGRAM, "explain", FIGURE_E2, "--trace", os.path.join(folder, "trace.vcd")],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("a critical path can be drawn in .json only", run.stderr)
 
     def test_what_is_refused_is_told(self):
         _, document = explained(os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs"))

@@ -94,6 +94,17 @@ class Movements(unittest.TestCase):
         self.assertEqual([m["set"] for m in self.result(path, "--link", "stick")[0]["movements"]], ["P1c"])
         self.assertIn("no channel bucket.inlet_pressure", placedpar("identify", path, "--link", "bucket").stderr)
 
+    def test_areas_that_are_read_have_no_offset(self):
+        log, path = [], self.folder / "one.csv"
+        for seed in range(4):
+            placedpar("record", "links", "--link", "boom", "--noise", "low", "--seed", 5001 + seed, "--out", path)
+            head, rows = rows_of(path)
+            log += [[f"{float(row[0]) + 10 * seed:.3f}", *row[1:]] for row in rows]
+        result, run = self.result(self.write(head, log))
+        (verdict,) = result["verdicts"]
+        self.assertEqual((verdict["verdict"], verdict["offset_in"]), ("sound", None))
+        self.assertNotIn("spool", run.stdout)
+
     def test_what_is_of_the_thesis_way_is_refused(self):
         for option in (["--samples", 9], ["--rising"], ["--coding", "gray"], ["--offset", "auto"],
                        ["--on", EXAMPLES / "03-table-e1" / "cluster.cfs"]):

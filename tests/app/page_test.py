@@ -10,6 +10,7 @@ import tempfile
 import unittest
 import urllib.parse
 
+import firefox
 from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
 
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
@@ -152,6 +153,26 @@ class Pages(unittest.TestCase):
         self.assertIn("waiting for ever", page)
         self.assertRegex(page, r'id="deadlock">.*?philosopher\[0\].*?fork\[1\].*?philosopher\[1\]')
         self.assertEqual(self.browse("at=0.5").count('class="arrow cycle"'), 0)
+
+    @unittest.skipUnless(firefox.FIREFOX, "no Firefox")
+    def test_the_same_in_firefox(self):
+        self.page(PHILOSOPHERS, "--set", "butler=0", exit_code=2)
+        with firefox.Firefox() as browser:
+            browser.visit((self.folder / "run.html").as_uri())
+            self.assertEqual(browser.run("return [document.documentElement.dataset.errors, document.documentElement.dataset.loaded]"),
+                             ["0", "yes"])
+            self.assertEqual(browser.run("return document.querySelectorAll('.arrow.cycle').length"), 10)
+            self.assertRegex(browser.run("return document.getElementById('deadlock').textContent"),
+                             r"(?s)philosopher\[0\].*fork\[1\].*philosopher\[1\]")
+            browser.run("slider.value = 5000; slider.dispatchEvent(new Event('input'))")
+            self.assertEqual(browser.run("return document.querySelectorAll('.arrow.cycle').length"), 0)
+            drawn = "return pen.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, each) => sum + each, 0)"
+            before, half = browser.run(drawn), browser.run("return document.getElementById('now').textContent")
+            browser.run("slider.value = 2500; slider.dispatchEvent(new Event('input')); choose('philosopher[2]')")
+            self.assertNotEqual(browser.run("return document.getElementById('now').textContent"), half)
+            self.assertNotEqual(browser.run(drawn), before)
+            self.assertIn("philosopher[2]", browser.run("return document.getElementById('chosen').textContent"))
+            self.assertEqual(browser.run("return document.documentElement.dataset.errors"), "0")
 
 
 if __name__ == "__main__":

@@ -74,7 +74,8 @@ class Models(unittest.TestCase):
             for seed in range(8):
                 netlist = pathlib.Path(folder) / f"{seed}.cfs"
                 netlist.write_text(random_network(seed), encoding="utf-8")
-                verdicts.add(self.check_agreement(netlist))
+                with self.subTest(seed=seed):
+                    verdicts.add(self.check_agreement(netlist))
         self.assertEqual(verdicts, {True, False})
 
 

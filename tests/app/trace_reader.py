@@ -27,7 +27,7 @@ class JsonTrace:
 
     REQUIRED = {"X": {"name", "cat", "ts", "dur"}, "B": {"name", "cat", "ts"}, "s": {"name", "cat", "id", "ts"},
                 "f": {"name", "cat", "id", "ts", "bp"}, "i": {"name", "cat", "ts", "s"}, "M": {"name", "args"}}
-    OPTIONAL = {"X": {"args"}, "B": {"args"}}
+    OPTIONAL = {"X": {"args", "cname"}, "B": {"args"}}
 
     def __init__(self, path):
         document = json.loads(path.read_text(encoding="utf-8"), parse_float=decimal.Decimal)

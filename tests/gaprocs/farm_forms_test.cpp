@@ -5,6 +5,7 @@
 #include "tests/gaprocs/cluster.hpp"
 #include "tests/gaprocs/slave_forms.hpp"
 #include "tests/sanitized.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -89,7 +90,7 @@ TEST_CASE("every form, way and number of slaves gives the generations of the tra
 TEST_CASE("no tree of slaves gets stuck, however it is shaped, placed and timed") {
     std::string traditional = populations_without_slaves({.form = {}, .host_parameters = few_samples});
     const std::array<std::string, 4> processors{"clock = 20M", "clock = 3M", "clock = 25M", "channelcall = 300"};
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed : test::seeds(60, 1)) {
         RandomStream random(seed, "a form of slaves");
         auto draw = [&](std::size_t choices) -> std::size_t {
             return random.below(static_cast<std::uint32_t>(choices));
@@ -108,7 +109,7 @@ TEST_CASE("no tree of slaves gets stuck, however it is shaped, placed and timed"
             small_search(fmt::format("{}, cycles_per_error = {}, cycles_per_measurement_word = {}, string_bytes = {}",
                                      all[draw(all.size())], draw(3) * 700, draw(2) * 144, 1 + draw(40)));
         farm.processors = {processors[draw(4)], processors[draw(4)], processors[draw(4)]};
-        CAPTURE(seed);
+        INFO(test::replay(seed));
         CHECK(populations_of(farm) == traditional);
     }
 }

@@ -112,6 +112,24 @@ TEST_CASE("a netlist names the file") {
     CHECK(run_on_line(cluster.netlist()).measured("master0", "best_objective") == 0);
 }
 
+TEST_CASE("what is not stated, \"random\" and an empty text all draw every string") {
+    Cluster cluster{.slaves = 0, .problem = "sphere", .host_parameters = "generations = 1"};
+    auto populations = [&](const std::string& more) {
+        cluster.master_parameters = "rehearsals = 0" + more;
+        return run_on_line(cluster.netlist()).measured_text("master0", "populations");
+    };
+    CHECK(populations(", initial = \"random\"") == populations(""));
+    CHECK(populations(", initial = \"\"") == populations(""));
+    CHECK(populations(", initial = \"spread\"") != populations(""));
+}
+
+TEST_CASE("a beginning that is neither a policy nor a file is refused before the run, at its place") {
+    Cluster cluster{.slaves = 0, .master_parameters = "initial = \"spraed\"", .problem = "sphere"};
+    CHECK_THROWS_WITH(run_on_line(cluster.netlist()),
+                      doctest::Contains("there is no file of this name; else it is one of random, spread; did you "
+                                        "mean \"spread\"?"));
+}
+
 TEST_CASE("a netlist asks for a spread population: the library's, drawn from a stream beside the search's") {
     Cluster cluster{.slaves = 0, .master_parameters = "", .problem = "sphere", .host_parameters = "generations = 1"};
     for (const std::string coding : {"natural", "gray", "gray(1)"}) {

@@ -441,3 +441,25 @@ TEST_CASE("netlists that run differently differ in their hash: a policy that is 
     CHECK(hash("") ==
           hash(", reproduction = \"usual\", crossover_operator = \"usual\", mutation_operator = \"usual\""));
 }
+
+TEST_CASE(
+    "real numbers on a transputer without a unit for them: a warning, once, unless the netlist says their cycles") {
+    auto said_on = [](const std::string& type, const std::string& cycles) {
+        Kinds kinds;
+        auto lines = statements();
+        for (auto& [name, statement] : lines)
+            if (std::size_t at = statement.find("\"line\""); at != std::string::npos && name != "host")
+                statement.insert(at + 6, cycles);
+        std::string text = netlist(lines).replace(0, 4, type);
+        return render(read_netlist_text(text, kinds.catalogue, {}, "farm.cfs").diagnostics);
+    };
+    for (const char* with_unit : {"T800", "T801", "T805", "B404"})
+        CHECK(said_on(with_unit, "").empty());
+    for (const char* without : {"T414", "T425", "T400", "T212", "B404_T425"}) {
+        CHECK(said_on(without, ", cycles_per_error = 9000").empty());
+        std::string said = said_on(without, "");
+        CHECK(says(said, "warning: \"master\" computes with real numbers, and \"t\", a T"));
+        CHECK(says(said, "has no floating-point unit: cycles_per_error = 1440 is a T800's"));
+        CHECK(said.find("warning", said.find("warning") + 1) == std::string::npos);
+    }
+}

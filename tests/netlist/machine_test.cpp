@@ -64,6 +64,15 @@ TEST_CASE(
     CHECK(taken_by_links("T800 (memorycycles = 5)") == 5 * cycles);
 }
 
+TEST_CASE("words of code and data outside of the chip cost a packet's computation what an access there takes longer") {
+    auto busy = [](const std::string& type) {
+        return run_pair(type, "T800", "count = 10, bytes = 4, cycles = 10000, words = 2000").processors[0].busy;
+    };
+    constexpr Time cycle = std::chrono::nanoseconds{50};
+    CHECK(busy("B404") - busy("T800") == 10 * 2000 * 2 * cycle);
+    CHECK(busy("T800 (memorycycles = 5)") - busy("T800") == 10 * 2000 * 4 * cycle);
+}
+
 TEST_CASE("what can be shown but not run says where it is") {
     auto refusal = [](const std::string& text) -> std::string {
         Catalogue catalogue;

@@ -2,6 +2,7 @@
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/switched_stack.hpp"
@@ -290,5 +291,86 @@ TEST_CASE("nothing that can go on is called a deadlock when the run is stopped")
                 }
             });
         CHECK(!simulation.run(std::chrono::microseconds{stop}).deadlock);
+    }
+}
+
+TEST_CASE("STOP stops one process, others go on; who waits for it waits for ever, and all are named") {
+    Simulation simulation;
+    auto& t800 = simulation.add<hardware::Processor>("t800");
+    Channel<int> c("c");
+    Time others{};
+    simulation.process(
+        "p", {c.out()}, [&] { par([&] { c.out().output(1); }, [] { stop(); }); }, &t800);
+    simulation.process(
+        "q", {c.in()}, [&] { c.in().input(), c.in().input(); }, &t800);
+    simulation.process(
+        "other", [&] { compute(Cycles{20'000}), others = now(); }, &t800);
+    RunResult result = simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    CHECK(others >= std::chrono::milliseconds{1});
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->cycle.empty());
+    const auto& left = result.deadlock->processes;
+    REQUIRE(left.size() == 3);
+    CHECK(left[0].path == "p");
+    CHECK(left[0].activity == Activity::joining);
+    CHECK(left[1].path == "q");
+    CHECK(left[2].path == "p/1");
+    CHECK(left[2].activity == Activity::stopped);
+    CHECK(left[2].where.starts_with("deadlock_test.cpp:"));
+    CHECK(result.deadlock->text().find("p/1                          has stopped") != std::string::npos);
+}
+
+TEST_CASE("who has stopped is named at a time limit, with those who wait for it; who waits for others is not") {
+    Simulation simulation;
+    auto& t800 = simulation.add<hardware::Processor>("t800");
+    Channel<int> c("c"), d("d");
+    simulation.process("stops", {c.out()}, [] { stop(); });
+    simulation.process("waits", {c.in()}, [&] { c.in().input(); });
+    simulation.process("patient", {d.in()}, [&] { d.in().input(); });
+    simulation.process(
+        "busy", {d.out()},
+        [&] {
+            for (;;)
+                compute(Cycles{100});
+        },
+        &t800);
+    RunResult result = simulation.run(std::chrono::milliseconds{1});
+    CHECK(result.ending == Ending::time_limit);
+    REQUIRE(result.deadlock);
+    REQUIRE(result.deadlock->processes.size() == 2);
+    CHECK(result.deadlock->processes[0].path == "stops");
+    CHECK(result.deadlock->processes[1].path == "waits");
+}
+
+TEST_CASE("processes that never ran are named at the end of a run") {
+    Simulation simulation;
+    auto& t800 = simulation.add<hardware::Processor>("t800");
+    SUBCASE("a process of high priority never let go of the processor") {
+        auto forever = [] {
+            for (;;)
+                compute(Cycles{1000});
+        };
+        simulation.process("high", forever, &t800, Priority::high);
+        simulation.process(
+            "low", [] {}, &t800);
+        simulation.process("elsewhere", [] { par([] { wait_for(std::chrono::seconds{1}); }, [] {}); });
+        RunResult result = simulation.run(std::chrono::milliseconds{1});
+        CHECK(result.never_ran == std::vector<std::string>{"low"});
+        CHECK(!result.deadlock);
+    }
+    SUBCASE("the processor was halted from the beginning") {
+        t800.halt_at(Time{0});
+        simulation.process(
+            "first", [] {}, &t800);
+        simulation.process(
+            "second", [] {}, &t800);
+        CHECK(simulation.run().never_ran == std::vector<std::string>{"first", "second"});
+    }
+    SUBCASE("all have had a turn") {
+        Channel<int> never("never");
+        simulation.process(
+            "waits", [&] { never.in().input(); }, &t800);
+        CHECK(simulation.run().never_ran.empty());
     }
 }

@@ -226,6 +226,12 @@ TEST_CASE("computing for ever in no time" * doctest::skip(test::sanitized)) {
                 compute(Cycles{1});
         });
     }
+    SUBCASE("not placed, reading its clock") {
+        simulation.process("p", [] {
+            for (Timer clock; clock.read() < 5;)
+                ;
+        });
+    }
     SUBCASE("placed") {
         simulation.process(
             "p",
@@ -302,6 +308,17 @@ TEST_CASE("who overflows the stack is named") {
             simulation.run();
         });
         CHECK(death.signal == SIGABRT);
+        CHECK(death.errors == std::string("process recursive") + why);
+    }
+    SUBCASE("one of so many that calls itself without end, through the stacks of others") {
+        Death death = die([] {
+            Simulation simulation;
+            for (int i = 0; i < 16'010; ++i)
+                simulation.process("waits", [] { wait_for(microseconds{9}); });
+            simulation.process("recursive", [] { recurse(0); });
+            simulation.run();
+        });
+        CHECK(death.signal == SIGSEGV);
         CHECK(death.errors == std::string("process recursive") + why);
     }
     SUBCASE("another fault is none") {

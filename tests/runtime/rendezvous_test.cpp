@@ -6,6 +6,7 @@
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -58,8 +59,8 @@ TEST_CASE("neither end goes on before the other has come") {
 }
 
 TEST_CASE("messages arrive once each and in order, whoever is late") {
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        CAPTURE(seed);
+    for (std::uint64_t seed : test::seeds(20)) {
+        INFO(test::replay(seed));
         Simulation simulation;
         Channel<int> c("c");
         std::vector<int> received;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <bitset>
+#include <cctype>
+#include <sstream>
+#include <stdexcept>
 
 namespace placedpar::test {
 
@@ -19,6 +22,45 @@ std::string text_of(const Action& action, std::size_t channels) {
 }
 
 } // namespace
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& word) { throw std::invalid_argument("no word of a small world: " + word); }
+
+std::size_t digit_of(const std::string& word, std::size_t at) {
+    if (at >= word.size() || std::isdigit(static_cast<unsigned char>(word[at])) == 0)
+        refuse(word);
+    return static_cast<std::size_t>(word[at] - '0');
+}
+
+Action action_of(const std::string& word) {
+    auto kind = std::string("!?AP").find(word[0]);
+    if (kind == std::string::npos || word.size() < 2)
+        refuse(word);
+    Action action{static_cast<Action::Kind>(kind)};
+    if (!action.is_alternation())
+        action.channel = digit_of(word, 1);
+    else
+        for (std::size_t at = 1; at < word.size(); ++at)
+            action.guards |= std::uint32_t{1} << digit_of(word, at);
+    return action;
+}
+
+} // namespace
+
+SmallWorld SmallWorld::of(const std::string& text) {
+    SmallWorld world;
+    std::istringstream words(text);
+    std::size_t bars = 0;
+    for (std::string word; words >> word;)
+        if (word == "|")
+            ++bars;
+        else if (bars == 0)
+            world.channels.push_back({digit_of(word, 0), digit_of(word, 2)});
+        else
+            world.processes.at(bars - 1).push_back(action_of(word));
+    return world;
+}
 
 std::string SmallWorld::text() const {
     std::string out;

@@ -33,8 +33,10 @@ struct SmallWorld {
     std::vector<Ends> channels;
     std::array<std::vector<Action>, 3> processes;
 
-    /// "0>1 2>1 | !0 !0 | ?0 A01 | !1": enough to build it again.
+    /// "0>1 2>1 | !0 !0 | ?0 A01 | !1"
     std::string text() const;
+    /// The world of such a text. Throws std::invalid_argument for another text.
+    static SmallWorld of(const std::string& text);
 };
 
 /// What CSP allows a world to do, by looking at all of its states. Where it stands is how many actions each

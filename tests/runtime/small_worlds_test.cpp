@@ -3,6 +3,7 @@
 
 #include "tests/runtime/every_world.hpp"
 #include "tests/sanitized.hpp"
+#include "tests/seeds.hpp"
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -13,6 +14,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cstdlib>
 #include <list>
 #include <memory>
 #include <optional>
@@ -125,8 +127,9 @@ void check_course(const SmallWorld& world, std::size_t where, std::optional<std:
     for (char channel : course.trace)
         states = interpreter.after(states, static_cast<std::size_t>(channel - '0'));
     if (states.empty() || !interpreter.can_end(states, course.completed))
-        FAIL("world ", world.text(), ", placed ", where, ", did ", course.trace,
-             course.completed ? " and completed" : " and got stuck");
+        FAIL("placed ", where, " it did ", course.trace, course.completed ? " and completed" : " and got stuck",
+             "; again: PLACEDPAR_WORLD='", world.text(), "' PLACEDPAR_SEED=", seed.value_or(0),
+             " test_runtime -tc='the world that is asked for*'");
 }
 
 /// Returns how many worlds there are. Each is run wherever it can be placed, but for the pairs, which take turns; or,
@@ -244,6 +247,24 @@ TEST_CASE("all worlds of up to four actions, wherever they are placed" * doctest
 TEST_CASE("all worlds of up to three actions, with polls or alternations on any channels" * doctest::skip()) {
     CHECK(check_all({.longest = 3, .polls = true}) == 406867);
     CHECK(check_all({.longest = 3, .any_guards = true}) == 564472);
+}
+
+TEST_CASE("the world that is asked for, wherever it is placed" *
+          doctest::skip(std::getenv("PLACEDPAR_WORLD") == nullptr)) {
+    SmallWorld world = SmallWorld::of(std::getenv("PLACEDPAR_WORLD"));
+    for (std::size_t where = nowhere; where < placements.size(); ++where) {
+        check_course(world, where, std::nullopt);
+        for (std::uint64_t seed : test::seeds(100))
+            check_course(world, where, seed);
+    }
+}
+
+TEST_CASE("the text of a world makes it again") {
+    for_every_world({.longest = 2, .polls = true}, [](const SmallWorld& world) {
+        if (std::string text = world.text(); SmallWorld::of(text).text() != text)
+            FAIL(text);
+    });
+    CHECK_THROWS_AS(SmallWorld::of("0>1 | X0 | ?0 |"), std::invalid_argument);
 }
 
 TEST_CASE("the worlds are all there are, each once") {

@@ -43,6 +43,7 @@ BELOW = {
     "workbench": ["classics", "gaprocs/processes", "identification/on_line", "problems", "workbench/generate", "workbench/picture", "workbench/trace"],
     "workbench/explain": ["workbench"],
     "workbench/study": ["store", "workbench"],
+    "workbench/optimise": ["workbench/explain", "workbench/study"],
     "workbench/page": ["workbench"],
     "experiments/kit": ["workbench"],
     "experiments/chapter_2": ["experiments/kit"],
@@ -55,10 +56,11 @@ BELOW = {
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "experiments/machine": ["experiments/kit"],
-    "app": ["workbench"],
+    "app": ["workbench/page"],
     "app/options": ["app"],
     "app/identify": ["app/options"],
-    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "workbench/page", "workbench/study", "monitor/service"],
+    "app/mpi": ["workbench/study"],
+    "app/commands": ["app/identify", "experiments/kit", "workbench/explain", "workbench/optimise", "workbench/page", "workbench/study", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

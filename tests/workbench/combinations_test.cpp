@@ -2,9 +2,11 @@
 // of every placement and speed.
 
 #include "gaprocs/policies/coding.hpp"
+#include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "tests/gaprocs/island_netlist.hpp"
 #include "tests/sanitized.hpp"
+#include "tests/seeds.hpp"
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 
@@ -41,6 +43,7 @@ private:
 struct Combination {
     std::string problem;
     std::string coding, reproduction, crossover, mutation; ///< "": as is usual for the problem
+    std::string initial = "random";
     IslandsSettings settings;
 };
 
@@ -69,9 +72,19 @@ void draw_operators(Combination& all, Dice& dice) {
                    : kind == "tours" ? dice.one_of<const char*>({"", "inversion", "swap"})
                                      : dice.one_of<const char*>({"", "bit", "distance"});
     all.reproduction = dice.one_of<const char*>({"", "scaled(1.5)", "ranking", "ranking(1.3)", "tournament(4)"});
+    if (kind == "record" && dice.one_of({false, true})) // fitness that may be positive
+        all.reproduction = dice.one_of<const char*>({"roulette", "universal"});
+    if (coded)
+        all.initial = dice.one_of<const char*>({"random", "spread"});
 }
 
-void draw_islands(Combination& all, const SearchProblem& problem, Dice& dice) {
+/// As a process of this number draws it.
+void spread(SearchSettings& island, std::size_t number, const SearchProblem& problem, std::uint64_t seed) {
+    RandomStream random(seed, fmt::format("island[{}] spread", number));
+    island.initial = spread_population(island.population, problem, random);
+}
+
+void draw_islands(Combination& all, const SearchProblem& problem, std::uint64_t seed, Dice& dice) {
     SearchSettings each = usual_settings(problem);
     if (!all.reproduction.empty())
         each.reproduction = Reproduction::named(all.reproduction);
@@ -92,6 +105,8 @@ void draw_islands(Combination& all, const SearchProblem& problem, Dice& dice) {
         each.population = dice.between(22, 30);
         if (!problem.objective())
             each.window.length = dice.between(3, 10);
+        if (all.initial == "spread")
+            spread(each, i, problem, seed);
         all.settings.islands.push_back(each);
     }
     all.settings.topology = Topology::named(topology);
@@ -105,8 +120,8 @@ void draw_islands(Combination& all, const SearchProblem& problem, Dice& dice) {
 
 std::string island_parameters(const Combination& all) {
     const SearchSettings& each = all.settings.islands.front();
-    std::string text = fmt::format(", coding = \"{}\", crossover = {:.6f}, mutation = {:.6f}", all.coding,
-                                   each.crossover_probability, each.mutation_probability);
+    std::string text = fmt::format(", coding = \"{}\", initial = \"{}\", crossover = {:.6f}, mutation = {:.6f}",
+                                   all.coding, all.initial, each.crossover_probability, each.mutation_probability);
     for (auto [parameter, entry] :
          {std::pair("reproduction", &all.reproduction), std::pair("crossover_operator", &all.crossover),
           std::pair("mutation_operator", &all.mutation)})
@@ -149,14 +164,14 @@ void check_combination(std::uint64_t seed) {
     ProblemRegistry problems = known_problems(seed);
     const RecordedProblem& known = problems.find(all.problem);
     auto problem = known.problem()->coded(Coding::named(all.coding));
-    draw_islands(all, *problem, dice);
+    draw_islands(all, *problem, seed, dice);
     bool recorded = !problem->objective();
     std::vector<Sample> record = recorded ? known.record() : empty_record(6);
     record.resize(std::min<std::size_t>(record.size(), 12));
 
     LibraryRun library(*problem, record, all.settings, island_streams(seed, all.settings.islands.size()));
     for (const IslandNetlist& machine : machines(netlist_of(all, recorded, dice), dice)) {
-        CAPTURE(seed);
+        INFO(test::replay(seed));
         CAPTURE(machine.text());
         Catalogue catalogue = known_kinds(problems);
         ReadResult read = read_netlist_text(machine.text(), catalogue);
@@ -171,6 +186,6 @@ void check_combination(std::uint64_t seed) {
 } // namespace
 
 TEST_CASE("random combinations of all policies: the same generations without a machine and on any") {
-    for (std::uint64_t seed = 1; seed <= (test::sanitized ? 4 : 30); ++seed)
+    for (std::uint64_t seed : test::seeds(test::sanitized ? 4 : 30, 1))
         check_combination(seed);
 }

@@ -34,10 +34,24 @@ TEST_CASE("a problem is described by what is searched for, and over what") {
           "                               in a string\n"
           "  size             int     default 5              2 .. 64\n"
           "                               of a block, in bits\n");
-    CHECK(lists(print_problem(all_problems(), "rastrigin"), "parameters: x_1, x_2, ..., x_20\n"));
-    CHECK(lists(print_problem(all_problems(), "boom"), "parameters: C_BOi in^3/psi\n"));
     CHECK_THROWS_WITH_AS(print_problem(all_problems(), "nk(bits = 3, k = 5)"),
                          "k = 5, but a bit of 3 has only 2 neighbours", UserError);
+}
+
+TEST_CASE("the fields of a string: names, bits, bounds, and the resolution of equation 1.5") {
+    std::string plant = print_problem(all_problems(), "plant"); // Table 5.1
+    CHECK(lists(plant, "string: 37 bits\n\nfields\n"
+                       "  d                 2 bits  1 .. 4 samples, in steps of 1\n"
+                       "  alpha             7 bits  -1 .. 0.984375, in steps of 0.0156\n"));
+    CHECK(lists(plant, "\n  b0                7 bits  0 .. 1.98438, in steps of 0.0156\n"));
+    CHECK(
+        lists(print_problem(all_problems(), "boom"), "  C_BOi            10 bits  0 .. 0.0999023 in^3/psi, in steps"));
+    CHECK(lists(print_problem(all_problems(), "rastrigin"), // many alike in one row
+                "\n  x_1 ... x_20     16 bits  -5.12 .. 5.11984, in steps of 0.000156\n"));
+    CHECK_FALSE(lists(print_problem(all_problems(), "tour-circle"), "fields"));
+    boost::json::object machine = problem_json(all_problems(), "plant");
+    CHECK(machine["fields"].as_array().size() == 6);
+    CHECK(machine["fields"].at(1).at("step") == 1.0 / 64);
 }
 
 TEST_CASE("for machines the same") {

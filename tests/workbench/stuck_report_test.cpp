@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <map>
 #include <sstream>
 #include <string>
@@ -126,6 +127,25 @@ TEST_CASE("a deadlock of processes that no netlist declares says nothing of line
     deadlock.processes.front().netlist = "n.cfs:7";
     CHECK(deadlock.text().find("here.cpp:1               n.cfs:7\n") != std::string::npos);
     CHECK(deadlock.text().find("who waits netlist") == std::string::npos); // each table for itself
+}
+
+TEST_CASE("the report of a run names the processes that never ran") {
+    ProblemRegistry problems = known_problems(1);
+    Catalogue catalogue = known_kinds(problems);
+    ReadResult read = read_netlist_text(
+        "T800 t; highprocess p, c; process q, d; use \"csp.producer\" for p; use \"csp.consumer\" for c;"
+        "use \"csp.producer\" for q; use \"csp.consumer\" for d; p (cycles = 1000);"
+        "connect p.out to c.in; connect q.out to d.in;"
+        "place p on t; place c on t; place q on t; place d on t;",
+        catalogue);
+    INFO(render(read.diagnostics));
+    REQUIRE(read.network);
+    RunReport report = Machine(*read.network, catalogue, 1).run(std::chrono::milliseconds{1});
+    CHECK(print_report(report, *read.network).find("\nnever ran: q, d\n") != std::string::npos);
+    auto json = report_json(report, *read.network, {.command = "", .seed = 1, .overrides = {}});
+    CHECK(json.at("never_ran") == boost::json::array{"q", "d"});
+    RunReport all = Machine(*read.network, catalogue, 1).run();
+    CHECK(print_report(all, *read.network).find("never ran") == std::string::npos);
 }
 
 TEST_CASE("in a deadlock only those that it holds wait for ever, not those that rehearse after the work") {

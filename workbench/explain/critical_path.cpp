@@ -20,6 +20,8 @@ std::string with_executive(const Process& process) {
     return process.executive() ? name + " on " + process.executive()->name() : name;
 }
 
+std::string executive_of(const Process& process) { return process.executive() ? process.executive()->name() : ""; }
+
 Time sum_of(const std::vector<PathPart>& parts) {
     return std::accumulate(parts.begin(), parts.end(), Time{0},
                            [](Time sum, const PathPart& part) { return sum + (part.end - part.begin); });
@@ -41,7 +43,7 @@ const char* name_of(Step step) {
     return "";
 }
 
-CriticalPath::CriticalPath() { add(0, Time{0}, Step::starting, ""); }
+CriticalPath::CriticalPath() { add(0, Time{0}, Step::starting, "", ""); }
 
 CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
     auto found = lanes_.find(ordinal);
@@ -50,15 +52,31 @@ CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
 
 CriticalPath::Lane* CriticalPath::lane_of(const Process& process) { return lane_of(process.ordinal()); }
 
-/// What took no time needs no point.
-CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const std::string& subject) {
-    if (!points_.empty() && points_[before].at == at)
-        return before;
+std::uint32_t CriticalPath::number_of(const std::string& subject) {
     auto [found, is_new] = numbers_.emplace(subject, static_cast<std::uint32_t>(subjects_.size()));
     if (is_new)
         subjects_.push_back(subject);
-    points_.push_back({at, before, step, found->second});
+    return found->second;
+}
+
+/// What took no time needs no point.
+CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const std::string& subject,
+                                       const std::string& place) {
+    if (!points_.empty() && points_[before].at == at)
+        return before;
+    points_.push_back({at, before, step, number_of(subject), number_of(place)});
     return static_cast<Number>(points_.size() - 1);
+}
+
+CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const Process& process) {
+    return add(before, at, step, with_executive(process), executive_of(process));
+}
+
+/// It took its link, or the processor that both of its processes are on.
+CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
+    auto link = carried_by_.find(&channel);
+    return add(before, now, Step::communicating, channel.name(),
+               link == carried_by_.end() ? executive_of(*lane.process) : link->second);
 }
 
 CriticalPath::Number CriticalPath::later(Number a, Number b) const { return points_[a].at >= points_[b].at ? a : b; }
@@ -72,7 +90,7 @@ void CriticalPath::turn(Lane& lane, Activeness to, Time now) {
 /// A component of a PAR begins when its process has come to it.
 void CriticalPath::began(const Process& process, Time now) {
     Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr;
-    Lane lane{add(parent ? parent->last : 0, now, Step::starting, with_executive(process)), &process};
+    Lane lane{add(parent ? parent->last : 0, now, Step::starting, process), &process};
     lane.does = Activeness::gone;
     turn(lanes_.emplace(process.ordinal(), lane).first->second, Activeness::ready, now);
 }
@@ -84,7 +102,7 @@ CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, 
     auto held = held_.find(lane.process->executive());
     if (held != held_.end() && points_[held->second].at == now)
         return held->second;
-    return add(made_ready, now, Step::ready, with_executive(*lane.process));
+    return add(made_ready, now, Step::ready, *lane.process);
 }
 
 void CriticalPath::has_turn(Lane& lane, Time now) {
@@ -128,14 +146,13 @@ void CriticalPath::carries(const std::string& direction, const AnyChannel& chann
 /// The partner that does not wait any more made it ready: the wait of a soft channel is over at once.
 CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, bool outputs, Time now) {
     if (lane.together)
-        return add(*lane.together, now, Step::communicating, channel.name());
+        return add_message(*lane.together, lane, channel, now);
     const AnyChannel::User& user = outputs ? channel.last_inputter() : channel.last_outputter();
     const Lane* partner = user.process ? lane_of(user.ordinal) : nullptr;
     if (partner && partner->does != Activeness::waiting && points_[partner->last].at == now)
         return partner->last;
     auto came = came_.find({&channel, !outputs});
-    return add(came == came_.end() ? lane.last : later(lane.last, came->second), now, Step::communicating,
-               channel.name());
+    return add_message(came == came_.end() ? lane.last : later(lane.last, came->second), lane, channel, now);
 }
 
 CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
@@ -149,7 +166,7 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
         for (const AnyChannel* channel : channels)
             if (channel->message_waits())
                 return message_over(lane, *channel, false, now);
-    return add(lane.last, now, Step::delayed, with_executive(process));
+    return add(lane.last, now, Step::delayed, process);
 }
 
 /// With whom it communicated, since both were there.
@@ -202,7 +219,7 @@ void CriticalPath::stops_computing(const Process& process, Time now) {
     Lane* lane = lane_of(process);
     if (!lane)
         return;
-    lane->last = add(lane->last, now, Step::computing, with_executive(process));
+    lane->last = add(lane->last, now, Step::computing, process);
     hold_executive(*lane);
     turn(*lane, Activeness::ready, now);
 }
@@ -221,8 +238,8 @@ void CriticalPath::moved(const Process& process, const std::string& bus, Time si
         return;
     auto held = bus_held_.find(bus);
     Number before = held == bus_held_.end() ? lane->last : later(lane->last, held->second);
-    lane->last = add(add(before, since, Step::arbitrating, bus), now, Step::moving,
-                     fmt::format("{} over {}", with_executive(process), bus));
+    lane->last = add(add(before, since, Step::arbitrating, bus, bus), now, Step::moving,
+                     fmt::format("{} over {}", with_executive(process), bus), bus);
     bus_held_[bus] = lane->last;
 }
 
@@ -244,11 +261,11 @@ void CriticalPath::ended(const Process& process, Time now) {
 void CriticalPath::over(Time now) {
     for (auto& [ordinal, lane] : lanes_)
         if (lane.does == Activeness::computing)
-            lane.last = add(lane.last, now, Step::computing, with_executive(*lane.process));
+            lane.last = add(lane.last, now, Step::computing, *lane.process);
     for (const auto& [ordinal, lane] : lanes_)
         if (points_[lane.last].at > points_[end_].at)
             end_ = lane.last;
-    end_ = add(end_, now, Step::left, "");
+    end_ = add(end_, now, Step::left, "", "");
     accounts_.close(now);
     over_ = now;
 }
@@ -261,7 +278,7 @@ std::vector<PathPart> CriticalPath::parts() const {
         if (!parts.empty() && parts.back().step == point.step && parts.back().subject == subject)
             parts.back().begin = points_[point.before].at;
         else
-            parts.push_back({point.step, subject, points_[point.before].at, point.at});
+            parts.push_back({point.step, subject, subjects_[point.place], points_[point.before].at, point.at});
     }
     std::ranges::reverse(parts);
     if (sum_of(parts) != over_)
@@ -294,6 +311,13 @@ std::vector<PathShare> shares_by(const std::vector<PathPart>& parts, Name name) 
 
 std::string name_of(const PathShare& share) {
     return std::string(name_of(share.step)) + (share.subject.empty() ? "" : ": ") + share.subject;
+}
+
+std::vector<PathMark> marks_of(const std::vector<PathPart>& parts) {
+    std::vector<PathMark> marks;
+    for (const PathPart& part : parts)
+        marks.push_back({name_of(PathShare{part.step, part.subject, {}}), part.place, part.begin, part.end});
+    return marks;
 }
 
 std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) { return shares_by(parts, std::identity{}); }

@@ -3,6 +3,7 @@
 #include "runtime/process.hpp"
 #include "runtime/trace.hpp"
 #include "workbench/explain/waits.hpp"
+#include "workbench/trace/path_mark.hpp"
 
 #include <cstdint>
 #include <map>
@@ -22,6 +23,7 @@ const char* name_of(Step);
 struct PathPart {
     Step step;
     std::string subject; ///< "master on t[0]"; the channel; the process
+    std::string place;   ///< the processor, direction of a link, or bus that it took; "" for none
     Time begin, end;     ///< begin < end
 };
 
@@ -64,7 +66,7 @@ private:
         Time at;
         Number before;
         Step step;
-        std::uint32_t subject;
+        std::uint32_t subject, place;
     };
     struct Lane {
         Number last; ///< what it did last; while it waits, its coming
@@ -76,7 +78,10 @@ private:
 
     Lane* lane_of(const Process&);
     Lane* lane_of(std::uint32_t ordinal);
-    Number add(Number before, Time at, Step, const std::string& subject);
+    std::uint32_t number_of(const std::string& subject);
+    Number add(Number before, Time at, Step, const std::string& subject, const std::string& place);
+    Number add(Number before, Time at, Step, const Process&);
+    Number add_message(Number before, const Lane&, const AnyChannel&, Time now);
     Number later(Number, Number) const;
     Number message_over(const Lane&, const AnyChannel&, bool outputs, Time now);
     Number cause_of(const Lane&, Time now);
@@ -88,7 +93,7 @@ private:
 
     std::vector<Point> points_;
     std::vector<std::string> subjects_;
-    std::unordered_map<std::string, std::uint32_t> numbers_;        ///< of subjects
+    std::unordered_map<std::string, std::uint32_t> numbers_;        ///< of subjects and places
     std::map<std::uint32_t, Lane> lanes_;                           ///< of the processes that live, by ordinal
     std::unordered_map<const Executive*, Number> held_;             ///< what was last done on each
     std::unordered_map<std::string, Number> bus_held_;              ///< what each bus was last used for
@@ -107,6 +112,8 @@ struct PathShare {
     Time time;
 };
 std::vector<PathShare> shares_of(const std::vector<PathPart>&);
+/// As a trace draws it.
+std::vector<PathMark> marks_of(const std::vector<PathPart>&);
 /// "computing: master on t[0]".
 std::string name_of(const PathShare&);
 /// The same with arrays taken together: "computing: slave[] on t[]".

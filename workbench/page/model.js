@@ -36,6 +36,13 @@ function messagesOf(flat) {
   return messages.sort((a, b) => a.left - b.left);
 }
 
+function pathOf(flat) {
+  const parts = [];
+  for (let i = 0; i < flat.length; i += 4)
+    parts.push({ track: flat[i], begin: flat[i + 1], end: flat[i + 1] + flat[i + 2], name: run.texts[flat[i + 3]] });
+  return parts;
+}
+
 const tracks = run.tracks.map((track, number) => ({
   number, name: track.name, node: track.node, kind: track.kind, outermost: track.outermost, place: track.place,
   lost: track.lost, running: sumsOf(track.running), ready: sumsOf(track.ready), slices: slicesOf(track.slices),
@@ -43,6 +50,7 @@ const tracks = run.tracks.map((track, number) => ({
 const drawnTracks = tracks.slice().sort((a, b) => a.place - b.place);
 const trackNamed = new Map(tracks.map(track => [(track.kind === "processor" ? "processor " : "") + track.name, track]));
 const messages = messagesOf(run.messages);
+const path = pathOf(run.path);
 const processNamed = new Map(data.processes.map(process => [process.name, process]));
 const componentsOf = d3.nest().key(track => track.outermost).object(tracks.filter(isOfProcess));
 
@@ -65,6 +73,7 @@ function shareOf(sums, from, to) {
 }
 
 const bySliceEnd = d3.bisector(slice => slice.end).right;
+const byPathEnd = d3.bisector(part => part.end).right;
 const byLeft = d3.bisector(message => message.left).left;
 
 // The number of the first slice that ends behind a moment.

@@ -78,7 +78,8 @@ function addKey() {
     sign(`<defs><pattern id="key-hatched" width="4" height="4" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="4" height="4" fill="#fff"/><rect width="2" height="4" fill="${colours.ready}"/></pattern></defs><rect y="4" width="20" height="8" fill="url(#key-hatched)"/>`, "ready") +
     sign(`<rect y="9" width="20" height="2" fill="${colours.waiting}"/>`, "waiting") +
     (report.deadlock ? sign(`<rect y="8" width="20" height="3" fill="${colours.stuck}"/><path d="M7 6 L13 12 M7 12 L13 6" stroke="${colours.stuck}" stroke-width="1.4"/>`, "waiting for ever") : "") +
-    sign(`<rect width="20" height="12" fill="${colours.link}"/>`, "bytes on a link");
+    sign(`<rect width="20" height="12" fill="${colours.link}"/>`, "bytes on a link") +
+    (path.length ? sign(`<rect y="4" width="20" height="3" fill="${colours.path}"/>`, "critical path") : "");
 }
 
 function listen() {

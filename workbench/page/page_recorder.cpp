@@ -86,6 +86,7 @@ void PageRecorder::finish(Time begin, Time end, const std::string& why) {
 boost::json::object PageRecorder::json() {
     if (slices_.left_out() == 0)
         bins_.merge_to(bins_beside_all_slices);
+    boost::json::array path = path_json(); // before the texts: it names parts
     return {{"begin", begin_.count()},
             {"end", end_.count()},
             {"why", why_},
@@ -95,7 +96,8 @@ boost::json::object PageRecorder::json() {
             {"texts", texts_.json()},
             {"nodes", boost::json::array(tracks_.nodes().begin(), tracks_.nodes().end())},
             {"tracks", tracks_json()},
-            {"messages", messages_json()}};
+            {"messages", messages_json()},
+            {"path", std::move(path)}};
 }
 
 boost::json::array PageRecorder::tracks_json() const {
@@ -149,6 +151,26 @@ boost::json::array PageRecorder::messages_json() const {
     };
     std::ranges::for_each(passages_.first(), add);
     std::ranges::for_each(passages_.last(), add);
+    return flat;
+}
+
+void PageRecorder::draw_path(std::span<const PathMark> path) {
+    constexpr std::size_t most = 50'000;
+    path_.assign(path.begin(), path.end());
+    std::erase_if(path_, [this](const PathMark& mark) { return tracks_.of_place(mark.place) == Tracks::none; });
+    if (path_.size() <= most)
+        return;
+    auto length = [](const PathMark& mark) { return mark.begin - mark.end; };
+    std::ranges::nth_element(path_, path_.begin() + most, {}, length);
+    path_.resize(most);
+    std::ranges::sort(path_, {}, &PathMark::begin);
+}
+
+boost::json::array PageRecorder::path_json() {
+    boost::json::array flat;
+    for (const PathMark& mark : path_)
+        flat.insert(flat.end(), {tracks_.of_place(mark.place), mark.begin.count(), (mark.end - mark.begin).count(),
+                                 texts_.number_of(mark.name)});
     return flat;
 }
 

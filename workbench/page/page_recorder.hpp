@@ -7,6 +7,7 @@
 #include <boost/json.hpp>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -34,10 +35,12 @@ public:
 
     void write(const Slice&) override;
     void write(const Passage&) override;
+    void draw_path(std::span<const PathMark>) override;
     void finish(Time begin, Time end, const std::string& why) override;
 
     /// Times in picoseconds. {"begin", "end", "why", "bin", "left_out": slices and messages, "doing": names of what
-    /// tracks do, "texts", "nodes", "tracks", "messages": [track, track, left, how long, channel, ...]}.
+    /// tracks do, "texts", "nodes", "tracks", "messages": [track, track, left, how long, channel, ...], "path": [track,
+    /// begin, how long, name, ...]}.
     /// REQUIRES: it is finished.
     boost::json::object json();
 
@@ -56,12 +59,14 @@ private:
     boost::json::object track_json(std::size_t track, const std::vector<const KeptSlice*>&, std::size_t first) const;
     boost::json::array tracks_json() const;
     boost::json::array messages_json() const;
+    boost::json::array path_json();
 
     const Tracks& tracks_;
     LoadBins bins_;
     BothEnds<KeptSlice> slices_;
     BothEnds<KeptPassage> passages_;
     TextTable texts_;
+    std::vector<PathMark> path_; ///< where it is known; of a very long one the longest parts
     Time begin_{}, end_{};
     std::string why_;
 };

@@ -4,6 +4,7 @@
 #include "workbench/run_report.hpp"
 #include "workbench/trace/timeline.hpp"
 
+#include <span>
 #include <string>
 
 namespace placedpar {
@@ -26,8 +27,9 @@ public:
     RunPage(const Network&, const TraceWindow&);
 
     TraceSink& sink() { return timeline_; }
-    /// REQUIRES: the run is over; called once.
-    std::string html(const PageContent&);
+    /// With the critical path as a line through the timelines, where it is known. REQUIRES: the run is over; called
+    /// once.
+    std::string html(const PageContent&, std::span<const PathMark> critical_path = {});
 
 private:
     Tracks tracks_;

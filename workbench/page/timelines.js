@@ -1,9 +1,10 @@
 // The timelines: a row a track, on a canvas that shows the part of them that is in sight.
 
 const rowHeight = 17, headHeight = 22, labelWidth = 210, most = { messages: 4000 };
-const colours = { running: "#1f4e79", ready: "#d98a1f", waiting: "#9aa7b4", stuck: "#b3261e", link: "#2f7d6b" };
+const colours = { path: "#d6006c", running: "#1f4e79", ready: "#d98a1f", waiting: "#9aa7b4", stuck: "#b3261e", link: "#2f7d6b" };
 const canvas = document.getElementById("canvas"), pen = canvas.getContext("2d"), scroller = document.getElementById("scroller");
 const shown = { processors: true, processes: true, components: true, links: true, messages: true };
+if (path.length) shown["critical path"] = true;
 const view = { width: 0, height: 0, full: d3.scaleLinear(), scale: d3.scaleLinear(), rows: [], rowOf: new Map() };
 
 // Running is full and dark, ready half as high and hatched, waiting a thin line: told apart without colour.
@@ -176,6 +177,30 @@ function drawMessages(chosen) {
   }
 }
 
+// One line from the beginning of the run to its end, over what it could not have done without.
+function drawPath() {
+  if (!shown["critical path"]) return;
+  const [from, to] = view.scale.domain(), middle = part => topOf(view.rowOf.get(part.track)) + rowHeight / 2;
+  pen.strokeStyle = colours.path;
+  pen.lineWidth = 2.4;
+  pen.lineJoin = "round";
+  pen.beginPath();
+  let begun = false;
+  for (let i = byPathEnd(path, from); i < path.length && path[i].begin <= to; ++i) {
+    if (!view.rowOf.has(path[i].track)) continue;
+    pen[begun ? "lineTo" : "moveTo"](view.scale(path[i].begin), middle(path[i]));
+    pen.lineTo(view.scale(path[i].end), middle(path[i]));
+    begun = true;
+  }
+  pen.stroke();
+}
+
+// The part of the critical path that a track has at a moment.
+function pathAt(track, moment) {
+  const part = path[byPathEnd(path, moment)];
+  return shown["critical path"] && part && part.track === track.number && part.begin <= moment ? part : null;
+}
+
 function drawAxis(moment) {
   pen.fillStyle = "#fff";
   pen.fillRect(0, 0, view.width, headHeight);
@@ -202,6 +227,7 @@ function drawTimelines(moment, chosen) {
   pen.clip();
   for (let row = first; row < last; ++row) if (view.rows[row].track) drawTrack(view.rows[row].track);
   drawMessages(chosen);
+  drawPath();
   pen.restore();
   for (let row = first; row < last; ++row) drawLabel(view.rows[row], topOf(row), chosen);
   pen.fillStyle = "#fff";
@@ -216,7 +242,8 @@ function placeAt([x, y]) {
 
 function textAt({ track, moment }) {
   if (!track || moment === null) return "";
-  const slice = sliceAt(track, moment), precision = view.scale.domain()[1] - view.scale.domain()[0];
+  const slice = sliceAt(track, moment), precision = view.scale.domain()[1] - view.scale.domain()[0], part = pathAt(track, moment);
+  if (part) return `critical path, ${part.name}; from ${timeText(part.begin, precision)} to ${timeText(part.end, precision)}: ${timeText(part.end - part.begin, part.end - part.begin)}`;
   if (slice && slice.open) return `${track.name}: ${describe(slice)} from ${timeText(slice.begin, precision)} on, and that does not end`;
   if (slice) return `${track.name}: ${describe(slice)}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
   const from = moment - run.bin / 2, share = sums => (100 * shareOf(sums, from, from + run.bin)).toFixed(0) + " %";

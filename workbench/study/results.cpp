@@ -164,7 +164,7 @@ void StudyResults::make(const StudySource& source) {
     database_->run("COMMIT");
 }
 
-StudySource StudyResults::kept_source() {
+StudySource StudyResults::source() {
     StudySource source{netlist(), {}, database_->text("SELECT options FROM study")};
     store::Statement rows(*database_, "SELECT path, text FROM texts ORDER BY place");
     while (rows.step())
@@ -173,7 +173,7 @@ StudySource StudyResults::kept_source() {
 }
 
 void StudyResults::require_same(const StudySource& wanted) {
-    StudySource kept = kept_source();
+    StudySource kept = source();
     if (kept == wanted)
         return;
     std::string why =

@@ -60,6 +60,8 @@ public:
     /// What was to be known of the runs when they were added to last.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();
+    /// What its runs have in common.
+    StudySource source();
     /// The netlist's path.
     std::string netlist();
     std::string version();
@@ -70,7 +72,6 @@ private:
     void require_ours();
     void require_same(const StudySource&);
     void require_version(bool of_any_version);
-    StudySource kept_source();
     static StudyOutcome outcome_in(const store::Statement& row);
     template <class Work>
     auto guarded(Work work);

@@ -32,6 +32,14 @@ struct StudyRun {
     auto operator<=>(const StudyRun&) const = default;
 };
 
+/// How the best of a study's combinations are to be searched for.
+struct StudySearch {
+    std::vector<std::string> minimise; ///< a measure, or two that are weighed against each other
+    std::uint64_t population = 40;     ///< 4 or more; the better half stays and breeds the other
+    std::uint64_t generations = 20;    ///< 1 or more
+    std::uint64_t seed = 1;            ///< of the search's random numbers
+};
+
 /// Which runs of a netlist are to be made, and what is to be known of them.
 struct Study {
     std::string netlist; ///< its path
@@ -40,6 +48,7 @@ struct Study {
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with so many
     Time until = Time::max();                ///< runs that are not over then are stopped
     std::vector<std::string> measures;
+    std::optional<StudySearch> search = {}; ///< none: it is only swept
 
     /// Runs, those with combinations for which the condition does not hold among them. Throws UserError where 64 bits
     /// do not hold it.

@@ -68,6 +68,7 @@ private:
         };
         handlers["fault"] = [&](const toml::node& node) { study_.read.faults = texts(node); };
         handlers["use"] = [&](const toml::node& node) { read_programs(node); };
+        handlers["search"] = [&](const toml::node& node) { read_search(node); };
         handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
         read_table(top, handlers);
         if (study_.netlist.empty())
@@ -92,14 +93,31 @@ private:
         }
     }
 
+    void read_search(const toml::node& node) {
+        const toml::table* table = node.as_table();
+        if (!table)
+            return report(node.source().begin, "a study has one search, which is a table", "[search]");
+        StudySearch search;
+        read_table(*table,
+                   {{"minimise", [&](const toml::node& each) { search.minimise = measures(each); }},
+                    {"population", [&](const toml::node& each) { search.population = whole(each, 4); }},
+                    {"generations", [&](const toml::node& each) { search.generations = whole(each, 1); }},
+                    {"seed", [&](const toml::node& each) { search.seed = whole(each, 0); }}},
+                   "search");
+        if (search.minimise.empty() || search.minimise.size() > 2)
+            report(node.source().begin, "a search minimises one measure or two",
+                   "minimise = \"time\", or minimise = [\"time\", \"processors\"]");
+        study_.search = std::move(search);
+    }
+
     /// Each member by what takes it.
-    void read_table(const toml::table& table, const Handlers& handlers) {
+    void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
         for (const auto& [key, node] : table) {
             std::string name(key.str());
             if (auto found = handlers.find(name); found != handlers.end())
                 found->second(node);
             else
-                report(key.source().begin, fmt::format("a study has no \"{}\"", name), hint_for(name, handlers));
+                report(key.source().begin, fmt::format("a {} has no \"{}\"", what, name), hint_for(name, handlers));
         }
     }
 

@@ -44,8 +44,8 @@ struct StudySummary {
     std::uint64_t runs() const;
 };
 
-/// Of the runs that are kept, or of those with the study's combinations, whatever their seeds. Without measures, of
-/// those that were asked for last.
+/// Of the runs that are kept; of a study that is swept, of those with its combinations, whatever their seeds. Without
+/// measures, of those that were asked for last.
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr);
 
 } // namespace placedpar

@@ -3,11 +3,13 @@
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/study/ranks.hpp"
 #include "workbench/workers.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <thread>
 #include <utility>
 
 namespace placedpar {
@@ -22,30 +24,42 @@ Network network_of(const Study& study, const Overrides& set) {
         study.netlist, set, known_problems(0), [](const std::string&) {}, study.read);
 }
 
-/// The network of the run before is kept: those of one combination come one after the other.
-class LastNetwork {
-public:
-    const Network& of(const Study& study, const Overrides& set) {
-        if (!set_ || *set_ != set) {
-            set_.reset();
-            network_ = network_of(study, set);
-            set_ = set;
-        }
-        return network_;
-    }
-
-private:
-    std::optional<Overrides> set_;
-    Network network_;
-};
-
-/// None when it was interrupted.
-std::optional<StudyOutcome> outcome_of(const Study& study, const StudyRun& run, LastNetwork& last,
-                                       Interruption& interruption) {
+template <class Then, class Work>
+void on_exception(Then then, Work work) {
     try {
-        const Network& network = last.of(study, run.set);
-        RunReport report = run_netlist(network, known_problems(run.seed),
-                                       {.seed = run.seed, .until = study.until, .interruption = &interruption});
+        work();
+    } catch (...) {
+        then();
+        throw;
+    }
+}
+
+} // namespace
+
+const StudyWorker::Seeded& StudyWorker::seeded(std::uint64_t seed) {
+    constexpr std::size_t most = 100;
+    if (auto found = seeded_.find(seed); found != seeded_.end())
+        return found->second;
+    if (seeded_.size() == most)
+        seeded_.clear();
+    return seeded_.try_emplace(seed, seed).first->second;
+}
+
+const Network& StudyWorker::network_of(const Overrides& set) {
+    if (!set_ || *set_ != set) {
+        set_.reset();
+        network_ = load_network(
+            study_.netlist, set, seeded(0).kinds, [](const std::string&) {}, study_.read);
+        set_ = set;
+    }
+    return network_;
+}
+
+std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interruption& interruption) {
+    try {
+        const Network& network = network_of(run.set);
+        RunReport report = run_netlist(network, seeded(run.seed).kinds,
+                                       {.seed = run.seed, .until = study_.until, .interruption = &interruption});
         if (report.result.ending == Ending::interrupted)
             return std::nullopt;
         return StudyOutcome{.ended = name_of(report.result.ending),
@@ -57,8 +71,6 @@ std::optional<StudyOutcome> outcome_of(const Study& study, const StudyRun& run, 
         return StudyOutcome{.ended = "refused", .refused = refused.what()};
     }
 }
-
-} // namespace
 
 Network readable_network(const Study& study) {
     std::exception_ptr first;
@@ -83,9 +95,8 @@ Network readable_network(const Study& study) {
 
 /// Makes it, keeps it, and notes how long it took. None when it was interrupted.
 std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Interruption& interruption) {
-    LastNetwork last;
     auto begun = std::chrono::steady_clock::now();
-    std::optional<StudyOutcome> outcome = outcome_of(study_, run, last, interruption);
+    std::optional<StudyOutcome> outcome = StudyWorker(study_).outcome_of(run, interruption);
     if (outcome) {
         seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
         results_.keep(run, *outcome);
@@ -154,37 +165,47 @@ std::optional<StudyRun> StudySweep::next() {
     return std::nullopt;
 }
 
+void StudySweep::keep(const StudyRun& run, const StudyOutcome& outcome) {
+    std::lock_guard lock(mutex_);
+    results_.keep(run, outcome);
+    ++ended_;
+}
+
 void StudySweep::work(Interruption& interruption) {
-    LastNetwork last;
-    try {
-        while (!interruption.requested()) {
-            std::optional<StudyRun> run = next();
-            std::optional<StudyOutcome> outcome;
-            if (!run || !(outcome = outcome_of(study_, *run, last, interruption)))
-                return;
-            std::lock_guard lock(mutex_);
-            results_.keep(*run, *outcome);
-            ++ended_;
-        }
-    } catch (...) {
-        stop_ = true;
-        throw;
+    StudyWorker worker(study_);
+    while (!interruption.requested()) {
+        std::optional<StudyRun> run = next();
+        std::optional<StudyOutcome> outcome;
+        if (!run || !(outcome = worker.outcome_of(*run, interruption)))
+            return;
+        keep(*run, *outcome);
     }
 }
 
 void StudySweep::run(std::size_t workers, Interruption& interruption,
-                     const std::function<void(std::uint64_t ended)>& show) {
+                     const std::function<void(std::uint64_t ended)>& show,
+                     const std::function<bool(bool stopped)>& others) {
     std::vector<Interruption> each(workers); // of one run at a time
+    auto stop = [&] {
+        stop_ = true;
+        std::ranges::for_each(each, &Interruption::request);
+    };
+    bool others_work = others != nullptr;
+    auto attend = [&] {
+        if (interruption.requested() || stop_)
+            stop();
+        show(ended_);
+        if (others_work)
+            on_exception(stop, [&] { others_work = others(stop_); });
+    };
+    const std::chrono::milliseconds often = others ? rank_patience : std::chrono::milliseconds(100);
     on_workers(
-        workers, [&](std::size_t worker) { work(each[worker]); },
-        [&] {
-            if (interruption.requested())
-                stop_ = true;
-            if (stop_)
-                for (Interruption& one : each)
-                    one.request();
-            show(ended_);
-        });
+        workers, [&](std::size_t worker) { on_exception([&] { stop_ = true; }, [&] { work(each[worker]); }); }, attend,
+        often);
+    while (others_work) {
+        std::this_thread::sleep_for(often);
+        attend();
+    }
 }
 
 } // namespace placedpar

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "workbench/netlist_run.hpp"
+#include "workbench/problems.hpp"
 #include "workbench/study/results.hpp"
 #include "workbench/study/study.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -17,6 +19,32 @@ namespace placedpar {
 /// A netlist of the study: the first of some that are spread over it and that can be read. Throws what the very first
 /// is refused with where none can.
 Network readable_network(const Study&);
+
+/// Makes runs of a study, one after the other. What they have in common is made once: the network of those of one
+/// combination; the kinds, and the records that are searched over, of those of one seed.
+class StudyWorker {
+public:
+    /// REQUIRES: the study outlives it.
+    explicit StudyWorker(const Study& study) : study_(study) {}
+
+    /// None when it was interrupted.
+    std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
+
+private:
+    /// What a seed decides. The kinds know the problems.
+    struct Seeded {
+        explicit Seeded(std::uint64_t seed) : problems(known_problems(seed)), kinds(known_kinds(problems)) {}
+        ProblemRegistry problems;
+        Catalogue kinds;
+    };
+    const Seeded& seeded(std::uint64_t seed);
+    const Network& network_of(const Overrides&);
+
+    const Study& study_;
+    std::map<std::uint64_t, Seeded> seeded_; ///< by seed: not of very many
+    std::optional<Overrides> set_;           ///< of the network
+    Network network_;
+};
 
 /// Makes the runs of a study that its results do not have yet. What comes of a run does not depend on when it is made
 /// or beside which others, so neither do the results.
@@ -38,11 +66,15 @@ public:
     /// How long a run takes, by the wall's clock; makes one of them where none was made. None when interrupted.
     std::optional<double> seconds_a_run(Interruption&);
 
-    /// Makes all that are missing, so many at once. `show` is told now and then how many have ended.
-    void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show);
+    /// Makes all that are missing, so many at once. `show` is told now and then how many have ended. `others`, if any,
+    /// make some of them elsewhere: asked again and again, in the caller's thread, until it says that they have gone.
+    void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show,
+             const std::function<bool(bool stopped)>& others = nullptr);
+    /// For the others: the next run that somebody has to make. None when there is none left, or all is to stop.
+    std::optional<StudyRun> next();
+    void keep(const StudyRun&, const StudyOutcome&);
 
 private:
-    std::optional<StudyRun> next();
     void work(Interruption&);
     std::optional<StudyOutcome> timed_outcome(const StudyRun&, Interruption&);
     std::optional<StudyFigures> figures_near(std::uint64_t index, bool forwards, Interruption&);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,7 @@ std::string name_of_wait(const Slice& slice) {
     case Doing::alternates: return name_of_alternation(slice);
     case Doing::joins: return "waits for its components";
     case Doing::after_work: return "waits for the end of the work";
+    case Doing::stopped: return "has stopped";
     default: return "waits for its timer";
     }
 }
@@ -130,6 +132,66 @@ void PerfettoTrace::write(const Passage& passage) {
                     microseconds(passage.arrived)));
 }
 
+/// Behind the numbers of all tracks; thread 0 is the whole path.
+std::string PerfettoTrace::place_on_path(std::size_t thread) const {
+    std::size_t pid = tracks_.nodes().size() + tracks_.all().size() + 1;
+    return fmt::format(R"("pid":{},"tid":{})", pid, pid + 1 + thread);
+}
+
+void PerfettoTrace::write_mark(const PathMark& mark, std::size_t thread) {
+    add(fmt::format(R"({{"ph":"X","name":{},"cat":"critical path","cname":"terrible",{},"ts":{},"dur":{}}})",
+                    json_text(mark.name), place_on_path(thread), microseconds(mark.begin),
+                    microseconds(mark.end - mark.begin)));
+}
+
+/// From the last picosecond of one to the first of the other.
+void PerfettoTrace::write_step(const PathMark& from, std::size_t from_thread, const PathMark& to,
+                               std::size_t to_thread) {
+    std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++passages_);
+    add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place_on_path(from_thread),
+                    microseconds(from.end - Time{1})));
+    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place_on_path(to_thread),
+                    microseconds(to.begin)));
+}
+
+void PerfettoTrace::draw_path(std::span<const PathMark> path) {
+    auto thread = [this](const PathMark& mark) { return tracks_.of_place(mark.place) + 1; }; // 0 for no place
+    const PathMark* before = nullptr;
+    for (const PathMark& mark : path) {
+        write_mark(mark, 0);
+        if (thread(mark) == 0)
+            continue;
+        write_mark(mark, thread(mark));
+        if (before && thread(*before) != thread(mark))
+            write_step(*before, thread(*before), mark, thread(mark));
+        before = &mark;
+    }
+    if (!path.empty())
+        write_path_names(path);
+}
+
+/// The places in the order in which their tracks are drawn.
+void PerfettoTrace::write_path_names(std::span<const PathMark> path) {
+    std::set<std::size_t> places;
+    for (const PathMark& mark : path)
+        places.insert(tracks_.of_place(mark.place));
+    places.erase(Tracks::none);
+    add_name("process_name", place_on_path(0), R"("name":"critical path")");
+    add_name("process_sort_index", place_on_path(0), R"("sort_index":-1)");
+    add_name("thread_name", place_on_path(0), R"("name":"all of it")");
+    add_name("thread_sort_index", place_on_path(0), R"("sort_index":0)");
+    for (std::size_t order = 1; std::size_t track : tracks_.drawn())
+        if (places.contains(track)) {
+            add_name("thread_name", place_on_path(track + 1),
+                     R"("name":)" + json_text("via " + name_of(tracks_.all()[track])));
+            add_name("thread_sort_index", place_on_path(track + 1), fmt::format(R"("sort_index":{})", order++));
+        }
+}
+
+void PerfettoTrace::add_name(const char* what, const std::string& where, const std::string& value) {
+    add(fmt::format(R"({{"ph":"M","name":"{}",{},"args":{{{}}}}})", what, where, value));
+}
+
 void PerfettoTrace::finish(Time begin, Time end, const std::string& why) {
     if (tracks_.all().empty())
         return file_.write("\n]}\n");
@@ -144,9 +206,7 @@ void PerfettoTrace::write_names() {
     for (std::size_t track : tracks_.drawn()) {
         std::size_t node = tracks_.all()[track].place.node;
         std::string where = place(track);
-        auto say = [&](const char* what, const std::string& value) {
-            add(fmt::format(R"({{"ph":"M","name":"{}",{},"args":{{{}}}}})", what, where, value));
-        };
+        auto say = [&](const char* what, const std::string& value) { add_name(what, where, value); };
         if (node != std::exchange(last_node, node)) {
             say("process_name", R"("name":)" + json_text(tracks_.nodes()[node]));
             say("process_sort_index", fmt::format(R"("sort_index":{})", node));

@@ -21,6 +21,7 @@ Doing waiting_by(Activity activity) {
     case Activity::alternating: return Doing::alternates;
     case Activity::joining: return Doing::joins;
     case Activity::after_work: return Doing::after_work;
+    case Activity::stopped: return Doing::stopped;
     case Activity::ready:
     case Activity::halted:
     case Activity::ended: break;

@@ -19,6 +19,10 @@ public:
     void goes_on(const Process& process, Time now) override { tell(&TraceSink::goes_on, process, now); }
     void computes(const Process& process, Time now) override { tell(&TraceSink::computes, process, now); }
     void stops_computing(const Process& process, Time now) override { tell(&TraceSink::stops_computing, process, now); }
+    void moves(const Process& process, Time now) override { tell(&TraceSink::moves, process, now); }
+    void moved(const Process& process, const std::string& bus, Time since, Time now) override {
+        tell(&TraceSink::moved, process, bus, since, now);
+    }
     void ended(const Process& process, Time now) override { tell(&TraceSink::ended, process, now); }
     void communicated(const AnyChannel& channel, Time now) override { tell(&TraceSink::communicated, channel, now); }
     void carries(const std::string& direction, const AnyChannel& channel, Time now, Time since) override {

@@ -1,17 +1,31 @@
 #pragma once
 
 #include "runtime/time.hpp"
+#include "workbench/trace/path_mark.hpp"
 #include "workbench/trace/tracks.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace placedpar {
 
 /// What goes on on a track for a while. A processor executes, a link carries; the others are what a process does.
-enum class Doing { executes, carries, ready, computes, delayed, outputs, inputs, alternates, joins, after_work };
+enum class Doing {
+    executes,
+    carries,
+    ready,
+    computes,
+    delayed,
+    outputs,
+    inputs,
+    alternates,
+    joins,
+    after_work,
+    stopped
+};
 
 /// Whether a process that does this waits for a partner, its timer or its components.
 constexpr bool is_waiting(Doing doing) { return doing >= Doing::delayed; }
@@ -48,6 +62,9 @@ public:
     virtual void write(const Slice&) = 0;
     /// Both of its slices have been written.
     virtual void write(const Passage&) = 0;
+    /// The critical path, where it is known, in order of time; before finish(). What a format has no means for is left
+    /// out.
+    virtual void draw_path(std::span<const PathMark>) {}
     /// The trace covers the time from `begin` to `end`; `why` says what happened then: "deadlock".
     virtual void finish(Time begin, Time end, const std::string& why) = 0;
 };

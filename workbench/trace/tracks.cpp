@@ -136,4 +136,11 @@ std::size_t Tracks::of_link(const std::string& direction) const { return found_i
 
 std::size_t Tracks::of_bus(const std::string& name) const { return found_in(buses_, name); }
 
+std::size_t Tracks::of_place(const std::string& name) const {
+    if (std::size_t link = of_link(name); link != none)
+        return link;
+    std::size_t bus = of_bus(name);
+    return bus == none ? of_processor(name) : bus;
+}
+
 } // namespace placedpar

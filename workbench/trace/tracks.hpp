@@ -53,6 +53,8 @@ public:
     std::size_t of_link(const std::string& direction) const;
     /// Of what a bus carries, or of a master that waits for it.
     std::size_t of_bus(const std::string& name) const;
+    /// Of any of these three.
+    std::size_t of_place(const std::string& name) const;
 
 private:
     std::size_t add(std::string name, Track::Place);

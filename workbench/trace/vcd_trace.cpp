@@ -16,7 +16,7 @@ namespace {
 constexpr std::pair<Doing, const char*> wires_of_a_process[] = {
     {Doing::computes, "computes"},     {Doing::ready, "ready"},           {Doing::inputs, "inputs"},
     {Doing::outputs, "outputs"},       {Doing::alternates, "alternates"}, {Doing::delayed, "delayed"},
-    {Doing::after_work, "after_work"},
+    {Doing::after_work, "after_work"}, {Doing::stopped, "stopped"},
 };
 
 /// A track has as many wires as there are things to do, of which most are not used.

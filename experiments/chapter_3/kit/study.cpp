@@ -75,7 +75,7 @@ double optimum_code_in_si(std::span<const CircuitSample> window, const FlowConst
     return best;
 }
 
-void add(Study& study, const Transients& transients, std::span<const CircuitSample> samples,
+void add(SearchStudy& study, const Transients& transients, std::span<const CircuitSample> samples,
          const IdentificationWay& way, std::uint64_t seed) {
     CircuitProblem problem(boom_circuit(), transients.flow, way.bits);
     Identified found = identify(problem, transients.flow, samples, way, seed);
@@ -91,9 +91,9 @@ void add(Study& study, const Transients& transients, std::span<const CircuitSamp
 
 } // namespace
 
-double Study::median_percent() const { return lower_median(error_percent); }
-double Study::ninetieth_percent() const { return quantile(error_percent, 0.9); }
-double Study::within_ten_percent() const { return percent_within(error_percent, 10); }
+double SearchStudy::median_percent() const { return lower_median(error_percent); }
+double SearchStudy::ninetieth_percent() const { return quantile(error_percent, 0.9); }
+double SearchStudy::within_ten_percent() const { return percent_within(error_percent, 10); }
 
 Transients measure_transients(const MeasurementNoise& noise, const UsableSamples& usable,
                               std::span<const std::uint64_t> seeds) {
@@ -112,8 +112,8 @@ Transients measure_transients(const MeasurementNoise& noise, const UsableSamples
     return transients;
 }
 
-Study study(const Transients& transients, const IdentificationWay& way, std::span<const std::uint64_t> seeds) {
-    Study result;
+SearchStudy study(const Transients& transients, const IdentificationWay& way, std::span<const std::uint64_t> seeds) {
+    SearchStudy result;
     for (std::size_t i = 0; i < transients.samples.size(); ++i)
         add(result, transients, transients.samples[i], way, seeds[i]);
     return result;

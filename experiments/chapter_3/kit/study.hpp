@@ -10,7 +10,7 @@
 namespace placedpar {
 
 /// What many searches make of scenario A, each with noise and random numbers of its own.
-struct Study {
+struct SearchStudy {
     std::vector<double> error_percent;      ///< of the last estimate, without sign
     std::vector<double> codes_from_optimum; ///< distance from the best of all codes on the last window
     std::vector<double> si_codes;           ///< that optimum's distance from the one found with everything in SI units
@@ -30,7 +30,7 @@ Transients measure_transients(const hydraulics::MeasurementNoise& noise, const h
                               std::span<const std::uint64_t> seeds);
 
 /// REQUIRES: a seed for each transient.
-Study study(const Transients& transients, const identification::IdentificationWay& way,
-            std::span<const std::uint64_t> seeds);
+SearchStudy study(const Transients& transients, const identification::IdentificationWay& way,
+                  std::span<const std::uint64_t> seeds);
 
 } // namespace placedpar

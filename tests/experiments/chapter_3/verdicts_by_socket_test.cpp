@@ -135,12 +135,18 @@ Said watch(const TestedKind& kind, const TestedFault& fault, std::size_t movemen
     return said;
 }
 
+std::string name_of(const TestedKind& kind) {
+    return fmt::format("{} by {}, {} noise", kind.source.scenario, kind.from == AreasFrom::spool ? "spool" : "voltage",
+                       kind.source.noise);
+}
+
 void check_said(const TestedKind& kind, std::size_t machines, std::uint64_t first_seed) {
-    const std::string plant = fmt::format("{} by {}, {} noise", kind.source.scenario,
-                                          kind.from == AreasFrom::spool ? "spool" : "voltage", kind.source.noise);
+    const std::string plant = name_of(kind);
     CAPTURE(plant);
     const TestedFault sound{no_fault(), 1, AlarmKind{}};
-    CHECK(watch(kind, sound, sound_movements, machines, first_seed).found_percent() <= 1);
+    const Said accused = watch(kind, sound, sound_movements, machines, first_seed);
+    MESSAGE(plant, ", sound: an alarm in ", accused.found, " of ", accused.machines);
+    CHECK(accused.found_percent() <= 1);
     for (const TestedFault& fault : tested_faults(kind.from)) {
         const Said said = watch(kind, fault, faulty_movements, machines, first_seed);
         MESSAGE(plant, ", ", std::string(fault.fault.name), ": found in ", said.found, " of ", said.machines,
@@ -158,11 +164,16 @@ TEST_CASE("what the monitor says over its socket is so: some machines of either 
     check_said({{"excavator", "low", true}, AreasFrom::servo}, 2, 33'000);
 }
 
-// Most of an hour: ctest -C studies -R studies/verdicts
+// Most of an hour: ctest -C studies -R studies/verdicts. One of the nine: --no-skip --subcase="excavator by spool*mid*"
 TEST_CASE("what the monitor says over its socket is so: 200 machines of each fault" * doctest::skip()) {
     for (const char* noise : {"low", "mid", "high"}) {
-        check_said({{"scenario-a", noise, false}, AreasFrom::spool}, 200, 41'000);
-        check_said({{"excavator", noise, true}, AreasFrom::spool}, 200, 42'000);
-        check_said({{"excavator", noise, true}, AreasFrom::servo}, 200, 43'000);
+        const TestedKind kinds[]{{{"scenario-a", noise, false}, AreasFrom::spool},
+                                 {{"excavator", noise, true}, AreasFrom::spool},
+                                 {{"excavator", noise, true}, AreasFrom::servo}};
+        std::uint64_t first_seed = 41'000;
+        for (const TestedKind& kind : kinds) {
+            SUBCASE(name_of(kind).c_str()) { check_said(kind, 200, first_seed); }
+            first_seed += 1'000;
+        }
     }
 }

@@ -151,14 +151,31 @@ TEST_CASE("of several adapters of a receiver's processor a broadcast takes the o
     CHECK(Machine(told, broadcasting_catalogue(), 1).run().buses[0].broadcasts[0].adapters == 2);
 }
 
-TEST_CASE("who outputs to one after the other waits for ever, and the report says for what") {
-    std::string in_order = one_to_three();
-    replace(in_order, "\"test.shout\" for p", "\"csp.delta\" for p");
-    replace(in_order, "p (count = 5, bytes = 200);",
+namespace {
+
+/// The kind passes on what a producer outputs.
+std::string passed_on_by(const std::string& kind) {
+    std::string text = one_to_three();
+    replace(text, "\"test.shout\" for p", "\"" + kind + "\" for p");
+    replace(text, "p (count = 5, bytes = 200);",
             "process (interface (output out)) q; use \"csp.producer\" for q; place q on sun;"
             "q (count = 5); p (count = 5); connect q.out to p.in;");
-    replace(in_order, "(output out[3])) p", "(input in, output out[3])) p");
-    RunReport report = run_broadcast(in_order);
+    replace(text, "(output out[3])) p", "(input in, output out[3])) p");
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("who outputs to all in a PAR broadcasts") {
+    RunReport report = run_broadcast(passed_on_by("csp.par_delta"));
+    CHECK(report.result.ending == Ending::completed);
+    CHECK(report.buses[0].broadcasts[0].messages == 5);
+    for (const char* consumer : {"c[0]", "c[1]", "c[2]"})
+        CHECK(report.measured(consumer, "last_number") == 4);
+}
+
+TEST_CASE("who outputs to one after the other waits for ever, and the report says for what") {
+    RunReport report = run_broadcast(passed_on_by("csp.delta"));
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.result.deadlock);
     CHECK(report.result.deadlock->cycle == std::vector<std::string>{"p"});

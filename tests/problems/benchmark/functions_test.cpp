@@ -58,8 +58,8 @@ TEST_CASE("each function has its optimum where the literature says") {
     CHECK(at(Rastrigin{}, 0) == 0);
     CHECK(at(Griewank{}, 0) == 0);
     CHECK(std::abs(at(Schwefel{}, Schwefel::best_place)) < 1e-9);
-    CHECK(at(Step{}, -5.12) == -30);
-    CHECK(Step{}.optimum() == -30);
+    CHECK(at(StepFunction{}, -5.12) == -30);
+    CHECK(StepFunction{}.optimum() == -30);
     Quartic quiet;
     quiet.noise = 0;
     CHECK(at(quiet, 0) == quiet.optimum());
@@ -72,7 +72,7 @@ TEST_CASE("nothing is better than the optimum, by chance") {
     check_optimum(Rastrigin{});
     check_optimum(Griewank{});
     check_optimum(Schwefel{});
-    check_optimum(Step{});
+    check_optimum(StepFunction{});
     check_optimum(Foxholes{});
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("nothing is better than the optimum, of all strings") {
     CHECK(least_of_all(small<Sphere>(8)) == 0);
     CHECK(least_of_all(small<Rastrigin>(8)) == 0);
     CHECK(least_of_all(small<Griewank>(8)) == 0);
-    CHECK(least_of_all(small<Step>(8)) == -12);
+    CHECK(least_of_all(small<StepFunction>(8)) == -12);
     double schwefel = least_of_all(small<Schwefel>(8)); // no code lies on the optimum: the nearest is 0.97 away
     CHECK(schwefel > 0);
     CHECK(schwefel < 2 * 0.2);
@@ -93,7 +93,7 @@ TEST_CASE("values away from the optimum, by hand") {
     CHECK(Rosenbrock{}.objective(std::vector<double>{-1, 2}) == 104);
     CHECK(at(small<Rastrigin>(8), 0.5) == doctest::Approx(2 * 20.25));
     CHECK(at(small<Rastrigin>(8), 1) == doctest::Approx(2));
-    CHECK(Step{}.objective(std::vector<double>{0.5, -0.5, 2, -3.7, 0}) == -3);
+    CHECK(StepFunction{}.objective(std::vector<double>{0.5, -0.5, 2, -3.7, 0}) == -3);
     Quartic quiet = small<Quartic>(8);
     quiet.noise = 0;
     CHECK(at(quiet, 2) == 48);

@@ -7,6 +7,7 @@
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/hardware/adapter_host.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -82,8 +83,8 @@ LinkFault random_fault(Time duration, RandomStream& random) {
 
 TEST_CASE("a fault beside an adapter: a slow link only slows; what is lost ends in a deadlock and is reported") {
     std::size_t stuck = 0;
-    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        CAPTURE(seed);
+    for (std::uint64_t seed : test::seeds(100, 1)) {
+        INFO(test::replay(seed));
         BothWays sound(seed), struck(seed);
         RunResult without = sound.host.simulation.run();
         REQUIRE(without.ending == Ending::completed);
@@ -109,7 +110,8 @@ TEST_CASE("a fault beside an adapter: a slow link only slows; what is lost ends 
             CHECK(result.ending == Ending::stuck);
         stuck += result.ending == Ending::stuck;
     }
-    CHECK(stuck > 20);
+    if (test::all_seeds())
+        CHECK(stuck > 20);
 }
 
 TEST_CASE("messages by an adapter can be given up at either end, and the next ones come") {
@@ -120,9 +122,9 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
     constexpr int count = 40;
     std::size_t lost_some = 0;
     for (bool down : {true, false})
-        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        for (std::uint64_t seed : test::seeds(60, 1)) {
             CAPTURE(down);
-            CAPTURE(seed);
+            INFO(test::replay(seed));
             Host host(1 + static_cast<std::int64_t>(seed % 40)); // polls in vain before it sleeps
             RandomStream random(seed, "fault");
             LinkFault fault = random_fault(milliseconds{3}, random);
@@ -162,7 +164,8 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
                 CHECK(came.size() >= count / 2);
             lost_some += came.size() < count;
         }
-    CHECK(lost_some > 30);
+    if (test::all_seeds())
+        CHECK(lost_some > 30);
 }
 
 TEST_CASE("what is broadcast cannot be given up") {

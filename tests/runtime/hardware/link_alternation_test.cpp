@@ -6,6 +6,7 @@
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -148,8 +149,8 @@ private:
 } // namespace
 
 TEST_CASE("random programs that alternate over links complete, every message in order") {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-        CAPTURE(seed);
+    for (std::uint64_t seed : test::seeds(2000)) {
+        INFO(test::replay(seed));
         Program bytes(seed, true), closed(seed, false);
         auto result = bytes.run();
         REQUIRE(result.ending == Ending::completed);

@@ -9,6 +9,7 @@
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/sanitized.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -369,8 +370,8 @@ private:
 TEST_CASE("random programs over links with faults end, completed or diagnosed, and nobody is told what is not so") {
     constexpr std::size_t programs = test::sanitized ? 300 : 1500;
     std::size_t given_up = 0, completed = 0, stuck = 0;
-    for (std::uint64_t seed = 0; seed < programs; ++seed) {
-        CAPTURE(seed);
+    for (std::uint64_t seed : test::seeds(programs)) {
+        INFO(test::replay(seed));
         RandomProgram bytes(seed, true), closed(seed, false);
         RunResult result = bytes.run(), with_closed_form = closed.run();
         REQUIRE(result.ending != Ending::time_limit);
@@ -383,7 +384,9 @@ TEST_CASE("random programs over links with faults end, completed or diagnosed, a
         given_up += bytes.given_up();
         ++(result.ending == Ending::completed ? completed : stuck);
     }
-    CHECK(given_up > 6 * programs);
-    CHECK(completed > programs / 5);
-    CHECK(stuck > programs / 15);
+    if (test::all_seeds()) {
+        CHECK(given_up > 6 * programs);
+        CHECK(completed > programs / 5);
+        CHECK(stuck > programs / 15);
+    }
 }

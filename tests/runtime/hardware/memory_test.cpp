@@ -2,6 +2,7 @@
 // random: link_alternation_test.cpp.
 
 #include "runtime/channel.hpp"
+#include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
@@ -13,7 +14,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <deque>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -219,6 +222,54 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
     }
 }
 
+TEST_CASE(
+    "a load shared out along a chain of seven under the C toolset: each stores what is for all behind it, forwards "
+    "the rest and computes its own part at once, as long as by hand") {
+    // Words of the load, of 200 cycles each, such that all would end together if links took nothing from them.
+    constexpr std::array<std::uint32_t, 7> words{26'302, 16'513, 10'423, 6'668, 4'406, 3'131, 2'557};
+    Simulation simulation;
+    std::vector<Processor*> chain;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        chain.push_back(&simulation.add<Processor>(fmt::format("t{}", i), twenty_megahertz,
+                                                   instructions::toolset_channel_call, Memory{.access = Cycles{3}}));
+    std::deque<Bytes> channels;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        Link& link = simulation.add<Link>();
+        chain[i]->has_link(link), chain[i + 1]->has_link(link);
+        channels.emplace_back(fmt::format("c{}", i)).put_on(link.from_a_to_b());
+    }
+    auto behind = [&](std::size_t i) { return std::accumulate(words.begin() + i + 1, words.end(), 0u); };
+    std::array<Time, 7> began{}, ended{};
+    for (std::size_t i = 0; i < words.size(); ++i)
+        simulation.process(
+            fmt::format("p{}", i),
+            [&, i] {
+                if (i > 0)
+                    channels[i - 1].in().input();
+                began[i] = now();
+                pri_par(
+                    [&] {
+                        if (i < channels.size())
+                            channels[i].out().output({4 * behind(i)});
+                    },
+                    [&] { compute(200 * Cycles{words[i]}), ended[i] = now(); });
+            },
+            chain[i], Priority::high);
+    simulation.run();
+    Time by_hand{};
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        CAPTURE(i);
+        constexpr Time slack = std::chrono::microseconds{17}; // of startp, interrupts and rescheduling, of 270 ms
+        CHECK(began[i] >= by_hand);
+        CHECK(began[i] < by_hand + slack);
+        // Computing lasts longer than forwarding, which takes three cycles of it for each word.
+        Time own = (200 * std::int64_t{words[i]} + 3 * std::int64_t{behind(i)}) * cycle;
+        CHECK(ended[i] >= by_hand + own);
+        CHECK(ended[i] < by_hand + own + slack);
+        by_hand += std::chrono::microseconds{11} + behind(i) * std::chrono::nanoseconds{2240};
+    }
+}
+
 TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s outside of the chip (databook)") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
@@ -230,6 +281,22 @@ TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s out
         "inputs", [&] { channel.in().input(), ended = now(); }, &t800);
     simulation.run();
     CHECK(4e6 / static_cast<double>(ended.count()) * 1e12 == doctest::Approx(13.3e6).epsilon(.005));
+}
+
+TEST_CASE("words of code and data outside of the chip take a computation what an access there takes longer") {
+    for (std::int64_t access : {1, 3, 5}) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{access}});
+        Time took{};
+        simulation.process(
+            "computes", [&] { compute(Cycles{1000}, {.words_outside = 400}), took = now(); }, &t800);
+        simulation.run();
+        CHECK(took == (1000 + 400 * (access - 1)) * cycle);
+    }
+    Simulation simulation;
+    simulation.process(
+        "computes", [] { compute(Cycles{1}, {.words_outside = -1}); }, &simulation.add<Processor>("t"));
+    CHECK_THROWS_AS(simulation.run(), std::logic_error);
 }
 
 TEST_CASE("memory that takes no time, or has words of another size, is refused") {

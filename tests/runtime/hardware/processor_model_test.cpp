@@ -7,6 +7,7 @@
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -42,8 +43,8 @@ std::int64_t sum_of_computations(const std::vector<Load>& loads) {
 } // namespace
 
 TEST_CASE("random loads take the cycles that a clocked processor takes, each and in sum") {
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        CAPTURE(seed);
+    for (std::uint64_t seed : test::seeds(60)) {
+        INFO(test::replay(seed));
         RandomStream random(seed, "processor");
         auto loads = random_loads(random);
         Simulation simulation;

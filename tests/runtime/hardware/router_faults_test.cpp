@@ -5,6 +5,7 @@
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/hardware/routed_machine.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -137,9 +138,9 @@ bool is_named(const RunResult& result, const std::string& process) {
 
 TEST_CASE("a slow link under routers only slows: each message comes, in order") {
     for (const Graph& graph : graphs())
-        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        for (std::uint64_t seed : test::seeds(4, 1)) {
             CAPTURE(graph.nodes);
-            CAPTURE(seed);
+            INFO(test::replay(seed));
             Post sound(graph, seed), struck(graph, seed);
             RunResult without = sound.run();
             RandomStream random(seed, "fault");
@@ -159,9 +160,9 @@ TEST_CASE("a slow link under routers only slows: each message comes, in order") 
 TEST_CASE("where a link under routers loses something, the channels that have packets there stop, all others go on") {
     std::size_t stuck = 0;
     for (const Graph& graph : graphs())
-        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        for (std::uint64_t seed : test::seeds(12, 1)) {
             CAPTURE(graph.nodes);
-            CAPTURE(seed);
+            INFO(test::replay(seed));
             Post sound(graph, seed), struck(graph, seed);
             RunResult without = sound.run();
             REQUIRE(without.ending == Ending::completed);
@@ -201,15 +202,16 @@ TEST_CASE("where a link under routers loses something, the channels that have pa
                 CHECK(effect.last->message != FaultEffect::Hit::Message::whole);
             stuck += stopped > 0;
         }
-    CHECK(stuck > 15);
+    if (test::all_seeds())
+        CHECK(stuck > 15);
 }
 
 TEST_CASE("a processor that halts stops the channels that lead over it, and no other") {
     std::size_t stuck = 0;
     for (const Graph& graph : graphs())
-        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        for (std::uint64_t seed : test::seeds(8, 1)) {
             CAPTURE(graph.nodes);
-            CAPTURE(seed);
+            INFO(test::replay(seed));
             Post sound(graph, seed), struck(graph, seed);
             RunResult without = sound.run();
             RandomStream random(seed, "fault");
@@ -235,7 +237,8 @@ TEST_CASE("a processor that halts stops the channels that lead over it, and no o
             }
             stuck += result.ending == Ending::stuck;
         }
-    CHECK(stuck > 15);
+    if (test::all_seeds())
+        CHECK(stuck > 15);
 }
 
 TEST_CASE(

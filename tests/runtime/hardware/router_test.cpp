@@ -10,6 +10,7 @@
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
 #include "tests/runtime/hardware/routed_machine.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -313,10 +314,10 @@ TEST_CASE("a long message over three links is nearly as fast as over one: its pa
 
 TEST_CASE("all processors talk to all others at once, by any routes: nothing is lost, late or stuck") {
     for (const Graph& graph : {line(4), ring(3), ring(6), torus(3, 3), hypercube(2), hypercube(3)})
-        for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        for (std::uint64_t seed : test::seeds(2, 1)) {
             CAPTURE(graph.nodes);
             CAPTURE(graph.links.size());
-            CAPTURE(seed);
+            INFO(test::replay(seed));
             RoutedMachine machine(graph);
             CHECK(all_talk_to_all(graph.nodes, seed, &machine) == all_talk_to_all(graph.nodes, seed, nullptr));
         }

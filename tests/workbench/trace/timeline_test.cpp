@@ -22,8 +22,8 @@ using namespace std::chrono_literals;
 namespace {
 
 const char* word(Doing doing) {
-    const char* words[] = {"executes", "carries", "ready",      "computes", "delayed",
-                           "outputs",  "inputs",  "alternates", "joins",    "after_work"};
+    const char* words[] = {"executes", "carries",    "ready", "computes",   "delayed", "outputs",
+                           "inputs",   "alternates", "joins", "after_work", "stopped"};
     return words[static_cast<std::size_t>(doing)];
 }
 
@@ -183,6 +183,13 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
         Channel<int> c("c");
         traced.simulation.process("p", [&] { c.in().input(); });
         CHECK(traced.run().lines == Lines{"p: inputs 0 to the end, c with ", "0 to 0: deadlock"});
+    }
+    SUBCASE("who has stopped") {
+        Traced traced({"p"});
+        traced.simulation.process("p", [] { wait_for(1us), stop(); });
+        traced.simulation.process("q", [] { wait_for(9us); });
+        CHECK(traced.run().lines ==
+              Lines{"p: delayed 0 to 1000, timer", "p: stopped 1000 to the end", "0 to 9000: deadlock"});
     }
     SUBCASE("limit") {
         Traced traced({"p"});

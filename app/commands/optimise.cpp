@@ -1,0 +1,212 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/signals.hpp"
+#include "app/standard_error.hpp"
+#include "text/counted.hpp"
+#include "text/nearest.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+#include "workbench/gnuplot.hpp"
+#include "workbench/load.hpp"
+#include "workbench/optimise/optimise_report.hpp"
+#include "workbench/problems.hpp"
+#include "workbench/study/study_file.hpp"
+#include "workbench/study/study_report.hpp"
+#include "workbench/study/summary_cells.hpp"
+#include "workbench/study/sweep.hpp"
+#include "workbench/workers.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::uint64_t most_exhaustive = 10'000; ///< combinations that are all tried out without --yes
+
+struct OptimiseOptions {
+    std::string study;
+    std::optional<std::uint64_t> seed, population, generations;
+    bool random = false, exhaustive = false;
+    std::string results; ///< "": by the study's name
+    std::string csv, svg;
+    std::size_t jobs = 0;
+    bool yes = false, any_version = false;
+
+    std::array<std::filesystem::path, 2> outputs() const { return {csv, svg}; }
+    std::filesystem::path kept() const {
+        return results.empty() ? std::filesystem::path(study).stem().string() + ".sqlite" : results;
+    }
+};
+
+Study searched_study(const OptimiseOptions& options) {
+    if (!lower_case(options.study).ends_with(".toml"))
+        throw UserError(
+            fmt::format("{}: a search is stated by a study (.toml) that has a table [search]", options.study));
+    Study study = read_study(options.study);
+    if (!study.search)
+        throw UserError(fmt::format("{}: it has no table [search], which says what to minimise: minimise = \"time\"",
+                                    options.study));
+    study.search->seed = options.seed.value_or(study.search->seed);
+    study.search->population = options.population.value_or(study.search->population);
+    study.search->generations = options.generations.value_or(study.search->generations);
+    return study;
+}
+
+void require_exhaustible(const OptimiseOptions& options, const MachineSpace& space) {
+    if (options.exhaustive && !options.yes && space.count() > most_exhaustive)
+        throw UserError(fmt::format("--exhaustive: {} combinations are too many to try them all out unless --yes is "
+                                    "said",
+                                    space.count()));
+}
+
+void require_optimise_outputs(const OptimiseOptions& options) {
+    require_apart(options.outputs(), options.study);
+    for (const auto& path : options.outputs())
+        if (!path.empty())
+            require_writable(path);
+    if (!options.svg.empty())
+        require_gnuplot();
+}
+
+Network network_with(const Study& study, const Overrides& settings) {
+    return load_network(
+        study.netlist, settings, known_problems(0), [](const std::string&) {}, study.read);
+}
+
+/// The netlist as it is, or one of its machines where that is none.
+Network some_network(const Study& study, const MachineSpace& space) {
+    try {
+        return network_with(study, space.fixed());
+    } catch (const UserError&) {
+        return readable_network(study);
+    }
+}
+
+std::string told(const CourseProgress& progress) {
+    std::string out = fmt::format("{}: {}", progress.step, counted(progress.course.machines.size(), "machine"));
+    if (progress.runs > 0)
+        out += fmt::format(" and {}", counted(progress.runs, "run"));
+    std::vector<std::size_t> front = progress.course.front();
+    if (!front.empty())
+        out += fmt::format(", best {:.6g}", progress.course.merits[front.front()].costs.front());
+    return out;
+}
+
+/// What is searched, with what is needed for it.
+struct Session {
+    const OptimiseOptions& options;
+    Study study = searched_study(options);
+    MachineSpace space{study};
+    StudyResults results{options.kept(), source_of(study, some_network(study, space)), options.any_version};
+    InterruptedBySignals interruption{};
+    MachineTrials trials{study, space, results, options.jobs, interruption};
+};
+
+/// None when interrupted.
+std::optional<Optimum> search_for(Session& session) {
+    Optimum optimum{.measures = session.study.search->minimise};
+    Progress line;
+    MachineSearch search(session.study, session.space, session.trials,
+                         [&](const CourseProgress& progress) { line.show(told(progress)); });
+    std::optional<Trial> start = session.trials.of(session.space.fixed());
+    if (!start)
+        return std::nullopt;
+    optimum.start = *start;
+    auto add = [&](std::optional<SearchCourse> course) {
+        if (course && course->front().empty())
+            throw UserError(print_why_none(*course));
+        if (course)
+            optimum.courses.push_back(std::move(*course));
+        return course.has_value();
+    };
+    bool whole = add(search.genetic()) &&
+                 (!session.options.random || add(search.random(optimum.courses.front().machines.size()))) &&
+                 (!session.options.exhaustive || add(search.exhaustive()));
+    return whole ? std::optional(std::move(optimum)) : std::nullopt;
+}
+
+std::vector<PathPart> path_of(Session& session, const Overrides& settings) {
+    CriticalPath path;
+    run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),
+                {.seed = session.study.first_seed, .until = session.study.until, .trace = &path});
+    return path.parts();
+}
+
+void print_optimum(Session& session, const Optimum& optimum, const StudySummary& summary) {
+    const SearchCourse& course = optimum.courses.front();
+    const Overrides best = session.space.settings(course.machines[best_of(course).front()]);
+    std::string out = fmt::format("{} of {}; the best of them:\n\n", counted(session.space.count(), "combination"),
+                                  counted(session.space.names().size(), "setting")) +
+                      print_summary(summary) + "\n" + print_comparison(optimum) + "\n";
+    if (optimum.start.merit.feasible)
+        out += print_paths(path_of(session, session.space.fixed()), path_of(session, best)) + "\n";
+    print_out(out + fmt::format("the best: {}\nresults: {}\n", command_of(session.study, best),
+                                session.results.path().string()));
+}
+
+ExitCode optimise(const OptimiseOptions& typed) {
+    OptimiseOptions options = typed;
+    options.jobs = options.jobs == 0 ? count_cores() : options.jobs;
+    require_optimise_outputs(options);
+    Session session{options};
+    require_exhaustible(options, session.space);
+    session.results.set_measures(session.study.search->minimise);
+    std::optional<Optimum> optimum = search_for(session);
+    if (!optimum) {
+        fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
+                   session.results.path().string());
+        return ExitCode::interrupted;
+    }
+    StudySummary summary = summary_of_best(session.results, session.study, session.space, optimum->courses.front());
+    for (std::size_t i = 0; i < optimum->measures.size(); ++i)
+        optimum->measures[i] = measure_with_unit(summary, i);
+    print_optimum(session, *optimum, summary);
+    if (!options.csv.empty())
+        write_whole(options.csv, summary_csv(summary));
+    if (!options.svg.empty())
+        write_whole(options.svg, draw_svg(optimum_plot(*optimum, session.study.netlist)));
+    return ExitCode::success;
+}
+
+void add_search_size(CLI::App& command, OptimiseOptions& options) {
+    command.add_option("--seed", options.seed, "of the search's random numbers, in the place of the study's")
+        ->type_name("N")
+        ->check(not_a_whole_number);
+    add_number(command, "--population", options.population, 4, 10'000, "machines of a generation");
+    add_number(command, "--generations", options.generations, 1, 1'000'000, "how many are bred");
+    add_count(command, "--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said");
+}
+
+Action declare_optimise(CLI::App& command, const std::string&) {
+    auto options = std::make_shared<OptimiseOptions>();
+    command.add_option("STUDY", options->study, "a study (.toml) with a table [search]")->required()->check(not_a_name);
+    add_search_size(command, *options);
+    command.add_flag("--random", options->random, "draws as many machines at random, to compare");
+    command.add_flag("--exhaustive", options->exhaustive, "tries all machines out, to compare");
+    add_file(
+        command, "--results", options->results,
+        "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
+    add_file(command, "--csv", options->csv, "writes the best machines, or the front, as comma-separated values");
+    add_file(command, "--svg", options->svg, "draws the search, or the front");
+    command.add_flag("--yes", options->yes, "tries all out even where they are very many");
+    command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
+    return [options] { return optimise(*options); };
+}
+
+} // namespace
+
+extern const Command optimise_command{
+    .name = "optimise",
+    .about = "Searches a study for the best machine, with a genetic algorithm, and says why it is",
+    .place = 24,
+    .declare = declare_optimise,
+};
+
+} // namespace placedpar

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "workbench/page/run_page.hpp"
+#include "workbench/trace/trace_file.hpp"
+#include "workbench/trace/trace_fork.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// The files that show a run as it went by.
+struct RecordedFiles {
+    std::string trace, page; ///< "": not written
+    TraceWindow window = {};
+};
+
+/// Who is told of a run while it goes on, and writes these files when it is over.
+class Recorders {
+public:
+    /// Throws UserError where a file cannot be written. `another`, if any, is told as well.
+    Recorders(const Network&, const RecordedFiles&, TraceSink* another = nullptr);
+
+    /// Null where nobody is.
+    TraceSink* sink() { return fork_ ? &*fork_ : nullptr; }
+    /// REQUIRES: the run is over.
+    void finish(const PageContent&, std::span<const PathMark> critical_path = {});
+
+private:
+    std::filesystem::path page_path_;
+    std::optional<TraceFile> trace_;
+    std::optional<RunPage> page_;
+    std::optional<TraceFork> fork_;
+};
+
+} // namespace placedpar

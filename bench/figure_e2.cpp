@@ -1,0 +1,65 @@
+// The machine of Figure E.2, sixteen transputers, as a sweep runs it: how many seconds of the machine's time pass in a
+// second of one core, and how many runs are made.
+
+#include "text/user_error.hpp"
+#include "workbench/study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+
+using namespace placedpar;
+
+namespace {
+
+struct Figures {
+    double seconds = 0, simulated_seconds = 0;
+    std::uint64_t fingerprint = 0; ///< of the last run
+};
+
+/// The runs of the study, on one core.
+Figures run_all(const Study& study) {
+    Figures figures;
+    StudyWorker worker(study);
+    Interruption never;
+    std::clock_t begun = std::clock(); // of the processor: what else runs beside it does not count
+    for (std::uint64_t i = 0; i < study.count(); ++i) {
+        StudyOutcome outcome = *worker.outcome_of(*study.at(i), never);
+        if (outcome.ended != "completed")
+            throw UserError(outcome.ended + " " + outcome.refused);
+        figures.simulated_seconds += std::chrono::duration<double>(outcome.time).count();
+        figures.fingerprint = outcome.fingerprint;
+    }
+    figures.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    return figures;
+}
+
+void report(const char* what, const Study& study) {
+    Figures figures = run_all(study);
+    fmt::print("{:<28} {:7.1f} simulated s/s {:8.1f} runs/s   fingerprint {:016x}\n", what,
+               figures.simulated_seconds / figures.seconds, static_cast<double>(study.count()) / figures.seconds,
+               figures.fingerprint);
+}
+
+Study study_of(const char* setting, std::uint64_t seeds) {
+    Study study;
+    study.netlist = PLACEDPAR_SOURCE_DIR "/examples/04-figure-e2/figure-e2.cfs";
+    study.products.emplace_back();
+    study.products.back().axes.push_back(read_axis(setting));
+    study.seeds = seeds;
+    return study;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    long runs = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 50;
+    if (runs < 1) {
+        fmt::print(stderr, "usage: figure_e2 [RUNS, at least 1]\n");
+        return 1;
+    }
+    report("other seeds", study_of("slaves=3", static_cast<std::uint64_t>(runs)));
+    report("other links, one seed", study_of(fmt::format("linkspeed=20M..{}M..1M", 19 + runs).c_str(), 1));
+}

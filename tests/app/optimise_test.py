@@ -1,0 +1,268 @@
+"""placedpar optimise: the best machine of a study, whatever happens meanwhile, and what it refuses."""
+
+import contextlib
+import csv
+import os
+import pathlib
+import pty
+import re
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree
+
+from program import EXAMPLES, PROGRAM, placedpar
+
+MACHINE = EXAMPLES / "71-best-machine" / "machine.cfs"
+
+# Links of one transputer to another are wired beyond the four that there are: a constraint that the netlist states.
+NETLIST = """
+val wires 1;
+val cycles 90000;
+T800 a, b;
+process source, sink;
+use "csp.producer" for source;
+use "csp.consumer" for sink;
+source (count = 1, cycles = cycles / wires + 1700 * wires);
+sink (count = 1);
+place source on a;
+place sink on a;
+connect source.out to sink.in;
+rep i = 0 for wires
+    connect a.link[i] to b.link[i];
+"""
+STUDY = """
+netlist = "small.cfs"
+[search]
+minimise = {minimise}
+population = 12
+generations = 12
+[set]
+wires = "1..8"
+cycles = [100000, 200000, 300000]
+"""
+FARM = f"""
+netlist = "{MACHINE}"
+where = "masters <= 4"
+[search]
+minimise = "time"
+population = 12
+generations = 6
+[set]
+samples = 6
+masters = "1..6"
+links = "1..2"
+split = ["individuals", "demand", "evaluations"]
+"""
+SPHERE = """
+T800 t;
+workstation sun;
+connect sun.link[0] to t.link[0];
+process host, master;
+use "ga.host" for host;
+use "ga.master" for master;
+host (problem = "sphere", generations = 5, accuracy = 0.1);
+master (problem = "sphere", population = 8);
+connect host.to_masters[0] to master.from_host;
+connect master.to_host to host.from_masters[0];
+place host on sun;
+place master on t;
+"""
+
+
+def best_line(output):
+    return re.search(r"^the best: (.*)$", output, re.MULTILINE).group(1)
+
+
+class Optimise(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.write("small.cfs", NETLIST)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+        return name
+
+    def small(self, minimise='"time"'):
+        return self.write("small.toml", STUDY.format(minimise=minimise))
+
+    def optimise(self, *arguments, code=0, **options):
+        done = placedpar("optimise", *arguments, folder=self.folder, **options)
+        self.assertEqual(done.returncode, code, done.stderr + done.stdout)
+        return done.stdout if code == 0 else done.stderr
+
+    def refuses(self, text, *messages, arguments=(), name="refused.toml"):
+        said = self.optimise(self.write(name, text), *arguments, code=1)
+        for message in messages:
+            self.assertIn(message, said)
+
+    def rows(self, path="small.sqlite"):
+        with contextlib.closing(sqlite3.connect(self.folder / path)) as database:
+            return list(database.execute("SELECT * FROM runs ORDER BY settings, seed"))
+
+
+class Found(Optimise):
+    def test_the_best_is_that_of_the_exhaustive_search_and_can_be_run_again(self):
+        said = self.optimise(self.small(), "--exhaustive", "--random")
+        least = {line.split()[0]: line.split()[2] for line in said.splitlines()
+                 if line.startswith(("genetic", "random", "exhaustive"))}
+        self.assertEqual(set(least), {"genetic", "random", "exhaustive"})
+        self.assertEqual(least["genetic"], least["exhaustive"])
+        again = placedpar(*best_line(said).split()[1:], folder=self.folder).stdout
+        self.assertIn("completed at", again)
+        self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), float(least["genetic"]), places=5)
+
+    def test_the_four_links_are_never_exceeded(self):
+        said = self.optimise(self.small(), "--exhaustive")
+        run = {row[0] for row in self.rows() if row[2] == "completed"}
+        refused = {row[0] for row in self.rows() if row[2] == "refused"}
+        self.assertTrue(all(re.search(r'"wires":"[1-4]"', settings) for settings in run - {"{}"}))
+        self.assertTrue(all(re.search(r'"wires":"[5-8]"', settings) for settings in refused))
+        self.assertIn("wires=4", best_line(said))
+        self.assertRegex(said, r"exhaustive +12 ")
+
+    def test_two_measures_give_a_front(self):
+        self.optimise(self.small('["time", "links"]'), "--csv", "front.csv", "--svg", "front.svg")
+        with open(self.folder / "front.csv", encoding="utf-8", newline="") as file:
+            front = list(csv.DictReader(file))
+        self.assertEqual([int(row["wires"]) for row in front], [4, 3, 2, 1])
+        times = [float(row["time [ms] mean"]) for row in front]
+        self.assertEqual(times, sorted(times))
+        xml.etree.ElementTree.parse(self.folder / "front.svg")
+
+    def test_why_it_is_the_best_adds_up_to_both_runs(self):
+        said = self.optimise(self.write("farm.toml", FARM))
+        table = said[said.index("on the critical path"):].split("\n\n")[0].splitlines()[1:]
+        parts = [[float(cell) for cell in line.split()[:3]] for line in table]
+        for column in range(2):
+            self.assertAlmostEqual(sum(part[column] for part in parts[:-1]), parts[-1][column], places=1)
+        again = placedpar(*best_line(said).split()[1:], folder=self.folder).stdout
+        self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), parts[-1][1], places=2)
+        start = placedpar("run", MACHINE, "--set", "samples=6").stdout
+        self.assertAlmostEqual(float(start.split("completed at ")[1].split()[0]), parts[-1][0], places=2)
+
+
+class TimeToAccuracy(unittest.TestCase):
+    TRUTH = 0.0086 # in^3/psi, of the record of "boom"
+
+    @staticmethod
+    def host(samples, accuracy, *settings):
+        """What the host measured over so many samples: a longer run begins as a shorter one does."""
+        said = placedpar("run", MACHINE, "--set", f"samples={samples}", "--set", f"accuracy={accuracy}", *settings)
+        measured = re.findall(r"^host +(\S+) +(\S+)", said.stdout, re.MULTILINE)
+        return {**dict(measured), "whole": said.stdout.split("completed at ")[1].split()[0]}
+
+    def test_it_is_since_when_the_fittest_estimate_is_accurate_for_good(self):
+        accuracy, since = 0.02, 0
+        for samples in range(5, 21):
+            host = self.host(samples, accuracy)
+            accurate = abs(float(host["C_BOi"]) - self.TRUTH) <= accuracy * self.TRUTH
+            self.assertEqual("accurate_after" in host, accurate, samples)
+            if accurate:
+                after = float(host["accurate_after"])
+                self.assertGreaterEqual(after, since)
+                self.assertLessEqual(after, float(host["whole"]))
+            else: # it cannot have been accurate for good before the last estimates of this sample
+                since = float(self.host(samples, 1)["whole"]) - 45 # a sample takes 44.6 ms at most
+        self.assertGreater(since, 0)
+
+    def test_nobody_looks_unless_asked_and_without_a_truth_it_is_refused(self):
+        self.assertNotIn("host", [line.split()[0] for line in placedpar("run", MACHINE).stdout.splitlines()[3:8]])
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "sphere.cfs"
+            netlist.write_text(SPHERE, encoding="utf-8")
+            refused = placedpar("run", netlist)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("true parameters", refused.stderr)
+
+
+class TheSame(Optimise):
+    def test_whatever_runs_at_once_and_whatever_has_been_run(self):
+        study = self.write("farm.toml", FARM)
+        one = self.optimise(study, "--jobs", 1, "--results", "one.sqlite")
+        two = self.optimise(study, "--jobs", 3, "--results", "two.sqlite")
+        self.assertEqual(one.replace("one.sqlite", ""), two.replace("two.sqlite", ""))
+        self.assertEqual(self.rows("one.sqlite"), self.rows("two.sqlite"))
+        self.assertEqual(self.optimise(study, "--results", "one.sqlite"), one)
+        self.assertEqual(self.rows("one.sqlite"), self.rows("two.sqlite"))
+
+    def test_after_it_was_killed(self):
+        study = self.write("farm.toml", FARM)
+        whole = self.optimise(study, "--results", "whole.sqlite")
+        for patience in (0.1, 0.4):
+            with subprocess.Popen([PROGRAM, "optimise", study], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL) as process:
+                time.sleep(patience)
+                process.kill()
+        self.assertEqual(self.optimise(study).replace("farm.sqlite", "whole.sqlite"), whole)
+        self.assertEqual(self.rows("farm.sqlite"), self.rows("whole.sqlite"))
+
+    def test_interrupted_it_says_so(self):
+        study = self.write("farm.toml", FARM.replace("generations = 6", "generations = 600000"))
+        with subprocess.Popen([PROGRAM, "optimise", study, "--seed", "2"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(0.5)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=60)[1]
+        self.assertIn("the same command goes on from them", said)
+        self.assertEqual(process.returncode, 130)
+
+    def test_a_terminal_is_told_how_far_it_is(self):
+        outer, inner = pty.openpty()
+        study = self.write("farm.toml", FARM)
+        with subprocess.Popen([PROGRAM, "optimise", study], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=inner) as process:
+            os.close(inner)
+            told = b""
+            with contextlib.suppress(OSError):
+                while chunk := os.read(outer, 4096):
+                    told += chunk
+        os.close(outer)
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(told, rb"generation \d of 6: \d+ machines")
+
+
+class Refused(Optimise):
+    def test_what_is_no_search(self):
+        self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "it has no table [search]")
+        self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
+        self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "minimises one measure or two", "refused.toml:2:1")
+        self.refuses('netlist = "small.cfs"\n[search]\nminimise = ["time", "links", "processors"]\n',
+                     "minimises one measure or two")
+        self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no "minimize"',
+                     'did you mean "minimise"?')
+        self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "a study has one search")
+        self.refuses(STUDY.format(minimise='"time"').replace("population = 12", "population = 3"), "at least 4")
+
+    def test_a_measure_that_no_run_has(self):
+        self.refuses(STUDY.format(minimise='"tine"'), 'there is no measure "tine"; did you mean "time"?')
+
+    def test_a_name_that_the_netlist_does_not_have(self):
+        self.refuses(STUDY.format(minimise='"time"').replace("wires", "wirs"), "wirs", "wires")
+
+    def test_a_space_without_machines(self):
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'where = "wires > 9"\n[search]'),
+                     "the study's condition leaves nothing to be run")
+        self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[100000, 200000, 300000]", "100000"),
+                     "no setting of the study has several values")
+        self.refuses(STUDY.format(minimise='"time"') + "[[also]]\nset = {wires = 2}\n", "[[also]]")
+
+    def test_all_infeasible_says_what_refused_them(self):
+        self.refuses(STUDY.format(minimise='"time"').replace("1..8", "5..8"),
+                     "can be built and comes to an end", '"b" has no link 4', "a T800 has the links 0 to 3")
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'until = "1us"\n[search]'),
+                     "stopped at the time limit", name="stopped.toml")
+
+    def test_an_exhaustive_search_of_too_many(self):
+        text = STUDY.format(minimise='"time"').replace("[100000, 200000, 300000]", '"1..100000"')
+        self.refuses(text, "800000 combinations are too many", "--yes", arguments=["--exhaustive"])
+
+
+if __name__ == "__main__":
+    unittest.main()
