@@ -47,7 +47,7 @@ void pass_token(std::size_t processes, std::size_t events) {
 int main(int argc, char** argv) {
     const char* usage = "ring [MOST PROCESSES, usually 1000000]";
     auto most = static_cast<std::size_t>(argument(argc, argv, 1, 1'000'000, usage));
-    for (std::size_t processes : {16, 1'000, 30'000, 200'000, 1'000'000})
+    for (std::size_t processes : {16u, 1'000u, 30'000u, 200'000u, 1'000'000u})
         if (processes <= most)
             pass_token(processes, 4 * most);
 }

@@ -1,4 +1,4 @@
-#include "runtime/hardware/link_closed_form.hpp"
+// The closed form of a link.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"

@@ -74,8 +74,6 @@ KNOTS = (
     # A process waits by its executive, which asks the kernel, which resumes the process on a worker. A trace is told
     # which process did what.
     {"runtime/executive", "runtime/kernel", "runtime/process", "runtime/trace", "runtime/worker"},
-    # A direction of a link asks the closed form how far it is, which moves both directions.
-    {"runtime/hardware/link", "runtime/hardware/link_closed_form"},
 )
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)

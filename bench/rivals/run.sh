@@ -1,0 +1,22 @@
+#!/bin/sh
+# Runs bench/commstime and the same network on other kernels by turns, three times, on one processor.
+# usage: bench/rivals/run.sh [BUILD FOLDER]    build/release; needs libsystemc-dev, golang-go, python3-simpy3 of Debian,
+# and passes over those that are missing
+set -eu
+here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+build=${1:-$here/../../build/release}
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+
+[ -f /usr/include/systemc.h ] && g++ -O2 "$here/commstime_systemc.cpp" -lsystemc -o "$made/systemc"
+command -v go >/dev/null && GOCACHE="$made/cache" go build -o "$made/go" "$here/commstime.go"
+for turn in 1 2 3; do
+    echo "turn $turn"
+    taskset -c 0 "$build/bench/commstime"
+    if [ -x "$made/systemc" ]; then
+        SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000
+        SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000 pauses
+    fi
+    [ -x "$made/go" ] && taskset -c 0 "$made/go"
+    /usr/bin/python3 -c 'import simpy' 2>/dev/null && taskset -c 0 /usr/bin/python3 "$here/commstime_simpy.py"
+done
