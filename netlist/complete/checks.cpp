@@ -86,17 +86,21 @@ std::vector<std::int64_t> channels_in_packets(const Network& network) {
     return counts;
 }
 
+/// On the chip of a transputer. A node without more, or a workstation, is one whose memory the netlist does not state.
+constexpr std::int64_t memory_of_a_chip_bytes = 4096;
+
 /// A warning, since nothing else that lies in the memory is known.
 void check_room_for_packets(Completion& c) {
     const std::vector<std::int64_t> channels = channels_in_packets(c.network);
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const Node& node = c.network.nodes[i];
         const std::int64_t room = channels[i] * hardware::Route::room;
-        if (node.attributes.contains("memory") && room > node.integer("memory"))
+        const std::int64_t memory = node.attributes.contains("memory") ? node.integer("memory") : 0;
+        if (memory > memory_of_a_chip_bytes && room > memory)
             c.reporter.warning(node.declared,
                                fmt::format("\"{}\" has {} bytes of memory; the packets of the {} channels that lead "
                                            "there, or through it, need {}",
-                                           node.name, node.integer("memory"), channels[i], room),
+                                           node.name, memory, channels[i], room),
                                "give it more, or lead channels elsewhere: routecost, place p.out on LINK;");
     }
 }

@@ -167,23 +167,25 @@ TEST_CASE(
                                    "channel \"p.out -> q.in\"\n"));
 }
 
-TEST_CASE("room for packets that is more than a processor's memory is warned of, at each processor on the way") {
-    auto said_with = [](int channels) {
+TEST_CASE("room for packets that is more than a processor's stated memory is warned of, at each processor on the way") {
+    auto said_with = [](int channels, const std::string& memory) {
         const std::string n = std::to_string(channels);
-        return render(read_netlist_text("T800 a, b, c; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];"
-                                        "process p[" +
+        return render(read_netlist_text("T800 " + memory +
+                                            " a, b, c; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];"
+                                            "process p[" +
                                             n + "], q[" + n +
                                             "]; use \"pump\" for p; use \"sink\" for q;"
                                             "rep i = 0 for " +
                                             n + " { connect p[i].out to q[i].in; place p[i] on a; place q[i] on c; }",
                                         small_catalogue(), {}, "n.cfs"));
     };
-    CHECK(said_with(3).empty());
-    std::string said = said_with(4); // 4 packets of 260 bytes each, in 4096 bytes
+    CHECK(said_with(7, "(memory = 8K)").empty());
+    CHECK(said_with(8, "").empty());
+    std::string said = said_with(8, "(memory = 8K)"); // 4 packets of 260 bytes each, in 8192 bytes
     for (const char* node : {"a", "b", "c"})
         CHECK(said.find("warning: \"" + std::string(node) +
-                        "\" has 4096 bytes of memory; the packets of the 4 channels that lead there, or through it, "
-                        "need 4160\n") != std::string::npos);
+                        "\" has 8192 bytes of memory; the packets of the 8 channels that lead there, or through it, "
+                        "need 8320\n") != std::string::npos);
 }
 
 TEST_CASE("a placement of a channel by a wire leads it over that wire") {
