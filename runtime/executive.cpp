@@ -7,7 +7,7 @@ namespace placedpar {
 void compute(Cycles cycles, const Grain& grain) {
     Kernel& kernel = Kernel::here();
     if (Executive* executive = kernel.running().executive())
-        executive->compute(cycles + grain.words_outside * executive->costs().word_outside, grain);
+        executive->compute(cycles, grain);
     else
         kernel.takes_no_time();
 }

@@ -234,7 +234,7 @@ void LinkDirection::byte_noticed() {
     else
         acknowledge_owed_ = true;
     if (kernel_.trace() && acknowledge_owed_ && bytes_left_ > 0)
-        trace_break(kernel_.now() - times_.to_acknowledge);
+        trace_break(last_start_);
 }
 
 void LinkDirection::first_byte_arrived() {

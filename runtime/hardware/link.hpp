@@ -28,7 +28,7 @@ struct MemoryOfEngines {
     int parts_under_way = 0;
 
     std::uint64_t words_in(std::uint32_t bytes) const {
-        return (bytes + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divided: by 2 or 4
+        return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divided: by 2 or 4
     }
 };
 

@@ -87,11 +87,12 @@ LinkStreams::Stream LinkDirection::stream() const {
     return stream;
 }
 
-/// Whether events must stand for its next packets, if any are to come.
+/// Whether events must stand for its next packets, if any are to come. A trace is told of the first byte after a break,
+/// which may be that behind an acknowledge that still waits for its wire.
 bool LinkDirection::must_be_seen() const {
     bool begins = start_byte_.scheduled() || out_.byte_waits(*this);
     bool first_byte_begins = begins && bytes_left_ == bytes_in_part_;
-    bool to_be_traced = begins && kernel_.trace() && !trace_carries_;
+    bool to_be_traced = kernel_.trace() && !trace_carries_ && bytes_left_ > 0 && stream().flows;
     return every_byte_ || writer_ || reader_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
 }
 

@@ -128,9 +128,10 @@ void Processor::compute(Cycles cycles, const Grain& how_fine) {
     kernel_.throw_if_unwinding();
     assert(current_ == &self);
     require_sense(self, cycles, how_fine);
-    if (cycles == Cycles{0})
+    Cycles all = cycles + how_fine.words_outside * costs().word_outside;
+    if (all == Cycles{0})
         kernel_.takes_no_time();
-    work_left(self) = later(work_left(self), duration(cycles));
+    work_left(self) = later(work_left(self), duration(all));
     grain(self) = how_fine;
     if (self.priority() == Priority::low && !high_.empty()) {
         preempt();

@@ -294,9 +294,10 @@ TEST_CASE("words of code and data outside of the chip take a computation what an
         CHECK(took == (1000 + 400 * (access - 1)) * cycle);
     }
     Simulation simulation;
+    auto& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     simulation.process(
-        "computes", [] { compute(Cycles{1}, {.words_outside = -1}); }, &simulation.add<Processor>("t"));
-    CHECK_THROWS_AS(simulation.run(), std::logic_error);
+        "computes", [] { compute(Cycles{1}, {.words_outside = -1}); }, &t800);
+    CHECK_THROWS_WITH(simulation.run(), "process computes computes with a negative number of words");
 }
 
 TEST_CASE("memory that takes no time, or has words of another size, is refused") {

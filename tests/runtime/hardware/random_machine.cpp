@@ -44,6 +44,16 @@ RandomMachine::RandomMachine(std::uint64_t seed, bool every_byte)
     for (Node& node : nodes_)
         add_computing(node), add_receiver(node, node.inputs);
     simulation_.process("observer", [this] { observe(); });
+    if (seed % 2 == 1)
+        simulation_.trace_to(trace_);
+}
+
+void RandomMachine::Trace::carries(const std::string& direction, const AnyChannel&, Time now, Time since) {
+    log.emplace_back(now.count(), "trace: carries on " + direction, since.count());
+}
+
+void RandomMachine::Trace::carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) {
+    log.emplace_back(now.count(), fmt::format("trace: carried {} bytes on {}", bytes, direction), until.count());
 }
 
 void RandomMachine::add_node() {

@@ -7,6 +7,7 @@
 #include "runtime/hardware/router.hpp"
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
+#include "runtime/trace.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,13 +21,15 @@ namespace placedpar::test {
 /// A machine of up to four transputers, and a program on it that does everything that meets on links: messages of all
 /// lengths both ways on each, alone or several channels in packets, with ALTs, time-outs, messages given up, both
 /// priorities, and computing in memory that the engines of the links use as well; faults, and switches that are set in
-/// the middle of messages. All of it is drawn from the seed.
+/// the middle of messages. All of it is drawn from the seed. Every other one is traced, which costs packets their
+/// closed form here and there.
 class RandomMachine {
 public:
     RandomMachine(std::uint64_t seed, bool every_byte);
 
     RunResult run() { return simulation_.run(limit_); }
-    /// When everything happened, and what links and processors said of themselves at random moments.
+    /// When everything happened, what links and processors said of themselves at random moments, and what a trace was
+    /// told of links.
     using Entry = std::tuple<std::int64_t, std::string, std::int64_t>;
     const std::vector<Entry>& log() const { return log_; }
     /// What the machine has, by name: so many of each.
@@ -48,6 +51,24 @@ private:
         hardware::Processor* processor;
         hardware::Router* router;
         std::vector<Lane*> inputs = {}; ///< of one process, which alternates between them
+    };
+
+    /// Of what links carry.
+    struct Trace final : TraceSink {
+        explicit Trace(std::vector<Entry>& l) : log(l) {}
+        void began(const Process&, Time) override {}
+        void waits(const Process&, Time) override {}
+        void goes_on(const Process&, Time) override {}
+        void computes(const Process&, Time) override {}
+        void stops_computing(const Process&, Time) override {}
+        void ended(const Process&, Time) override {}
+        void communicated(const AnyChannel&, Time) override {}
+        void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
+        void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
+        void occupied(const std::string&, const std::string&, Time) override {}
+        void vacated(const std::string&, Time) override {}
+        void over(Time) override {}
+        std::vector<Entry>& log;
     };
 
     void add_node();
@@ -77,6 +98,7 @@ private:
     std::deque<Lane> lanes_;
     std::vector<hardware::Link*> links_;
     std::vector<Entry> log_;
+    Trace trace_{log_};
     std::vector<std::string> features_;
 };
 
