@@ -117,6 +117,8 @@ ExitCode exit_code_of(const Explanation& explanation) {
 ExitCode explain(const ExplainOptions& options, const std::string& typed) {
     require_outputs(options);
     Network network = load_network(options.netlist);
+    for (const std::string& included : network.included_paths)
+        require_apart(options.outputs(), included);
     InterruptedBySignals interruption;
     Explanation explanation = explain(network, options, typed, interruption);
     if (asks_what_if(explanation, options))

@@ -68,6 +68,7 @@ void require_exhaustible(const OptimiseOptions& options, const MachineSpace& spa
 
 void require_optimise_outputs(const OptimiseOptions& options) {
     require_apart(options.outputs(), options.study);
+    require_apart(options.outputs(), options.kept());
     for (const auto& path : options.outputs())
         if (!path.empty())
             require_writable(path);
@@ -89,6 +90,14 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
+/// What is written is none of the netlist's files.
+StudySource source_apart_from_outputs(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
+    StudySource source = source_of(study, some_network(study, space));
+    for (const auto& [path, text] : source.texts)
+        require_apart(options.outputs(), path);
+    return source;
+}
+
 std::string told(const CourseProgress& progress) {
     std::string out = fmt::format("{}: {}", progress.step, counted(progress.course.machines.size(), "machine"));
     if (progress.runs > 0)
@@ -104,7 +113,8 @@ struct Session {
     const OptimiseOptions& options;
     Study study = searched_study(options);
     MachineSpace space{study};
-    StudyResults results{options.kept(), source_of(study, some_network(study, space)), options.any_version};
+    StudySource source = source_apart_from_outputs(options, study, space);
+    StudyResults results{options.kept(), source, options.any_version};
     InterruptedBySignals interruption{};
     MachineTrials trials{study, space, results, options.jobs, interruption};
 };
@@ -121,7 +131,7 @@ std::optional<Optimum> search_for(Session& session) {
         return std::nullopt;
     optimum.start = *start;
     auto add = [&](std::optional<SearchCourse> course) {
-        if (course && course->front().empty())
+        if (course && optimum.courses.empty() && course->front().empty())
             throw UserError(print_why_none(*course));
         if (course)
             optimum.courses.push_back(std::move(*course));
@@ -158,7 +168,7 @@ ExitCode optimise(const OptimiseOptions& typed) {
     require_optimise_outputs(options);
     Session session{options};
     require_exhaustible(options, session.space);
-    session.results.set_measures(session.study.search->minimise);
+    session.results.set_measures(shown_measures(session.study));
     std::optional<Optimum> optimum = search_for(session);
     if (!optimum) {
         fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
@@ -180,8 +190,9 @@ void add_search_size(CLI::App& command, OptimiseOptions& options) {
     command.add_option("--seed", options.seed, "of the search's random numbers, in the place of the study's")
         ->type_name("N")
         ->check(not_a_whole_number);
-    add_number(command, "--population", options.population, 4, 10'000, "machines of a generation");
-    add_number(command, "--generations", options.generations, 1, 1'000'000, "how many are bred");
+    add_number(command, "--population", options.population, 4, StudySearch::most_population,
+               "machines of a generation");
+    add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
     add_count(command, "--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said");
 }
 

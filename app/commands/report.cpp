@@ -53,6 +53,7 @@ void write_outputs(const StudySummary& summary, const ReportOptions& options) {
 
 void require_report_outputs(const ReportOptions& options, const std::filesystem::path& kept) {
     require_apart(options.outputs(), kept);
+    require_apart(options.outputs(), options.study);
     for (const auto& path : options.outputs())
         if (!path.empty())
             require_writable(path);

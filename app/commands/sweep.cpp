@@ -87,7 +87,7 @@ Study study_of(const SweepOptions& options) {
     if (!options.measures.empty())
         study.measures = options.measures;
     if (study.measures.empty())
-        study.measures = {"time"};
+        study.measures = study.search ? study.search->minimise : std::vector<std::string>{"time"};
     return study;
 }
 
@@ -205,7 +205,7 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
     InterruptedBySignals interruption;
     results.set_measures(study.measures);
     bool whole = make_missing_runs(study, options, results, interruption, others);
-    if (interruption.requested()) {
+    if (interruption.requested() || (others && others->in_hand() > 0)) {
         say_interrupted(results);
         return ExitCode::interrupted;
     }

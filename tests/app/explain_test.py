@@ -116,6 +116,19 @@ class Explain(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertIn("a critical path can be drawn in .json only", run.stderr)
 
+    def test_what_the_netlist_includes_is_not_written_over(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist, part = pathlib.Path(folder) / "netlist.cfs", pathlib.Path(folder) / "part.inc"
+            netlist.write_text('#include "part.inc"\n', encoding="utf-8")
+            text = pathlib.Path(EXAMPLES, "01-commstime", "commstime.cfs").read_text(encoding="utf-8")
+            part.write_text(text, encoding="utf-8")
+            for option in ("--json", "--page"):
+                run = subprocess.run([PROGRAM, "explain", netlist, "--no-what-if", option, part], capture_output=True,
+                                     text=True, check=False)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn("part.inc: the output file is also the input", run.stderr)
+                self.assertEqual(part.read_text(encoding="utf-8"), text)
+
     def test_what_is_refused_is_told(self):
         _, document = explained(os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs"))
         refused = {what["what"]: what["refused"] for what in document["what_if"] if "refused" in what}

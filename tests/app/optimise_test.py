@@ -57,6 +57,19 @@ masters = "1..6"
 links = "1..2"
 split = ["individuals", "demand", "evaluations"]
 """
+# Only two of the eight come to an end.
+MOSTLY_DEADLOCKED = """
+val a 0;
+T800 t;
+process source, sink;
+use "csp.producer" for source;
+use "csp.consumer" for sink;
+source (count = 1, cycles = 100 + a);
+sink (count = a < 6 ? 2 : 1);
+place source on t;
+place sink on t;
+connect source.out to sink.in;
+"""
 SPHERE = """
 T800 t;
 workstation sun;
@@ -145,6 +158,29 @@ class Found(Optimise):
         self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), parts[-1][1], places=2)
         start = placedpar("run", MACHINE, "--set", "samples=6").stdout
         self.assertAlmostEqual(float(start.split("completed at ")[1].split()[0]), parts[-1][0], places=2)
+
+
+    def test_another_way_that_finds_none_takes_nothing_away(self):
+        self.write("mostly.cfs", MOSTLY_DEADLOCKED)
+        for minimise in ('"time"', '["time", "links"]'):
+            study = self.write("mostly.toml", f'netlist = "mostly.cfs"\n[search]\nminimise = {minimise}\n'
+                                              'population = 4\ngenerations = 1\n[set]\na = "0..7"\n')
+            said = self.optimise(study, "--random", "--exhaustive", "--svg", "mostly.svg")
+            self.assertRegex(said, r"(?m)^random +3 +none$")
+            self.assertRegex(said, r"(?m)^exhaustive +8 ")
+            drawing = (self.folder / "mostly.svg").read_text(encoding="utf-8")
+            self.assertIn("exhaustive", drawing)
+            self.assertNotIn("random", drawing)
+
+    def test_what_the_study_measures_is_in_its_report_too(self):
+        study = self.write("small.toml", 'measure = ["max(a.busy)", "time"]\n' + STUDY.format(minimise='["time", "links"]'))
+        self.optimise(study)
+        self.assertRegex(placedpar("report", study, folder=self.folder).stdout,
+                         r"runs +time \[ms\] +links +max\(a.busy\)")
+
+    def test_a_sweep_of_the_study_shows_what_is_minimised(self):
+        said = placedpar("sweep", self.small('"links"'), folder=self.folder).stdout
+        self.assertRegex(said, r"cycles +wires +runs +links\n")
 
 
 class TimeToAccuracy(unittest.TestCase):
@@ -238,7 +274,10 @@ class Refused(Optimise):
                      'did you mean "minimise"?')
         self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "a study has one search")
-        self.refuses(STUDY.format(minimise='"time"').replace("population = 12", "population = 3"), "at least 4")
+        for size, message in (("population = 3", "at least 4"), ("population = 10001", "at most 10000"),
+                              ("generations = 0", "at least 1"), ("generations = 1000001", "at most 1000000")):
+            name = size.split(" = ", maxsplit=1)[0]
+            self.refuses(STUDY.format(minimise='"time"').replace(f"{name} = 12", size), message)
 
     def test_a_measure_that_no_run_has(self):
         self.refuses(STUDY.format(minimise='"tine"'), 'there is no measure "tine"; did you mean "time"?')
@@ -252,6 +291,23 @@ class Refused(Optimise):
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[100000, 200000, 300000]", "100000"),
                      "no setting of the study has several values")
         self.refuses(STUDY.format(minimise='"time"') + "[[also]]\nset = {wires = 2}\n", "[[also]]")
+
+    def test_more_machines_than_can_be_counted_before_any_is_run(self):
+        self.refuses(STUDY.format(minimise='"time"') + 'a.clock = "1..100000000000000"\nb.clock = "1..100000000000000"\n',
+                     "more runs than can be counted")
+        self.assertFalse((self.folder / "refused.sqlite").exists())
+
+    def test_nothing_is_written_over_what_is_read_or_kept(self):
+        self.write("part.inc", "val unused 1;\n")
+        self.write("small.cfs", '#include "part.inc"\n' + NETLIST)
+        study = self.small()
+        self.optimise(study)
+        files = ("small.toml", "small.cfs", "part.inc", "small.sqlite")
+        before = [(self.folder / file).read_bytes() for file in files]
+        for file in files:
+            for option in ("--csv", "--svg"):
+                self.assertIn(f"{file}: the output file is also the input", self.optimise(study, option, file, code=1))
+        self.assertEqual([(self.folder / file).read_bytes() for file in files], before)
 
     def test_all_infeasible_says_what_refused_them(self):
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "5..8"),

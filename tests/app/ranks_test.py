@@ -98,6 +98,17 @@ class Ranks(InFolder):
         self.sweep(*STUDY[1:], "--seeds", 30, "--results", "whole")
         self.assertEqual(rows(self.folder / "killed-0"), rows(self.folder / "whole"))
 
+    def test_what_a_rank_leaves_that_alone_is_stopped_is_missed(self):
+        with self.start(3, *STUDY, "--seeds", 30, "--results", "left") as mpirun:
+            while self.kept("left") < 4 and mpirun.poll() is None:
+                time.sleep(0.01)
+            os.kill(ranks_of(mpirun)[1], signal.SIGTERM)
+            errors = self.finish(mpirun, code=130)
+        self.assertIn("the same command goes on from them", errors)
+        self.assertTrue(100 < self.kept("left") < 120, self.kept("left")) # the others went on
+        self.finish(self.start(2, *STUDY, "--seeds", 30, "--results", "left"))
+        self.assertEqual(len(rows(self.folder / "left")), 120)
+
     def test_what_is_wrong_is_said_once(self):
         errors = self.finish(self.start(3, "sweep", FIGURE_E2, "slavs=1,2"), code=1)
         self.assertEqual(errors.count('the netlist has no val, attribute or parameter "slavs"'), 1, errors)

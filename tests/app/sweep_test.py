@@ -175,7 +175,7 @@ class BadInput(InFolder):
                 ('netlist = "a.cfs"\nsed = 3\n', 'study.toml:2:1: error: a study has no "sed"'),
                 ('netlist = "a.cfs"\nseeds = 0\n', "study.toml:2:9: error: it takes a whole number of at least 1"),
                 ('netlist = "a.cfs"\n[set]\nslaves = "3..1"\n', "study.toml:3:10: error: slaves=3..1: the range is empty"),
-                ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: it cannot be understood"),
+                ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: it cannot be understood: where:1:9: error: "),
                 ("netlist = \n", "study.toml:1:"), ("seeds = 3\n", "it names no netlist"),
                 ('netlist = "a.cfs"\n[set]\nslaves = []\n', 'study.toml:3:10: error: "slaves" has no values')):
             with self.subTest(text):
@@ -237,7 +237,7 @@ class BadInput(InFolder):
         with subprocess.Popen([PROGRAM, "sweep", str(COMMSTIME), "count=1000000000"], cwd=self.folder,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as first:
             wait_until_it_listens(first, signal.SIGINT)
-            self.assertIn("commstime.sqlite: another placedpar sweep is using it", self.sweep(COMMSTIME, code=1))
+            self.assertIn("commstime.sqlite: another placedpar sweep or optimise is using it", self.sweep(COMMSTIME, code=1))
             first.send_signal(signal.SIGINT)
 
 
@@ -281,6 +281,13 @@ class Report(InFolder):
         for outside in ("http:", "https:", "src=", "<link", "@import", "url(h"):
             self.assertNotIn(outside, page.replace('"http://www.w3.org/2000/svg"', "").replace('"http://www.w3.org/1999/xlink"', ""))
         self.assertIn("<svg", (self.folder / "plot.svg").read_text(encoding="utf-8"))
+
+    def test_the_study_is_not_written_over(self):
+        study = self.study(f'netlist = "{FIGURE_E2}"\n[set]\nslaves = [0, 2]\n', "figure-e2.toml")
+        text = (self.folder / study).read_text(encoding="utf-8")
+        done = placedpar("report", study, "--csv", study, folder=self.folder)
+        self.assertIn("figure-e2.toml: the output file is also the input", done.stderr)
+        self.assertEqual((self.folder / study).read_text(encoding="utf-8"), text)
 
     def test_what_cannot_be_drawn(self):
         done = placedpar("report", "figure-e2.sqlite", "--svg", "a.svg", "--over", "linkspeed", folder=self.folder)

@@ -32,7 +32,8 @@ ParameterCoding coding_of(const StudyProduct& product) {
 
 } // namespace
 
-MachineSpace::MachineSpace(const Study& study) : product_(only_product(study)), coding_(coding_of(product_)) {}
+MachineSpace::MachineSpace(const Study& study)
+    : product_(only_product(study)), count_(product_.count()), coding_(coding_of(product_)) {}
 
 std::vector<std::string> MachineSpace::names() const {
     std::vector<std::string> names;

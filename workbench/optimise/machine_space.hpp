@@ -15,12 +15,12 @@ namespace placedpar {
 /// has a field of bits for each setting that has several values; its codes are spread over them.
 class MachineSpace {
 public:
-    /// Throws UserError: further products, which a genome could not stand for, or nothing to choose from. REQUIRES: the
-    /// study outlives it, and has a product.
+    /// Throws UserError: further products, which a genome could not stand for, nothing to choose from, or more than 64
+    /// bits hold. REQUIRES: the study outlives it, and has a product.
     explicit MachineSpace(const Study&);
 
     /// Those for which the study's condition does not hold among them.
-    std::uint64_t count() const { return product_.count(); }
+    std::uint64_t count() const { return count_; }
     /// Whether the study's condition holds.
     bool holds(std::uint64_t machine) const { return product_.where.holds(settings(machine)); }
     Overrides settings(std::uint64_t machine) const { return product_.at(machine); }
@@ -36,6 +36,7 @@ public:
 
 private:
     const StudyProduct& product_;
+    std::uint64_t count_;
     ParameterCoding coding_;
 };
 

@@ -26,6 +26,8 @@ Series convergence_of(const SearchCourse& course) {
     return series;
 }
 
+bool found_any(const SearchCourse& course) { return !course.front().empty(); }
+
 Point point_of(const Merit& merit) { return {merit.costs.at(0), merit.costs.at(1)}; }
 
 Series all_machines(const SearchCourse& course) {
@@ -47,7 +49,8 @@ Panel panel_of_front(const Optimum& optimum) {
     Panel panel{.x = {.label = optimum.measures[0]}, .y = {.label = optimum.measures[1]}};
     panel.series.push_back(all_machines(optimum.courses.front()));
     for (const SearchCourse& course : optimum.courses)
-        panel.series.push_back(front_series(course));
+        if (found_any(course))
+            panel.series.push_back(front_series(course));
     if (optimum.start.merit.feasible)
         panel.series.push_back(
             {.name = "as it is", .points = {point_of(optimum.start.merit)}, .stroke = Stroke::points});
@@ -58,6 +61,8 @@ Panel panel_of_convergence(const Optimum& optimum) {
     Panel panel{.x = {.label = "machines simulated"}, .y = {.label = optimum.measures[0]}};
     int colour = 0;
     for (const SearchCourse& course : optimum.courses) {
+        if (!found_any(course))
+            continue;
         panel.series.push_back(convergence_of(course));
         panel.series.back().colour = colour++;
     }

@@ -23,8 +23,9 @@ using Costs = std::vector<double>;
 
 /// By place, the best first.
 std::vector<std::size_t> in_order_of_costs(const SearchCourse& course) {
-    if (!course.merits.empty() && course.merits[course.front().front()].costs.size() > 1)
-        return course.front();
+    std::vector<std::size_t> front = course.front();
+    if (!front.empty() && course.merits[front.front()].costs.size() > 1)
+        return front;
     std::vector<std::size_t> order = order_of(course.merits);
     std::erase_if(order, [&](std::size_t place) { return !course.merits[place].feasible; });
     return order;
@@ -66,6 +67,8 @@ std::string print_start(const Trial& start) {
 std::string print_course(const SearchCourse& course, const std::set<Costs>& joint) {
     std::string machines = std::to_string(course.machines.size());
     std::set<Costs> own = costs_on_front(course);
+    if (own.empty())
+        return without_blanks_behind(comparison_row(course.way, machines, "none", ""));
     if (own.begin()->size() == 1)
         return comparison_row(course.way, machines, print_cost(*own.begin()),
                               std::to_string(course.front().front() + 1));
@@ -114,17 +117,21 @@ std::vector<std::size_t> best_of(const SearchCourse& course) {
     return places;
 }
 
+std::vector<std::string> shown_measures(const Study& study) {
+    std::vector<std::string> measures = study.search->minimise;
+    std::ranges::copy_if(study.measures, std::back_inserter(measures), [&](const std::string& each) {
+        return std::ranges::find(study.search->minimise, each) == study.search->minimise.end();
+    });
+    return measures;
+}
+
 StudySummary summary_of_best(StudyResults& results, const Study& study, const MachineSpace& space,
                              const SearchCourse& course) {
     std::vector<Overrides> best;
     for (std::size_t place : best_of(course))
         best.push_back(space.settings(course.machines[place]));
     const Study shown = study_of(study, best);
-    std::vector<std::string> measures = study.search->minimise;
-    std::ranges::copy_if(study.measures, std::back_inserter(measures), [&](const std::string& each) {
-        return std::ranges::find(study.search->minimise, each) == study.search->minimise.end();
-    });
-    StudySummary summary = summary_of(results, measures, &shown);
+    StudySummary summary = summary_of(results, shown_measures(study), &shown);
     std::ranges::stable_sort(summary.lines, {}, [](const StudyLine& line) { return line.cells.front().mean; });
     return summary;
 }

@@ -18,11 +18,14 @@ namespace placedpar {
 struct Optimum {
     std::vector<std::string> measures; ///< that were minimised: one or two, with their units
     Trial start;                       ///< the netlist as it is, with what all machines have in common
-    std::vector<SearchCourse> courses; ///< the genetic one first; each has feasible machines
+    std::vector<SearchCourse> courses; ///< the genetic one first, which has feasible machines; another may have none
 };
 
 /// The machines to be shown, by place in the course: of one cost the best few, of two the front; one of each cost.
 std::vector<std::size_t> best_of(const SearchCourse&);
+
+/// What is minimised, and then what else the study wants to know. REQUIRES: it has a search.
+std::vector<std::string> shown_measures(const Study&);
 
 /// Their settings and measures, the best first.
 StudySummary summary_of_best(StudyResults&, const Study&, const MachineSpace&, const SearchCourse&);

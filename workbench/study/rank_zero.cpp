@@ -48,7 +48,10 @@ void RankZero::stop() {
 
 void RankZero::take(const RankMessage& message, int from) {
     switch (message.kind) {
-    case RankMessage::Kind::ended: sweep_->keep(*message.run, *message.outcome); [[fallthrough]];
+    case RankMessage::Kind::ended:
+        sweep_->keep(*message.run, *message.outcome);
+        --in_hand_;
+        [[fallthrough]];
     case RankMessage::Kind::ask: return hand_out(from);
     case RankMessage::Kind::gone: helping_.erase(from); return;
     default: throw UserError(fmt::format("rank {}: {}", from, message.text));
@@ -59,6 +62,7 @@ void RankZero::hand_out(int to) {
     if (stopped_)
         return;
     std::optional<StudyRun> run = sweep_->next();
+    in_hand_ += run ? 1 : 0;
     ranks_.send(to, text_of({run ? RankMessage::Kind::run : RankMessage::Kind::none, "", run}));
 }
 

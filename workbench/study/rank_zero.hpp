@@ -5,6 +5,7 @@
 #include "workbench/study/sweep.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <set>
 
 namespace placedpar {
@@ -25,6 +26,8 @@ public:
     /// have gone. Throws UserError where one of them cannot go on, or the results cannot be kept. REQUIRES: begin() was
     /// called.
     bool serve(bool stopped);
+    /// Runs that others were handed and that none has ended: once serve() is false, of those who left them.
+    std::uint64_t in_hand() const { return in_hand_; }
     /// With this one.
     std::size_t ranks() const { return static_cast<std::size_t>(ranks_.count()); }
 
@@ -37,6 +40,7 @@ private:
     Ranks& ranks_;
     StudySweep* sweep_ = nullptr;
     std::set<int> helping_; ///< that have not gone
+    std::uint64_t in_hand_ = 0;
     bool stopped_ = false;
 };
 

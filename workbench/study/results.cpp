@@ -97,7 +97,7 @@ StudyResults::StudyResults(const std::filesystem::path& path, const StudySource&
     : path_(path) {
     require_no_folder(path);
     make_file(path);
-    lock_.emplace(path, path.string(), "placedpar sweep");
+    lock_.emplace(path, path.string(), "placedpar sweep or optimise");
     guarded([&] {
         database_.emplace(path);
         require_ours();

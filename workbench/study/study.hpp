@@ -34,6 +34,8 @@ struct StudyRun {
 
 /// How the best of a study's combinations are to be searched for.
 struct StudySearch {
+    static constexpr std::uint64_t most_population = 10'000, most_generations = 1'000'000;
+
     std::vector<std::string> minimise; ///< a measure, or two that are weighed against each other
     std::uint64_t population = 40;     ///< 4 or more; the better half stays and breeds the other
     std::uint64_t generations = 20;    ///< 1 or more

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -98,10 +99,11 @@ private:
         if (!table)
             return report(node.source().begin, "a study has one search, which is a table", "[search]");
         StudySearch search;
+        const std::uint64_t most_machines = StudySearch::most_population, most_bred = StudySearch::most_generations;
         read_table(*table,
                    {{"minimise", [&](const toml::node& each) { search.minimise = measures(each); }},
-                    {"population", [&](const toml::node& each) { search.population = whole(each, 4); }},
-                    {"generations", [&](const toml::node& each) { search.generations = whole(each, 1); }},
+                    {"population", [&](const toml::node& each) { search.population = whole(each, 4, most_machines); }},
+                    {"generations", [&](const toml::node& each) { search.generations = whole(each, 1, most_bred); }},
                     {"seed", [&](const toml::node& each) { search.seed = whole(each, 0); }}},
                    "search");
         if (search.minimise.empty() || search.minimise.size() > 2)
@@ -216,11 +218,15 @@ private:
         return "?";
     }
 
-    std::uint64_t whole(const toml::node& node, std::int64_t least) {
+    std::uint64_t whole(const toml::node& node, std::int64_t least,
+                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
         std::int64_t number = node.value_exact<std::int64_t>().value_or(least - 1);
+        auto found = static_cast<std::uint64_t>(std::max(number, least));
         if (number < least)
             report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
-        return static_cast<std::uint64_t>(std::max(number, least));
+        else if (found > most)
+            report(node.source().begin, fmt::format("it takes a whole number of at most {}", most));
+        return std::min(found, most);
     }
 
     Time time(const toml::node& node) {
@@ -236,7 +242,8 @@ private:
         try {
             work();
         } catch (const RefusedInput& refused) {
-            report(node.source().begin, "it cannot be understood:\n" + std::string(refused.what()));
+            std::string said = refused.what();
+            report(node.source().begin, "it cannot be understood: " + said.substr(0, said.find('\n')));
         } catch (const UserError& refused) {
             report(node.source().begin, refused.what());
         }
