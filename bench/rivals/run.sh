@@ -17,6 +17,6 @@ for turn in 1 2 3; do
         SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000
         SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000 pauses
     fi
-    [ -x "$made/go" ] && taskset -c 0 "$made/go"
-    /usr/bin/python3 -c 'import simpy' 2>/dev/null && taskset -c 0 /usr/bin/python3 "$here/commstime_simpy.py"
+    if [ -x "$made/go" ]; then taskset -c 0 "$made/go"; fi
+    if /usr/bin/python3 -c 'import simpy' 2>/dev/null; then taskset -c 0 /usr/bin/python3 "$here/commstime_simpy.py"; fi
 done
