@@ -306,7 +306,7 @@ class Refused(Optimise):
         before = [(self.folder / file).read_bytes() for file in files]
         for file in files:
             for option in ("--csv", "--svg"):
-                self.assertIn(f"{file}: the output file is also the input", self.optimise(study, option, file, code=1))
+                self.assertIn(f"{file}: cannot be written: the output file is also the input", self.optimise(study, option, file, code=1))
         self.assertEqual([(self.folder / file).read_bytes() for file in files], before)
 
     def test_all_infeasible_says_what_refused_them(self):

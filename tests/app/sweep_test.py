@@ -286,7 +286,7 @@ class Report(InFolder):
         study = self.study(f'netlist = "{FIGURE_E2}"\n[set]\nslaves = [0, 2]\n', "figure-e2.toml")
         text = (self.folder / study).read_text(encoding="utf-8")
         done = placedpar("report", study, "--csv", study, folder=self.folder)
-        self.assertIn("figure-e2.toml: the output file is also the input", done.stderr)
+        self.assertIn("figure-e2.toml: cannot be written: the output file is also the input", done.stderr)
         self.assertEqual((self.folder / study).read_text(encoding="utf-8"), text)
 
     def test_what_cannot_be_drawn(self):
