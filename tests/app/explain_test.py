@@ -126,7 +126,7 @@ class Explain(unittest.TestCase):
                 run = subprocess.run([PROGRAM, "explain", netlist, "--no-what-if", option, part], capture_output=True,
                                      text=True, check=False)
                 self.assertEqual(run.returncode, 1)
-                self.assertIn("part.inc: the output file is also the input", run.stderr)
+                self.assertIn("part.inc: cannot be written: the output file is also the input", run.stderr)
                 self.assertEqual(part.read_text(encoding="utf-8"), text)
 
     def test_what_is_refused_is_told(self):
