@@ -1,16 +1,16 @@
 // The machine of Figure E.2, sixteen transputers, as a sweep runs it: how many seconds of the machine's time pass in a
 // second of one core, and how many runs are made.
 
+#include "bench/measure.hpp"
 #include "text/user_error.hpp"
 #include "workbench/study/sweep.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
-#include <ctime>
 
 using namespace placedpar;
+using namespace placedpar::bench;
 
 namespace {
 
@@ -24,7 +24,7 @@ Figures run_all(const Study& study) {
     Figures figures;
     StudyWorker worker(study);
     Interruption never;
-    std::clock_t begun = std::clock(); // of the processor: what else runs beside it does not count
+    Stopwatch watch;
     for (std::uint64_t i = 0; i < study.count(); ++i) {
         StudyOutcome outcome = *worker.outcome_of(*study.at(i), never);
         if (outcome.ended != "completed")
@@ -32,11 +32,11 @@ Figures run_all(const Study& study) {
         figures.simulated_seconds += std::chrono::duration<double>(outcome.time).count();
         figures.fingerprint = outcome.fingerprint;
     }
-    figures.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    figures.seconds = watch.seconds();
     return figures;
 }
 
-void report(const char* what, const Study& study) {
+void report_study(const char* what, const Study& study) {
     Figures figures = run_all(study);
     fmt::print("{:<28} {:7.1f} simulated s/s {:8.1f} runs/s   fingerprint {:016x}\n", what,
                figures.simulated_seconds / figures.seconds, static_cast<double>(study.count()) / figures.seconds,
@@ -55,11 +55,7 @@ Study study_of(const char* setting, std::uint64_t seeds) {
 } // namespace
 
 int main(int argc, char** argv) {
-    long runs = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 50;
-    if (runs < 1) {
-        fmt::print(stderr, "usage: figure_e2 [RUNS, at least 1]\n");
-        return 1;
-    }
-    report("other seeds", study_of("slaves=3", static_cast<std::uint64_t>(runs)));
-    report("other links, one seed", study_of(fmt::format("linkspeed=20M..{}M..1M", 19 + runs).c_str(), 1));
+    long runs = argument(argc, argv, 1, 50, "figure_e2 [RUNS, at least 1]");
+    report_study("other seeds", study_of("slaves=3", static_cast<std::uint64_t>(runs)));
+    report_study("other links, one seed", study_of(fmt::format("linkspeed=20M..{}M..1M", 19 + runs).c_str(), 1));
 }

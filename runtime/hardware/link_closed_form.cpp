@@ -24,7 +24,8 @@ void ClosedForm::look_ahead() {
         go_to(ahead_, ahead_until_);
 }
 
-/// What is behind need not fall into step again where what is ahead has.
+/// Starts `behind_` from the moment at which `ahead_` began to repeat itself, once that has passed: it then knows the
+/// period without looking for it again.
 void ClosedForm::follow() {
     if (ahead_.repeats_since() <= kernel_.now()) {
         behind_ = ahead_;

@@ -50,11 +50,12 @@ void LinkStreams::advance(const PacketTimes& times, Time before) {
     }
 }
 
-/// Whether it has just been found. REQUIRES: the direction that is not `other` has begun a byte now.
+/// Whether the period has just been found. REQUIRES: the direction that is not `other` has begun a byte now.
 bool LinkStreams::watch_for_repetition(std::size_t other) {
     if (period_ > Time{0})
         return false;
-    if (bytes_between_notes_ > 1 && at_.is_in_phase_with(noted_, other)) {
+    bool has_noted = bytes_between_notes_ > 1;
+    if (has_noted && at_.is_in_phase_with(noted_, other)) {
         period_ = at_.now - noted_.now;
         for (std::size_t i : {0u, 1u})
             bytes_a_period_[i] = noted_.streams[i].bytes_left - at_.streams[i].bytes_left;
@@ -68,7 +69,7 @@ bool LinkStreams::watch_for_repetition(std::size_t other) {
     return false;
 }
 
-/// If the period is known: until before the moment, and before the last byte of a part.
+/// If the period is known, passes as many whole periods as end before that moment and before the last byte of a part.
 void LinkStreams::pass_periods(Time before) {
     if (period_ == Time{0})
         return;

@@ -29,7 +29,7 @@ public:
         Time due{};               ///< when it is asked for
         Time start_before{};      ///< of the byte before the last, if it began here
     };
-    /// Of a packet that is asked for already, and waits for the wire.
+    /// When a packet is due that has been asked for already and waits for its wire.
     static constexpr Time past{-1};
 
     LinkStreams() = default;
