@@ -43,6 +43,8 @@ void run_body(const ProcessInstance& process, const std::function<void(ProcessEn
         throw RefusedInput(refused.what() + render(SecondPlace{"read by " + failing(process), process.declared}));
     } catch (const UserError& refused) {
         throw UserError(failure_of(process, refused.what()));
+    } catch (const hardware::BusError& error) { // of a machine with a fault, which the program does not provide for
+        throw UserError(failure_of(process, error.what()));
     } catch (const std::system_error&) {
         throw;
     } catch (const std::bad_alloc&) {

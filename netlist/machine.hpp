@@ -63,6 +63,7 @@ private:
     void make_faults();
     void strike_links_at(const Fault&);
     void hog(const Fault&);
+    void leave_bus(const Fault&);
     void strike_link(std::size_t connection, const hardware::LinkFault&);
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
@@ -95,6 +96,7 @@ private:
     std::vector<hardware::VmeBus*> buses_;                                 ///< by node; null where it is none
     std::vector<hardware::VmeMaster*> masters_;                            ///< by attachment; null where it is none
     std::vector<hardware::DualPortedMemory*> memories_;                    ///< by attachment; null where it has none
+    std::vector<hardware::BusSlave*> slaves_;                              ///< by node; null where it answers no master
     std::vector<Carriers> carriers_;                                       ///< by connection
     std::map<std::size_t, hardware::AdapterProgram*> adapters_;            ///< by connection that leads over one
     std::vector<Broadcast> broadcasts_;                                    ///< in the order of their first channels

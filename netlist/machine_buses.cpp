@@ -15,6 +15,7 @@ hardware::VmePlace place_of(const BusAttachment& attachment) {
 } // namespace
 
 void Machine::make_buses() {
+    slaves_.resize(network_.nodes.size());
     for (const Node& node : network_.nodes)
         buses_.push_back(node.kind->make_bus ? &node.kind->make_bus(simulation_, node) : nullptr);
     for (const BusAttachment& each : network_.attachments) {
@@ -25,6 +26,7 @@ void Machine::make_buses() {
                                             : nullptr);
         memories_.push_back(kind.bus == BusRole::bus_master ? &simulation_.add<hardware::DualPortedMemory>(node.name)
                                                             : nullptr);
+        slaves_[each.node] = memories_.back();
     }
     for (std::size_t i = network_.count_wires(); i < network_.connections.size(); ++i)
         make_way(i);
@@ -57,6 +59,7 @@ Machine::Carriers Machine::make_adapter(std::size_t index) {
     std::size_t node = network_.attachments[way.slave].node;
     End end = network_.connections[way.wire].a.node == node ? End::a : End::b;
     auto& adapter = simulation_.add<hardware::LinkAdapter>(network_.nodes[node].name, *links_[way.wire], end);
+    slaves_[node] = &adapter;
     auto& program = simulation_.add<hardware::AdapterProgram>(*masters_[way.master], adapter);
     adapters_[index] = &program;
     return {&program.to_link(), &program.from_link()};

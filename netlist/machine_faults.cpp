@@ -76,6 +76,12 @@ void Machine::hog(const Fault& fault) {
         .serve_machine();
 }
 
+/// An adapter without a wire answers nobody anyway.
+void Machine::leave_bus(const Fault& fault) {
+    if (hardware::BusSlave* slave = slaves_[fault.node])
+        slave->leave(begin_of(fault), end_of(fault));
+}
+
 /// A device that falls silent does so at its end of each of its links.
 void Machine::make_faults() {
     for (const Fault& fault : network_.faults) {
@@ -87,6 +93,10 @@ void Machine::make_faults() {
         }
         if (buses_[fault.node]) {
             hog(fault);
+            continue;
+        }
+        if (leaves_the_bus(fault)) {
+            leave_bus(fault);
             continue;
         }
         executives_[fault.node].suffer(fault);
@@ -144,6 +154,8 @@ std::vector<FaultUse> Machine::fault_uses() const {
             add_effect(use, *effect);
         if (const hardware::VmeMaster* master = hogs_[i]; master && master->grants() > 0)
             use.held_since = begin_of(fault) + master->time_waited();
+        if (leaves_the_bus(fault) && slaves_[fault.node])
+            use.bus_errors = slaves_[fault.node]->unanswered();
         if (fault.link < 0)
             use.stopped = stopped_on(fault.node);
         use.stopped_channels = channels_stopped_by(fault);

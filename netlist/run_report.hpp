@@ -73,8 +73,11 @@ struct FaultUse {
     std::vector<std::string> stopped_channels; ///< of those that travel in packets: they wait for ever because of it
     std::vector<std::string> stopped;          ///< processes that were not at their end when their processor halted
     std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs it
+    std::uint64_t bus_errors = 0;              ///< accesses that what is absent did not answer
 
-    bool had_effect() const { return first || held_since || !stopped.empty() || !stopped_channels.empty(); }
+    bool had_effect() const {
+        return first || held_since || bus_errors > 0 || !stopped.empty() || !stopped_channels.empty();
+    }
 };
 
 /// What a switch that a program sets did in the run.

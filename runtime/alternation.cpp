@@ -14,7 +14,7 @@ namespace {
 bool is_ready(const Guard& guard) {
     switch (guard.kind) {
     case Guard::input: return guard.channel->message_waits();
-    case Guard::timeout: return guard.due <= now();
+    case Guard::timeout: return guard.due <= Kernel::here().now();
     case Guard::skip: return true;
     case Guard::never: break;
     }
@@ -44,12 +44,18 @@ std::vector<AnyChannel*> awaited_channels(std::span<const Guard> guards) {
     return channels;
 }
 
-/// The process begins the alternation and enables each guard.
+Cycles enabling(const Guard& guard, const OperationCosts& cost) {
+    if (guard.kind == Guard::timeout)
+        return cost.enable_timeout;
+    return is_ready(guard) ? cost.enable_guard : cost.enable_guard_not_ready;
+}
+
+/// The process begins the alternation and enables each guard, as ready as it is at the beginning.
 void charge_enabling(const Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_start;
         for (const Guard& guard : guards)
-            sum = sum + (guard.kind == Guard::timeout ? cost.enable_timeout : cost.enable_guard);
+            sum = sum + enabling(guard, cost);
         return sum;
     });
 }

@@ -29,7 +29,8 @@ struct OperationCosts {
     Cycles timer_wait_past{}; ///< for a time that has come already
 
     Cycles alternation_start{};
-    Cycles enable_guard{}; ///< an input or SKIP guard
+    Cycles enable_guard{};           ///< a SKIP guard, or an input whose message waits
+    Cycles enable_guard_not_ready{}; ///< an input without a message, or a guard that is FALSE
     Cycles enable_timeout{};
     Cycles alternation_wait_ready{}; ///< when a guard is ready
     Cycles alternation_wait{};       ///< when none is

@@ -105,6 +105,11 @@ public:
     /// The running process does something that takes no time. Lets the run be interrupted; throws std::logic_error when
     /// it has done so `most_operations_at_once` times since time last passed: nothing else would ever happen.
     void takes_no_time();
+    /// The same of reading the clock, which destructors may do while a process is unwound.
+    void reads_clock() {
+        if (!unwinding_)
+            takes_no_time();
+    }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
     /// Makes the process ready when the work is over. It waits until then.
     void after_work(Process& p) { after_work_.push_back(p); }

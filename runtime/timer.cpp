@@ -24,7 +24,11 @@ std::int32_t as_word(std::int64_t number, int bits) {
 
 } // namespace
 
-Time now() { return Kernel::here().now(); }
+Time now() {
+    Kernel& kernel = Kernel::here();
+    kernel.reads_clock();
+    return kernel.now();
+}
 
 void wait_until(Time due, const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
@@ -59,10 +63,7 @@ int Timer::bits() const {
 }
 
 std::int32_t Timer::read() const {
-    Kernel& kernel = Kernel::here();
-    if (!kernel.running().executive())
-        kernel.takes_no_time();
-    charge(kernel.running(), &OperationCosts::timer_read);
+    charge(Kernel::here().running(), &OperationCosts::timer_read);
     return as_word(now() / tick(), bits());
 }
 

@@ -184,6 +184,8 @@ std::string print_effect(const FaultUse& fault) {
     if (!fault.stopped_channels.empty())
         said.push_back(fmt::format("stopped the {} {}", fault.stopped_channels.size() > 1 ? "channels" : "channel",
                                    fmt::join(fault.stopped_channels, ", ")));
+    if (fault.bus_errors > 0)
+        said.push_back(counted(fault.bus_errors, "bus error"));
     if (fault.held_since)
         said.push_back(fmt::format("had the bus from {} on", to_string(*fault.held_since)));
     std::string out = said.empty() ? fault.had_effect() ? "slowed messages down" : "had no effect"
@@ -324,6 +326,7 @@ boost::json::object json_of(const RunReport&, const FaultUse& fault) {
             {"last_lost", hit_json(fault.last)},
             {"stopped", texts_of(fault.stopped)},
             {"stopped_channels", texts_of(fault.stopped_channels)},
+            {"bus_errors", fault.bus_errors},
             {"held_since_ps", fault.held_since ? boost::json::value(fault.held_since->count()) : nullptr}};
 }
 
@@ -378,6 +381,15 @@ std::string print_ending(Ending ending) {
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
 }
 
+/// The first of them; the JSON document has all.
+std::string print_never_ran(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 12;
+    std::size_t shown = std::min(names.size(), most), left_out = names.size() - shown;
+    return fmt::format("\nnever ran: {}{}\n",
+                       fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                       left_out > 0 ? fmt::format(" and {} others", left_out) : "");
+}
+
 } // namespace
 
 std::string print_report(const RunReport& report, const Network& network, const GenerationLog& searches) {
@@ -391,7 +403,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
         out += (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock, while others could go on:\n") +
                report.result.deadlock->text();
     if (!report.result.never_ran.empty())
-        out += fmt::format("\nnever ran: {}\n", fmt::join(report.result.never_ran, ", "));
+        out += print_never_ran(report.result.never_ran);
     if (!report.measurements.empty())
         out += print_measurements(report.measurements);
     out += print_searches(searches);

@@ -1,4 +1,5 @@
 #include "netlist/complete/complete.hpp"
+#include "netlist/kinds/computer.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
 #include "runtime/hardware/router.hpp"
@@ -86,8 +87,14 @@ std::vector<std::int64_t> channels_in_packets(const Network& network) {
     return counts;
 }
 
-/// On the chip of a transputer. A node without more, or a workstation, is one whose memory the netlist does not state.
-constexpr std::int64_t memory_of_a_chip_bytes = 4096;
+/// Of a processor that the netlist states, by itself or by the name of a module; a bare transputer's is only that of
+/// its chip. Else 0.
+std::int64_t stated_memory_bytes(const Node& node) {
+    if (!node.attributes.contains("memory"))
+        return 0;
+    std::int64_t memory = node.integer("memory");
+    return memory > 4 * kilobyte || node.given.contains("memory") ? memory : 0;
+}
 
 /// A warning, since nothing else that lies in the memory is known.
 void check_room_for_packets(Completion& c) {
@@ -95,8 +102,8 @@ void check_room_for_packets(Completion& c) {
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const Node& node = c.network.nodes[i];
         const std::int64_t room = channels[i] * hardware::Route::room;
-        const std::int64_t memory = node.attributes.contains("memory") ? node.integer("memory") : 0;
-        if (memory > memory_of_a_chip_bytes && room > memory)
+        const std::int64_t memory = stated_memory_bytes(node);
+        if (memory > 0 && room > memory)
             c.reporter.warning(node.declared,
                                fmt::format("\"{}\" has {} bytes of memory; the packets of the {} channels that lead "
                                            "there, or through it, need {}",

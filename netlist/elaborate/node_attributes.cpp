@@ -28,9 +28,9 @@ const NodeType* find_type(const Scopes& scopes, const std::string& name) {
 
 /// What the attributes of a processor without a type have said so far goes before what the type says.
 NodeType with_attributes_of(NodeType type, const Node& untyped) {
-    for (const auto& attribute : untyped.kind->attributes)
-        if (const auto& value = untyped.attributes.at(attribute.value.name); value != attribute.value.default_value)
-            type.preset.attributes[attribute.value.name] = value;
+    for (const auto& name : untyped.given)
+        type.preset.attributes[name] = untyped.attributes.at(name);
+    type.preset.given = untyped.given;
     for (const auto& [name, value] : untyped.other)
         type.preset.other[name] = value;
     return type;
@@ -84,9 +84,10 @@ bool has_node_attribute(const Node& node, const std::string& name) {
 
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter) {
     AttributeValue value(setting, reporter);
-    if (const auto* attribute = node.kind->attribute(setting.name))
+    if (const auto* attribute = node.kind->attribute(setting.name)) {
         node.attributes[setting.name] = value.as(*attribute);
-    else
+        node.given.insert(setting.name);
+    } else
         node.other[setting.name] = value.any();
 }
 

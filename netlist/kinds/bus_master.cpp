@@ -1,6 +1,7 @@
 #include "netlist/kinds/computer.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "runtime/hardware/bus_programs.hpp"
 
 namespace placedpar {
@@ -23,6 +24,7 @@ DeviceKind bus_master() {
               .most = 1000},
              "of a word that comes from a workstation or goes there, whose bytes are in the other order"),
          .json_name = "conversion_cycles"});
+    kind.faults.push_back(leaves_the_bus());
     kind.bus = BusRole::bus_master;
     kind.bus_program = hardware::bus_programs::bbk_v2;
     kind.drawing = {.frame = "#6b3b6b", .heading = "#ecd5ec", .legend = "bus master"};

@@ -56,6 +56,14 @@ const std::vector<FaultKind>& link_faults() {
     return kinds;
 }
 
+FaultKind leaves_the_bus() {
+    return {.name = "absent",
+            .about = "it answers nobody on the bus: who asks is told so by a bus error",
+            .attributes = {fault_begins(), fault_ends()}};
+}
+
+bool leaves_the_bus(const Fault& fault) { return fault.link < 0 && fault.kind == "absent"; }
+
 Time begin_of(const Fault& fault) { return std::chrono::nanoseconds{fault.integer("from")}; }
 
 Time end_of(const Fault& fault) {

@@ -10,6 +10,10 @@ namespace placedpar {
 /// The faults that every link can have.
 const std::vector<FaultKind>& link_faults();
 
+/// The fault of everything that answers on a bus.
+FaultKind leaves_the_bus();
+bool leaves_the_bus(const Fault&);
+
 /// The attribute `from` of every fault, and `until` of one that passes; 0 stands for ever.
 AttributeDescription fault_begins();
 AttributeDescription fault_ends();

@@ -1,5 +1,6 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "runtime/hardware/link_timing.hpp"
 
 namespace placedpar {
@@ -22,6 +23,7 @@ DeviceKind link_adapter() {
                                                    "else its only master"),
                         .json_name = "master"}},
         .bus = BusRole::adapter,
+        .faults = {leaves_the_bus()},
         .drawing = {.frame = "#8a6d2b", .heading = "#f6ebcb", .legend = "link adapter"}};
 }
 

@@ -107,12 +107,12 @@ std::vector<AttributeDescription> transputer_attributes() {
     for (auto& attribute : attributes)
         if (attribute.value.name == "clock")
             attribute.drawn = megahertz;
-    attributes.push_back(
-        {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-                                       "of an access to a word of the memory in which its messages lie, and what code "
-                                       "and data a program says to lie outside of the chip; 0: 3, 2 of a T2, or 1 "
-                                       "where memory is at most the 4K of a chip"),
-         .json_name = "memory_access_cycles"});
+    attributes.push_back({.value = description::integer(
+                              "memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
+                              "of an access to a word of the memory in which its messages lie, and what code "
+                              "and data a program says to lie outside of the chip; 0: 3, 2 of a T2 or T801, or 1 "
+                              "where memory is at most the 4K of a chip"),
+                          .json_name = "memory_access_cycles"});
     attributes.push_back({.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                                         "of leading a channel through it; the cheapest route is taken"),
                           .json_name = "route_cost"});
@@ -138,7 +138,9 @@ Cycles access_time(const Node& node) {
         return Cycles{stated};
     if (node.integer("memory") <= 4 * kilobyte)
         return Memory::on_chip;
-    return has_short_words(node.type) ? Memory::outside_of_a_t2 : Memory::outside;
+    if (has_short_words(node.type))
+        return Memory::outside_of_a_t2;
+    return node.type == "T801" ? Memory::outside_of_a_t801 : Memory::outside;
 }
 
 /// An address has as many bits as a word (IMS T225 data sheet: 64 Kbytes).

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,7 @@ struct Node {
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while it comes in
     bool floating_point_unit = true;                      ///< it computes with real numbers as a T800 does
+    std::set<std::string, std::less<>> given = {};        ///< of those, what the netlist gives
     std::map<std::string, Value> other;                   ///< attributes of the real tool, not used by a simulation
     Location declared;
 

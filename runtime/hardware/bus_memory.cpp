@@ -9,7 +9,7 @@
 
 namespace placedpar::hardware {
 
-MemoryLane::MemoryLane(Kernel& kernel, VmeMaster& master, const DualPortedMemory& memory, From from, Cycles conversion)
+MemoryLane::MemoryLane(Kernel& kernel, VmeMaster& master, DualPortedMemory& memory, From from, Cycles conversion)
     : kernel_(kernel), master_(master), memory_(memory), from_(from), conversion_(conversion) {}
 
 void MemoryLane::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {

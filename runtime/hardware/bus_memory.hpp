@@ -39,7 +39,7 @@ public:
     /// `conversion`: cycles of the transputer for each word, none where no bytes need to be exchanged.
     /// REQUIRES: they outlive it, and the processes at the two ends are executed by what the master and the memory
     /// belong to.
-    MemoryLane(Kernel&, VmeMaster&, const DualPortedMemory&, From, Cycles conversion);
+    MemoryLane(Kernel&, VmeMaster&, DualPortedMemory&, From, Cycles conversion);
 
     std::string why_not_given_up() const override { return "leads through the memory of a bus master"; }
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
@@ -57,7 +57,7 @@ private:
 
     Kernel& kernel_;
     VmeMaster& master_;
-    const DualPortedMemory& memory_;
+    DualPortedMemory& memory_;
     From from_;
     Cycles conversion_;
     bool full_ = false;          ///< the buffer holds a part of a message

@@ -60,6 +60,8 @@ std::vector<Constant> of_processors() {
          "listing of a machine of 64 T800s (ispy)"},
         {group, "the same of a T2", in_cycles(Memory::outside_of_a_t2), "cycles", published,
          "IMS T225 data sheet; the T212, T222, M212 are ours"},
+        {group, "the same of a T801", in_cycles(Memory::outside_of_a_t801), "cycles", ours,
+         "as a T2, whose buses for addresses and data are separate too"},
         {group, "block move, to start", in_cycles(instructions::block_move_start), "cycles", published, table},
     };
 }
@@ -69,8 +71,8 @@ std::vector<Constant> of_processors() {
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
     const auto& [soft, hard, copied_word, word_outside, bytes_in_a_word, start, run, end, read, wait, wait_past, alt,
-                 enable, enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end, attempt, reset] =
-        instructions::t800;
+                 enable, enable_not_ready, enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end,
+                 attempt, reset] = instructions::t800;
     using enum Mark;
     auto row = [group](std::string_view name, Cycles cycles, Mark mark = published, std::string_view source = table) {
         return Constant{group, name, in_cycles(cycles), "cycles", mark, source};
@@ -86,7 +88,8 @@ std::vector<Constant> of_instructions() {
             row("tin: a time to come", wait),
             row("tin: a time that is past", wait_past),
             row("alt", alt),
-            row("enbc, enbs", enable),
+            row("enbc, enbs: a guard that is ready", enable),
+            row("enbc: one that is not", enable_not_ready),
             row("enbt", enable_timeout),
             row("altwt: a guard is ready", wait_ready),
             row("altwt: none is", wait_alt),

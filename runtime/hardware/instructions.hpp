@@ -20,6 +20,7 @@ constexpr OperationCosts t800{
     .timer_wait_past = Cycles{4},        // tin
     .alternation_start = Cycles{2},      // alt
     .enable_guard = Cycles{7},           // enbc, enbs
+    .enable_guard_not_ready = Cycles{5}, // enbc
     .enable_timeout = Cycles{8},         // enbt
     .alternation_wait_ready = Cycles{5}, // altwt
     .alternation_wait = Cycles{17},      // altwt

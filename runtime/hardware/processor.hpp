@@ -21,7 +21,7 @@ namespace placedpar::hardware {
 struct Memory {
     /// Cycles of an access to a word: "external at least 3" (listing of a machine of 64 T800s); 30 Mbyte/s at 30 MHz
     /// (IMS T225 data sheet), the T212, T222 and M212 likewise.
-    static constexpr Cycles on_chip{1}, outside{3}, outside_of_a_t2{2};
+    static constexpr Cycles on_chip{1}, outside{3}, outside_of_a_t2{2}, outside_of_a_t801{2};
 
     Cycles access = on_chip;
     std::int64_t bytes_in_a_word = 4; ///< 2 in a T2

@@ -157,13 +157,13 @@ VmeMaster::VmeMaster(Kernel& kernel, std::string name, VmeBus& bus, const VmePla
     bus.attach(*this);
 }
 
-void VmeMaster::move_words(const BusSlave& slave, std::uint64_t words) {
+void VmeMaster::move_words(BusSlave& slave, std::uint64_t words) {
     require_answer(slave);
     move(words, bus_.timing().word);
     words_moved_ += words;
 }
 
-void VmeMaster::access_byte(const BusSlave& slave) {
+void VmeMaster::access_byte(BusSlave& slave) {
     require_answer(slave);
     move(1, bus_.timing().byte);
     ++bytes_accessed_;
@@ -173,8 +173,8 @@ void VmeMaster::hold(Time how_long) { move(1, how_long); }
 
 void VmeMaster::hold_until(Time end) { move(1, Time{1}, end); }
 
-void VmeMaster::require_answer(const BusSlave& slave) {
-    if (slave.answers())
+void VmeMaster::require_answer(BusSlave& slave) {
+    if (slave.answer(kernel_.now()))
         return;
     move(1, bus_.timing().time_out);
     ++bus_errors_;

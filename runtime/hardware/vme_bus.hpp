@@ -40,7 +40,20 @@ class BusSlave {
 public:
     virtual ~BusSlave() = default;
     virtual const std::string& bus_name() const = 0;
-    virtual bool answers() const { return true; }
+
+    /// As a board that is pulled out of its slot, from one moment to another. Called before the run.
+    void leave(Time from, Time until) { left_ = from, back_ = until; }
+    /// An access begins. Whether it is answered.
+    bool answer(Time now) {
+        bool there = now < left_ || now >= back_;
+        unanswered_ += !there;
+        return there;
+    }
+    std::uint64_t unanswered() const { return unanswered_; }
+
+private:
+    Time left_ = Time::max(), back_ = Time::max();
+    std::uint64_t unanswered_ = 0;
 };
 
 /// Nobody answered: the bus timer has ended the cycle.
@@ -147,8 +160,8 @@ public:
 
     /// The running process moves so many words, or accesses a register once. It keeps its executive, which stands still
     /// meanwhile. Throws BusError if nobody answers. REQUIRES: words > 0.
-    void move_words(const BusSlave&, std::uint64_t words);
-    void access_byte(const BusSlave&);
+    void move_words(BusSlave&, std::uint64_t words);
+    void access_byte(BusSlave&);
     /// It holds the bus for so long in one cycle that cannot be left, as a device that does not let go.
     void hold(Time);
     /// The same until a moment, whenever the bus is granted; if that is later, for no time worth speaking of.
@@ -174,7 +187,7 @@ private:
         bool done = false;
     };
     void move(std::uint64_t words, Time each, Time until = {});
-    void require_answer(const BusSlave&);
+    void require_answer(BusSlave&);
     void ask();
     void granted();
 

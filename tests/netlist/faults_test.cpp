@@ -5,6 +5,7 @@
 #include "netlist/machine.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -192,6 +193,23 @@ TEST_CASE("a bus that another master hogs is waited for, from its grant to its e
     CHECK(hogged.buses[0].masters[2].grants == 1);
     CHECK(hogged.buses[0].masters[0].longest_wait > Time{end - since} - std::chrono::microseconds{150});
     CHECK(run_on_bus("fault vme hogged (from = 1s, until = 2s);").faults[0].had_effect() == false);
+}
+
+TEST_CASE("who asks something absent on a bus is told so by a bus error after the bus's time-out") {
+    auto refused_with = [](const std::string& more) -> std::string {
+        try {
+            run_on_bus(more);
+        } catch (const UserError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    std::string said = refused_with("fault b absent (from = 100us);");
+    CHECK(said.find("process p (csp.producer) at ") != std::string::npos);
+    CHECK(said.find("bus error: b does not answer a on bus vme within 125.000000 us") != std::string::npos);
+    CHECK(refused_with("fault b absent (from = 1s);").empty());
+    CHECK(refused_with("fault a absent;").empty()); // which nobody asks for anything
+    CHECK(run_on_bus("fault b absent (from = 1s);").faults[0].had_effect() == false);
 }
 
 TEST_CASE("two hogs stand in two slots, and what is printed of one loads again") {

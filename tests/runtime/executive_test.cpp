@@ -81,6 +81,7 @@ constexpr OperationCosts costs_of_a_clerk{
     .timer_wait_past = Cycles{7},
     .alternation_start = Cycles{10},
     .enable_guard = Cycles{20},
+    .enable_guard_not_ready = Cycles{15},
     .enable_timeout = Cycles{30},
     .alternation_wait_ready = Cycles{8},
     .alternation_wait = Cycles{9},
@@ -125,6 +126,9 @@ TEST_CASE("each operation costs what the executive says") {
     CHECK(spent_by([] { Timer().wait_after(0); }) == Spent{6});
     CHECK(spent_by([] { wait_until(Time{0}); }) == Spent{7});
     CHECK(spent_by([] { alt(after(Time{0}, [] {}), skip([] {})); }) == Spent{10 + 30 + 20, 8, 300 + 200 + 1000});
+    Channel<int> c("c");
+    CHECK(spent_by([&] { alt(on(c.in(), [](int) {}), skip([] {})); }) == Spent{10 + 15 + 20, 8, 200 + 200 + 1000});
+    CHECK(spent_by([&] { alt(when(false, skip([] {})), skip([] {})); }) == Spent{10 + 15 + 20, 8, 200 + 200 + 1000});
 }
 
 TEST_CASE("both ends of a soft channel pay, and the second to arrive for the copy in words of the executive") {

@@ -232,6 +232,12 @@ TEST_CASE("computing for ever in no time" * doctest::skip(test::sanitized)) {
                 ;
         });
     }
+    SUBCASE("by asking for the time") {
+        simulation.process("p", [] {
+            while (now() < microseconds{1})
+                ;
+        });
+    }
     SUBCASE("placed") {
         simulation.process(
             "p",

@@ -146,6 +146,9 @@ TEST_CASE("the report of a run names the processes that never ran") {
     CHECK(json.at("never_ran") == boost::json::array{"q", "d"});
     RunReport all = Machine(*read.network, catalogue, 1).run();
     CHECK(print_report(all, *read.network).find("never ran") == std::string::npos);
+    for (int i = 0; i < 12; ++i)
+        report.result.never_ran.push_back("r" + std::to_string(i));
+    CHECK(print_report(report, *read.network).find(", r9 and 2 others\n") != std::string::npos);
 }
 
 TEST_CASE("in a deadlock only those that it holds wait for ever, not those that rehearse after the work") {

@@ -181,6 +181,8 @@ TEST_CASE("room for packets that is more than a processor's stated memory is war
     };
     CHECK(said_with(7, "(memory = 8K)").empty());
     CHECK(said_with(8, "").empty());
+    CHECK(said_with(3, "(memory = 4K)").empty());
+    CHECK(said_with(4, "(memory = 4K)").find("\"b\" has 4096 bytes of memory") != std::string::npos);
     std::string said = said_with(8, "(memory = 8K)"); // 4 packets of 260 bytes each, in 8192 bytes
     for (const char* node : {"a", "b", "c"})
         CHECK(said.find("warning: \"" + std::string(node) +

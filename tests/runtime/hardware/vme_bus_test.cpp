@@ -22,9 +22,7 @@ namespace {
 
 struct Memory64K final : BusSlave {
     std::string name = "memory";
-    bool there = true;
     const std::string& bus_name() const override { return name; }
-    bool answers() const override { return there; }
 };
 
 Arbitration arbitration_of(BusWorld::Rule rule) {
@@ -125,7 +123,7 @@ TEST_CASE("where nobody answers, the bus timer ends the cycle and the program is
     auto& bus = simulation.add<VmeBus>("bus");
     auto& master = simulation.add<VmeMaster>("master", bus);
     Memory64K memory;
-    memory.there = false;
+    memory.leave(Time{0}, Time::max());
     std::string told;
     simulation.process("mover", [&] {
         try {
@@ -137,6 +135,7 @@ TEST_CASE("where nobody answers, the bus timer ends the cycle and the program is
     CHECK(simulation.run().time == nanoseconds{200} + microseconds{125});
     CHECK(told == "bus error: memory does not answer master on bus bus within 125.000000 us");
     CHECK(master.bus_errors() == 1);
+    CHECK(memory.unanswered() == 1);
     CHECK(master.words_moved() == 0);
 }
 
