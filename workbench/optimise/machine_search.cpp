@@ -82,17 +82,12 @@ std::vector<Genome> MachineSearch::first_population() {
     return population;
 }
 
-/// The better half by rank, the best most; nothing for the others, who become no parents. Of two costs, machines that
-/// differ in nothing that counts would fill the elite with copies of a few points of the front.
+/// The better half by rank, the best most; nothing for the others, who become no parents.
 std::vector<double> MachineSearch::fitness_of(const std::vector<std::uint64_t>& machines) {
     std::vector<Merit> merits;
     std::set<std::uint64_t> seen;
-    std::set<std::vector<double>> points;
-    for (std::uint64_t machine : machines) {
-        const Merit& merit = trials_.of(machine).merit;
-        bool again = !seen.insert(machine).second || (merit.costs.size() > 1 && !points.insert(merit.costs).second);
-        merits.push_back(again ? Merit{} : merit);
-    }
+    for (std::uint64_t machine : machines)
+        merits.push_back(seen.insert(machine).second ? trials_.of(machine).merit : Merit{});
     std::vector<std::size_t> order = order_of(merits);
     std::vector<double> fitness(machines.size());
     for (std::size_t place = 0, half = machines.size() / 2; place < half; ++place)

@@ -50,10 +50,8 @@ public:
     /// By the genetic algorithm of this project. A generation is a population of genomes in order_of() their merits:
     /// the better half goes over unchanged as the elite, and is bred, by stochastic universal sampling over linear
     /// ranks and uniform crossover, for the other half: NSGA-II's scheme. A genome that stands for the machine of
-    /// another one counts as infeasible, so that each machine is in the elite once; so does, of two costs, one whose
-    /// costs are another's (H. Ishibuchi, K. Narukawa and Y. Nojima, "An empirical study on the handling of overlapping
-    /// solutions in evolutionary multiobjective optimization", 2005). Throws UserError when the condition holds for no
-    /// machine that is drawn.
+    /// another one counts as infeasible, so that each machine is in the elite once. Throws UserError when the condition
+    /// holds for no machine that is drawn.
     std::optional<SearchCourse> genetic();
     /// Draws machines for which the condition holds, none twice, until so many have been simulated, or next to all.
     std::optional<SearchCourse> random(std::size_t simulated);
