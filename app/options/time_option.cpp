@@ -28,12 +28,14 @@ CLI::Option* add_time_for(CLI::App& command, const std::string& option, const st
 } // namespace
 
 CLI::Option* add_time(CLI::App& command, const std::string& option, Time& time, const std::string& about) {
-    return add_time_for(command, option, [&time](Time given) { time = given; }, about);
+    return add_time_for(
+        command, option, [&time](Time given) { time = given; }, about);
 }
 
 CLI::Option* add_time(CLI::App& command, const std::string& option, std::optional<Time>& time,
                       const std::string& about) {
-    return add_time_for(command, option, [&time](Time given) { time = given; }, about);
+    return add_time_for(
+        command, option, [&time](Time given) { time = given; }, about);
 }
 
 } // namespace placedpar

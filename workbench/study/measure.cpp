@@ -36,7 +36,8 @@ std::string name_of_array(const std::string& figure) {
 
 std::string say_there_is_no(const StudyMeasure& measure, const std::set<std::string>& known) {
     std::vector<std::string> names(known.begin(), known.end());
-    return there_is_no("measure", measure.name_without_subscripts(), names, fmt::format("the runs have {}", fmt::join(names, ", ")));
+    return there_is_no("measure", measure.name_without_subscripts(), names,
+                       fmt::format("the runs have {}", fmt::join(names, ", ")));
 }
 
 /// Boost.JSON 1.81 reads some numbers a last bit off.
@@ -172,6 +173,8 @@ bool PossibleMeasures::has(const StudyMeasure& measure) const {
     return names_.contains(name) || unknown_.contains(name.substr(0, name.rfind('.') + 1));
 }
 
-std::string PossibleMeasures::there_is_no(const StudyMeasure& measure) const { return say_there_is_no(measure, names_); }
+std::string PossibleMeasures::there_is_no(const StudyMeasure& measure) const {
+    return say_there_is_no(measure, names_);
+}
 
 } // namespace placedpar
