@@ -78,6 +78,8 @@ public:
     Time now() const { return now_; }
     /// The process whose program is being executed.
     Process& running() const { return *running_; }
+    /// The same; between two processes the one before. Null before the first.
+    const Process* last_to_run() const { return running_; }
     EventQueue& future() { return future_; }
     Fingerprint& fingerprint() { return fingerprint_; }
     /// Null if no trace is wanted.

@@ -13,6 +13,7 @@
 #include "workbench/manifest.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/search_log.hpp"
+#include "workbench/study/ranks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -115,6 +116,8 @@ ExitCode exit_code_of(const Explanation& explanation) {
 }
 
 ExitCode explain(const ExplainOptions& options, const std::string& typed) {
+    if (left_to_rank_zero("explain"))
+        return ExitCode::success;
     require_outputs(options);
     Network network = load_network(options.netlist);
     for (const std::string& included : network.included_paths)

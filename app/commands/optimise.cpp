@@ -1,5 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/many_runs.hpp"
+#include "app/options/time_option.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "text/counted.hpp"
@@ -10,6 +12,7 @@
 #include "workbench/load.hpp"
 #include "workbench/optimise/optimise_report.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/study/ranks.hpp"
 #include "workbench/study/study_file.hpp"
 #include "workbench/study/study_report.hpp"
 #include "workbench/study/summary_cells.hpp"
@@ -19,6 +22,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -28,11 +32,10 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_exhaustive = 10'000; ///< combinations that are all tried out without --yes
-
 struct OptimiseOptions {
     std::string study;
     std::optional<std::uint64_t> seed, population, generations;
+    std::optional<Time> until;
     bool random = false, exhaustive = false;
     std::string results; ///< "": by the study's name
     std::string csv, svg;
@@ -56,14 +59,8 @@ Study searched_study(const OptimiseOptions& options) {
     study.search->seed = options.seed.value_or(study.search->seed);
     study.search->population = options.population.value_or(study.search->population);
     study.search->generations = options.generations.value_or(study.search->generations);
+    study.until = options.until.value_or(study.until);
     return study;
-}
-
-void require_exhaustible(const OptimiseOptions& options, const MachineSpace& space) {
-    if (options.exhaustive && !options.yes && space.count() > most_exhaustive)
-        throw UserError(fmt::format("--exhaustive: {} combinations are too many to try them all out unless --yes is "
-                                    "said",
-                                    space.count()));
 }
 
 void require_optimise_outputs(const OptimiseOptions& options) {
@@ -90,9 +87,11 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
-/// What is written is none of the netlist's files.
-StudySource source_apart_from_outputs(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
-    StudySource source = source_of(study, some_network(study, space));
+/// Of what can be measured, and where what is written is none of the netlist's files.
+StudySource searchable_source(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
+    Network network = some_network(study, space);
+    require_possible(shown_measures(study), study, network);
+    StudySource source = source_of(study, network);
     for (const auto& [path, text] : source.texts)
         require_apart(options.outputs(), path);
     return source;
@@ -113,23 +112,42 @@ struct Session {
     const OptimiseOptions& options;
     Study study = searched_study(options);
     MachineSpace space{study};
-    StudySource source = source_apart_from_outputs(options, study, space);
+    StudySource source = searchable_source(options, study, space);
     StudyResults results{options.kept(), source, options.any_version};
     InterruptedBySignals interruption{};
     MachineTrials trials{study, space, results, options.jobs, interruption};
 };
 
-/// None when interrupted.
-std::optional<Optimum> search_for(Session& session) {
-    Optimum optimum;
-    optimum.measures = session.study.search->minimise;
-    Progress line;
-    MachineSearch search(session.study, session.space, session.trials,
-                         [&](const CourseProgress& progress) { line.show(told(progress)); });
-    std::optional<Trial> start = session.trials.of(session.space.fixed());
-    if (!start)
-        return std::nullopt;
-    optimum.start = *start;
+/// That the search makes at most, but for those that are there.
+std::uint64_t most_runs(const Session& session) {
+    const StudySearch& wanted = *session.study.search;
+    std::uint64_t bred = wanted.population - wanted.population / 2;
+    std::uint64_t drawn = std::min(session.space.count(), wanted.population + bred * (wanted.generations - 1));
+    std::uint64_t machines = session.options.random ? std::min(session.space.count(), 2 * drawn) : drawn;
+    if (session.options.exhaustive)
+        machines = session.space.count();
+    return session.study.seeds * machines;
+}
+
+/// Of one of the netlist as it is, or, where that is none, of the first machine. None when interrupted.
+std::optional<double> seconds_of_a_run(Session& session, const Trial& start) {
+    if (!start.simulated)
+        return StudySweep(session.study, session.results).seconds_a_run(session.interruption);
+    const Study as_it_is = study_of(session.study, {session.space.fixed()});
+    return StudySweep(as_it_is, session.results).seconds_a_run(session.interruption);
+}
+
+/// Whether to begin. An interrupted session is not.
+bool is_meant(Session& session, const Trial& start) {
+    std::uint64_t runs = most_runs(session);
+    if (runs <= most_unasked || session.options.yes)
+        return true;
+    std::optional<double> seconds = seconds_of_a_run(session, start);
+    return seconds && are_meant({runs, false, session.options.jobs, *seconds});
+}
+
+/// Each way that is wanted, until one is interrupted: false.
+bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
     auto add = [&](std::optional<SearchCourse> course) {
         if (course && optimum.courses.empty() && course->front().empty())
             throw UserError(print_why_none(*course));
@@ -137,44 +155,77 @@ std::optional<Optimum> search_for(Session& session) {
             optimum.courses.push_back(std::move(*course));
         return course.has_value();
     };
-    bool whole = add(search.genetic()) &&
-                 (!session.options.random || add(search.random(optimum.courses.front().machines.size()))) &&
-                 (!session.options.exhaustive || add(search.exhaustive()));
-    return whole ? std::optional(std::move(optimum)) : std::nullopt;
+    return add(search.genetic()) &&
+           (!session.options.random || add(search.random(optimum.courses.front().machines.size()))) &&
+           (!session.options.exhaustive || add(search.exhaustive()));
 }
 
-std::vector<PathPart> path_of(Session& session, const Overrides& settings) {
+/// None when interrupted, or not meant.
+std::optional<Optimum> search_for(Session& session) {
+    Optimum optimum;
+    optimum.measures = session.study.search->minimise;
+    std::optional<Trial> start = session.trials.of(session.space.fixed());
+    if (!start || !is_meant(session, *start))
+        return std::nullopt;
+    optimum.start = *start;
+    Progress line;
+    MachineSearch search(session.study, session.space, session.trials,
+                         [&](const CourseProgress& progress) { line.show(told(progress)); });
+    return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
+}
+
+/// None when interrupted.
+std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& settings) {
     CriticalPath path;
-    run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),
-                {.seed = session.study.first_seed, .until = session.study.until, .trace = &path});
-    return path.parts();
+    RunReport report = run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),
+                                   {.seed = session.study.first_seed,
+                                    .until = session.study.until,
+                                    .trace = &path,
+                                    .interruption = &session.interruption});
+    return report.result.ending == Ending::interrupted ? std::nullopt : std::optional(path.parts());
+}
+
+/// Why the best machine takes another time than the netlist as it is; "" where that is no machine, or when interrupted.
+std::string reason_of(Session& session, const Optimum& optimum, const Overrides& best) {
+    if (!optimum.start.merit.feasible)
+        return "";
+    Progress line;
+    line.show("why it is: two runs for their critical paths");
+    auto start = path_of(session, session.space.fixed()), end = path_of(session, best);
+    return start && end ? print_paths(*start, *end) + "\n" : "";
 }
 
 void print_optimum(Session& session, const Optimum& optimum, const StudySummary& summary) {
     const SearchCourse& course = optimum.courses.front();
     const Overrides best = session.space.settings(course.machines[best_of(course).front()]);
-    std::string out = fmt::format("{} of {}; the best of them:\n\n", counted(session.space.count(), "combination"),
-                                  counted(session.space.names().size(), "setting")) +
-                      print_summary(summary) + "\n" + print_comparison(optimum) + "\n";
-    if (optimum.start.merit.feasible)
-        out += print_paths(path_of(session, session.space.fixed()), path_of(session, best)) + "\n";
-    print_out(out + fmt::format("the best: {}\nresults: {}\n", command_of(session.study, best),
-                                session.results.path().string()));
+    print_out(fmt::format("{} of {}; the best of them:\n\n{}\n{}\n", counted(session.space.count(), "combination"),
+                          counted(session.space.names().size(), "setting"), print_summary(summary),
+                          print_comparison(optimum)));
+    print_out(reason_of(session, optimum, best) + fmt::format("the best: {}\nresults: {}\n",
+                                                              command_of(session.study, best),
+                                                              session.results.path().string()));
+}
+
+/// What was interrupted is told; all that is kept is as good as ever.
+ExitCode end_of(const Session& session) {
+    if (!session.interruption.requested())
+        return ExitCode::success;
+    fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
+               session.results.path().string());
+    return ExitCode::interrupted;
 }
 
 ExitCode optimise(const OptimiseOptions& typed) {
+    if (left_to_rank_zero("optimise"))
+        return ExitCode::success;
     OptimiseOptions options = typed;
     options.jobs = options.jobs == 0 ? count_cores() : options.jobs;
     require_optimise_outputs(options);
     Session session{options};
-    require_exhaustible(options, session.space);
     session.results.set_measures(shown_measures(session.study));
     std::optional<Optimum> optimum = search_for(session);
-    if (!optimum) {
-        fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
-                   session.results.path().string());
-        return ExitCode::interrupted;
-    }
+    if (!optimum)
+        return end_of(session);
     StudySummary summary = summary_of_best(session.results, session.study, session.space, optimum->courses.front());
     for (std::size_t i = 0; i < optimum->measures.size(); ++i)
         optimum->measures[i] = measure_with_unit(summary, i);
@@ -183,7 +234,7 @@ ExitCode optimise(const OptimiseOptions& typed) {
         write_whole(options.csv, summary_csv(summary));
     if (!options.svg.empty())
         write_whole(options.svg, draw_svg(optimum_plot(*optimum, session.study.netlist)));
-    return ExitCode::success;
+    return end_of(session);
 }
 
 void add_search_size(CLI::App& command, OptimiseOptions& options) {
@@ -193,6 +244,7 @@ void add_search_size(CLI::App& command, OptimiseOptions& options) {
     add_number(command, "--population", options.population, 4, StudySearch::most_population,
                "machines of a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
+    add_time(command, "--until", options.until, "stops a run at this moment of the machine's time");
     add_count(command, "--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said");
 }
 
@@ -207,7 +259,7 @@ Action declare_optimise(CLI::App& command, const std::string&) {
         "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
     add_file(command, "--csv", options->csv, "writes the best machines, or the front, as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the search, or the front");
-    command.add_flag("--yes", options->yes, "tries all out even where they are very many");
+    command.add_flag("--yes", options->yes, "begins even very many runs without a question");
     command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
     return [options] { return optimise(*options); };
 }

@@ -1,6 +1,7 @@
 #include "workbench/study/sweep.hpp"
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/many_runs.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/options/time_option.hpp"
 #include "app/signals.hpp"
@@ -20,21 +21,16 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <optional>
 
 namespace placedpar {
 
 namespace {
-
-constexpr std::uint64_t most_unasked = 10'000; ///< runs that are begun without a question
 
 struct SweepOptions {
     std::string study; ///< a netlist, or a study's file
@@ -95,39 +91,6 @@ std::filesystem::path results_of(const SweepOptions& options) {
     return options.results.empty() ? std::filesystem::path(options.study).stem().string() + ".sqlite" : options.results;
 }
 
-/// "3 days", "4 min".
-std::string print_duration(double seconds) {
-    constexpr std::pair<double, const char*> units[] = {{365.25 * 86400, "year"}, {86400, "day"}, {3600, "hour"}};
-    for (const auto& [length, name] : units)
-        if (seconds >= 2 * length)
-            return counted(static_cast<std::size_t>(seconds / length), name);
-    return seconds >= 120 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.0f} s", seconds);
-}
-
-std::string print_count(std::uint64_t count) {
-    std::string digits = std::to_string(count);
-    for (std::size_t i = digits.size(); i > 3; i -= 3)
-        digits.insert(i - 3, ",");
-    return digits;
-}
-
-/// Of very many runs the user says whether they are meant. Throws UserError where nobody can be asked.
-bool is_meant(const SweepOptions& options, const StudySweep::Missing& missing, std::size_t at_once,
-              std::optional<double> seconds) {
-    if (missing.runs <= most_unasked || options.yes || !seconds)
-        return true;
-    std::string many = fmt::format(
-        "{}{} runs of about {:.3g} s, {} on {}", missing.exact ? "" : "up to ", print_count(missing.runs), *seconds,
-        print_duration(*seconds * static_cast<double>(missing.runs) / static_cast<double>(at_once)),
-        counted(at_once, "core"));
-    if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
-        throw UserError(many + "; --yes begins with them");
-    fmt::print(stderr, "{}. Begin? [y/N] ", many);
-    std::string answer;
-    std::getline(std::cin, answer);
-    return lower_case(answer).starts_with("y");
-}
-
 /// One line that says how far it is, and how long the rest takes.
 class SweepProgress {
 public:
@@ -173,10 +136,11 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     StudySweep sweep(study, results);
     sweep.try_measures(interruption);
     StudySweep::Missing missing = sweep.missing();
-    bool asks = missing.runs > most_unasked && !options.yes;
     std::size_t at_once = options.jobs * (others ? others->ranks() : 1);
-    if (!is_meant(options, missing, at_once, asks ? sweep.seconds_a_run(interruption) : std::nullopt))
-        return false;
+    if (missing.runs > most_unasked && !options.yes)
+        if (auto seconds = sweep.seconds_a_run(interruption);
+            seconds && !are_meant({missing.runs, missing.exact, at_once, *seconds}))
+            return false;
     SweepProgress progress(missing);
     std::function<bool(bool)> serve;
     if (others) {
@@ -201,6 +165,7 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
     for (const std::string& measure : study.measures)
         StudyMeasure{measure};
     Network network = readable_network(study);
+    require_possible(study.measures, study, network);
     StudyResults results(results_of(options), source_of(study, network), options.any_version);
     InterruptedBySignals interruption;
     results.set_measures(study.measures);
@@ -236,11 +201,7 @@ void add_size(CLI::App& command, SweepOptions& options) {
         ->type_name("N")
         ->check(not_a_whole_number)
         ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
-    command
-        .add_option_function<std::string>(
-            "--until", [&](const std::string& text) { options.until = parse_time(text); },
-            "stops a run at this moment of the machine's time")
-        ->type_name("TIME");
+    add_time(command, "--until", options.until, "stops a run at this moment of the machine's time");
     command
         .add_option("--jobs", options.jobs,
                     "so many runs at once; as many as there are cores if nothing is said, "

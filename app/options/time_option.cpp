@@ -2,9 +2,14 @@
 
 #include "text/user_error.hpp"
 
+#include <functional>
+
 namespace placedpar {
 
-CLI::Option* add_time(CLI::App& command, const std::string& option, Time& time, const std::string& about) {
+namespace {
+
+CLI::Option* add_time_for(CLI::App& command, const std::string& option, const std::function<void(Time)>& take,
+                          const std::string& about) {
     auto check = [](const std::string& text) -> std::string {
         try {
             parse_time(text);
@@ -15,9 +20,22 @@ CLI::Option* add_time(CLI::App& command, const std::string& option, Time& time, 
     };
     return command
         .add_option_function<std::string>(
-            option, [&time](const std::string& text) { time = parse_time(text); }, about)
+            option, [take](const std::string& text) { take(parse_time(text)); }, about)
         ->type_name("TIME")
         ->check(check);
+}
+
+} // namespace
+
+CLI::Option* add_time(CLI::App& command, const std::string& option, Time& time, const std::string& about) {
+    return add_time_for(
+        command, option, [&time](Time given) { time = given; }, about);
+}
+
+CLI::Option* add_time(CLI::App& command, const std::string& option, std::optional<Time>& time,
+                      const std::string& about) {
+    return add_time_for(
+        command, option, [&time](Time given) { time = given; }, about);
 }
 
 } // namespace placedpar

@@ -16,6 +16,21 @@ PROGRAM = os.environ["PLACEDPAR"]
 EXAMPLES = os.environ["PLACEDPAR_EXAMPLES"]
 FIGURE_E2 = os.path.join(EXAMPLES, "04-figure-e2", "figure-e2.cfs")
 
+# A message of one packet, over a processor that passes it on.
+CHAIN = """
+T800 a, b, c;
+connect a.link[0] to b.link[0];
+connect b.link[1] to c.link[0];
+process source, sink;
+use "csp.producer" for source;
+use "csp.consumer" for sink;
+source (count = 1, cycles = 1000);
+sink (count = 1);
+place source on a;
+place sink on c;
+connect source.out to sink.in;
+"""
+
 
 def explained(netlist, *options):
     with tempfile.TemporaryDirectory() as folder:
@@ -46,6 +61,37 @@ class Explain(unittest.TestCase):
                     self.assertEqual(part["begin_ps"], moment)
                     moment = part["end_ps"]
                 self.assertEqual(moment, document["time_ps"])
+
+    def test_the_path_leads_through_routers_to_those_who_keep_them_waiting(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "chain.cfs"
+            netlist.write_text(CHAIN, encoding="utf-8")
+            run, document = explained(str(netlist), "--no-what-if")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        parts = [(part["step"], part["subject"], part["end_ps"] - part["begin_ps"]) for part in document["critical_path"]]
+        # 200 cycles of routing and an instruction of 19 for each packet; of 8 bytes there, of 4 back; 50 ns a cycle.
+        handling, instruction, packet, acknowledge = 219 * 50_000, 19 * 50_000, 4_470_000, 2_230_000
+        links = ("a.link[0] -> b.link[0]", "b.link[1] -> c.link[0]", "c.link[0] -> b.link[1]", "b.link[0] -> a.link[0]")
+        expected = [("computing", f"router receiver {links[3]} on a", instruction),
+                    ("computing", "source on a", 1000 * 50_000 + instruction)]
+        for link, carried in zip(links, (packet, packet, acknowledge, acknowledge)):
+            expected += [("computing", f"router sender {link} on {link[0]}", handling),
+                         ("communicating", "source.out -> sink.in", carried),
+                         ("computing", f"router receiver {link} on {link[-9]}", handling)]
+        self.assertEqual(parts, expected)
+        self.assertEqual(sum(length for _, _, length in parts), document["time_ps"])
+        source = next(each for each in document["processes"] if each["process"] == "source")
+        # It is ready when the router has handled the last acknowledge, and runs when that has asked for the next.
+        self.assertEqual(source["communicating_ps"], document["time_ps"] - sum(length for *_, length in parts[:2]) - instruction)
+
+    def test_who_waits_for_a_fork_waits_for_who_has_it(self):
+        _, document = explained(os.path.join(EXAMPLES, "30-philosophers", "philosophers.cfs"), "--no-what-if")
+        spent = collections.Counter()
+        for part in document["critical_path"]:
+            spent[part["subject"].split("[")[0]] += part["end_ps"] - part["begin_ps"]
+        self.assertGreater(spent["philosopher"], 0.9 * document["time_ps"])  # eating, or thinking; a fork is soon handed over
+        account = next(each for each in document["processes"] if each["process"] == "philosopher[0]")
+        self.assertLess(account["communicating_ps"], 0.01 * document["time_ps"])
 
     def test_a_what_if_is_a_run_with_what_it_sets(self):
         _, document = explained(FIGURE_E2)

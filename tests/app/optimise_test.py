@@ -70,6 +70,19 @@ place source on t;
 place sink on t;
 connect source.out to sink.in;
 """
+# Its runs take long enough to be interrupted.
+LONG = """
+val a 1;
+T800 t;
+process source, sink;
+use "csp.producer" for source;
+use "csp.consumer" for sink;
+source (count = 300000, cycles = a);
+sink (count = 300000);
+place source on t;
+place sink on t;
+connect source.out to sink.in;
+"""
 SPHERE = """
 T800 t;
 workstation sun;
@@ -248,6 +261,29 @@ class TheSame(Optimise):
         self.assertIn("the same command goes on from them", said)
         self.assertEqual(process.returncode, 130)
 
+    def test_interrupted_when_the_best_is_known_it_says_what_it_is(self):
+        self.write("long.cfs", LONG)
+        study = self.write("long.toml", 'netlist = "long.cfs"\n[search]\nminimise = "time"\npopulation = 4\n'
+                                        'generations = 1\n[set]\na = [1, 5]\n')
+        outer, inner = pty.openpty()
+        with subprocess.Popen([PROGRAM, "optimise", study, "--csv", "long.csv"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=inner, text=True) as process:
+            os.close(inner)
+            told = b""
+            while b"critical paths" not in told:
+                told += os.read(outer, 4096)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=60)[0]
+            with contextlib.suppress(OSError):
+                while chunk := os.read(outer, 4096):
+                    told += chunk
+        os.close(outer)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn(b"the same command goes on from them", told)
+        self.assertNotIn("on the critical path", said)
+        self.assertIn("a=1", best_line(said))
+        self.assertTrue((self.folder / "long.csv").exists())
+
     def test_a_terminal_is_told_how_far_it_is(self):
         outer, inner = pty.openpty()
         study = self.write("farm.toml", FARM)
@@ -279,8 +315,25 @@ class Refused(Optimise):
             name = size.split(" = ", maxsplit=1)[0]
             self.refuses(STUDY.format(minimise='"time"').replace(f"{name} = 12", size), message)
 
-    def test_a_measure_that_no_run_has(self):
-        self.refuses(STUDY.format(minimise='"tine"'), 'there is no measure "tine"; did you mean "time"?')
+    def test_a_measure_that_no_run_has_before_any_is_made(self):
+        for minimise, name, meant in (("tine", "tine", "time"), ("snik.time", "snik.time", "sink.time"),
+                                      ("max(sink.tine)", "sink.tine", "sink.time"), ("a.bussy", "a.bussy", "a.busy")):
+            self.refuses(STUDY.format(minimise=f'"{minimise}"'),
+                         f'there is no measure "{name}"; did you mean "{meant}"?')
+        self.refuses('measure = "sink.tine"\n' + STUDY.format(minimise='"time"'), 'did you mean "sink.time"?')
+        self.refuses(STUDY.format(minimise='"sink.rat"').replace("[100000, 200000, 300000]", '"1..1000000"'),
+                     'did you mean "sink.rate"?')
+        self.assertFalse((self.folder / "refused.sqlite").exists())
+
+    def test_a_measure_that_some_machines_alone_have_is_none_to_refuse(self):
+        self.write("small.cfs", NETLIST + "if wires > 3 {\n    process more, still;\n"
+                                          '    use "csp.producer" for more;\n    use "csp.consumer" for still;\n'
+                                          "    more (count = 1);\n    still (count = 1);\n    place more on a;\n"
+                                          "    place still on a;\n    connect more.out to still.in;\n}\n")
+        self.assertIn("wires=4", best_line(self.optimise(self.small('"still.time"'))))
+
+    def test_a_measure_that_is_to_be_minimised_twice(self):
+        self.refuses(STUDY.format(minimise='["time", "time"]'), "refused.toml:4:12", '"time" is to be minimised twice')
 
     def test_a_name_that_the_netlist_does_not_have(self):
         self.refuses(STUDY.format(minimise='"time"').replace("wires", "wirs"), "wirs", "wires")
@@ -314,10 +367,19 @@ class Refused(Optimise):
                      "can be built and comes to an end", '"b" has no link 4', "a T800 has the links 0 to 3")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'until = "1us"\n[search]'),
                      "stopped at the time limit", name="stopped.toml")
+        self.refuses(STUDY.format(minimise='"time"'), "stopped at the time limit", arguments=["--until", "1us"],
+                     name="until.toml")
 
-    def test_an_exhaustive_search_of_too_many(self):
+    def test_very_many_runs_are_begun_only_if_they_are_meant(self):
         text = STUDY.format(minimise='"time"').replace("[100000, 200000, 300000]", '"1..100000"')
-        self.refuses(text, "800000 combinations are too many", "--yes", arguments=["--exhaustive"])
+        self.refuses(text, "up to 800,000 runs of about ", " on 2 cores; --yes begins with them",
+                     arguments=["--exhaustive", "--jobs", 2])
+        self.refuses(text.replace("population = 12", "population = 2000"), "up to 13,000 runs")
+        self.refuses("seeds = 1000\n" + text, "up to 78,000 runs", name="seeds.toml")
+        self.assertLess(len(self.rows("refused.sqlite")), 3)
+        few = text.replace("1..100000", "1..2500").replace("[search]", 'where = "wires == 1 && cycles < 30"\n[search]')
+        said = self.optimise(self.write("few.toml", few), "--exhaustive", "--yes")
+        self.assertRegex(said, r"(?m)^exhaustive +29 ")
 
 
 if __name__ == "__main__":

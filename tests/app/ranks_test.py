@@ -115,6 +115,15 @@ class Ranks(InFolder):
         errors = self.finish(self.start(3, *STUDY, "--measure", "master.T_ex"), code=1)
         self.assertEqual(errors.count('did you mean "master.T_exe"?'), 1, errors)
 
+    def test_what_ranks_cannot_share_is_refused_once(self):
+        (self.folder / "best.toml").write_text(f'netlist = "{FIGURE_E2}"\n[search]\nminimise = "time"\n'
+                                               '[set]\nslaves = "0..3"\n', encoding="utf-8")
+        for command, what in (("optimise", "best.toml"), ("explain", FIGURE_E2)):
+            errors = self.finish(self.start(2, command, what), code=1)
+            self.assertEqual(errors.count(f"{command} works on one machine, on all its cores"), 1, errors)
+            self.assertEqual(errors.count("placedpar:"), 1, errors)
+        self.assertFalse((self.folder / "best.sqlite").exists())
+
     def test_ranks_that_read_other_files_are_refused(self):
         netlist = FIGURE_E2.read_text(encoding="utf-8").replace("../thesis/workload.inc", str(FIGURE_E2.parent / "../thesis/workload.inc"))
         netlist = netlist.replace('"software.inc"', f'"{FIGURE_E2.parent / "software.inc"}"')

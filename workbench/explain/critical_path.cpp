@@ -2,6 +2,7 @@
 
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/kernel.hpp"
 
 #include <fmt/format.h>
 
@@ -72,10 +73,11 @@ CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const 
     return add(before, at, step, with_executive(process), executive_of(process));
 }
 
-/// It took its link, or the processor that both of its processes are on.
+/// It took its link, or the processor that both of its processes are on. A packet is a part of a channel's message.
 CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
     auto link = carried_by_.find(&channel);
-    return add(before, now, Step::communicating, channel.name(),
+    const AnyChannel* packets_of = channel.cargo().channel;
+    return add(before, now, Step::communicating, (packets_of ? packets_of : &channel)->name(),
                link == carried_by_.end() ? executive_of(*lane.process) : link->second);
 }
 
@@ -129,10 +131,10 @@ void CriticalPath::waits(const Process& process, Time now) {
             came_[{channel, activity == Activity::outputting}] = lane->last;
 }
 
-/// Both are in a hard channel: what is left of their waits began when the later one came.
+/// What is left of their waits began when the later one came.
 void CriticalPath::communicated(const AnyChannel& channel, Time) {
     Lane *from = lane_of(*channel.outputter()), *to = lane_of(*channel.inputter());
-    if (!from || !to || from->does != Activeness::waiting || to->does != Activeness::waiting)
+    if (!from || !to)
         return;
     from->together = to->together = later(from->last, to->last);
     if (auto link = carried_by_.find(&channel); link != carried_by_.end())
@@ -143,14 +145,23 @@ void CriticalPath::carries(const std::string& direction, const AnyChannel& chann
     carried_by_[&channel] = direction;
 }
 
-/// The partner that does not wait any more made it ready: the wait of a soft channel is over at once.
+/// Null while an event happens.
+const CriticalPath::Lane* CriticalPath::who_runs(const Process& any, Time now) {
+    const Process* process = any.kernel().last_to_run();
+    const Lane* lane = process ? lane_of(*process) : nullptr;
+    bool runs = lane && lane->does == Activeness::ready && !lane->cause && points_[lane->last].at == now;
+    return runs ? lane : nullptr;
+}
+
+/// What comes over a link of its own is over by itself. All else is when a process says so: the partner in a soft
+/// channel, a router with a packet.
 CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, bool outputs, Time now) {
+    if (lane.together && carried_by_.contains(&channel))
+        return add_message(*lane.together, lane, channel, now);
+    if (const Lane* other = who_runs(*lane.process, now))
+        return other->last;
     if (lane.together)
         return add_message(*lane.together, lane, channel, now);
-    const AnyChannel::User& user = outputs ? channel.last_inputter() : channel.last_outputter();
-    const Lane* partner = user.process ? lane_of(user.ordinal) : nullptr;
-    if (partner && partner->does != Activeness::waiting && points_[partner->last].at == now)
-        return partner->last;
     auto came = came_.find({&channel, !outputs});
     return add_message(came == came_.end() ? lane.last : later(lane.last, came->second), lane, channel, now);
 }
@@ -166,6 +177,8 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
         for (const AnyChannel* channel : channels)
             if (channel->message_waits())
                 return message_over(lane, *channel, false, now);
+    if (const Lane* other = process.serves_machine() ? who_runs(process, now) : nullptr)
+        return other->last; // has a packet for this router to send
     return add(lane.last, now, Step::delayed, process);
 }
 
@@ -181,7 +194,9 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
             bool outputs = process.activity() == Activity::outputting;
             const AnyChannel::User& user = outputs ? channel->last_inputter() : channel->last_outputter();
             partner = user.outermost ? user.outermost->name() : channel->name();
-            if (const Point& cause = points_[*lane.cause]; cause.step == Step::communicating && cause.at == now)
+            if (const Point& cause = points_[*lane.cause]; lane.together)
+                together = points_[*lane.together].at;
+            else if (cause.step == Step::communicating && cause.at == now)
                 together = points_[cause.before].at;
             break;
         }

@@ -73,7 +73,7 @@ private:
         const Process* process;
         Activeness does = Activeness::ready;
         std::optional<Number> cause = {};    ///< why its wait is over, while it has not gone on
-        std::optional<Number> together = {}; ///< of a message on a hard channel: when both were in it
+        std::optional<Number> together = {}; ///< of a message: when both were in the channel
     };
 
     Lane* lane_of(const Process&);
@@ -83,6 +83,7 @@ private:
     Number add(Number before, Time at, Step, const Process&);
     Number add_message(Number before, const Lane&, const AnyChannel&, Time now);
     Number later(Number, Number) const;
+    const Lane* who_runs(const Process& any, Time now);
     Number message_over(const Lane&, const AnyChannel&, bool outputs, Time now);
     Number cause_of(const Lane&, Time now);
     void has_turn(Lane&, Time now);

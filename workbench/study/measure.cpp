@@ -34,11 +34,10 @@ std::string name_of_array(const std::string& figure) {
                : figure.substr(0, bracket) + figure.substr(dot);
 }
 
-std::vector<std::string> names_to_choose_from(const StudyFigures& figures) {
-    std::set<std::string> names;
-    for (const auto& each : figures)
-        names.insert(name_of_array(each.first));
-    return {names.begin(), names.end()};
+std::string say_there_is_no(const StudyMeasure& measure, const std::set<std::string>& known) {
+    std::vector<std::string> names(known.begin(), known.end());
+    return there_is_no("measure", measure.name_without_subscripts(), names,
+                       fmt::format("the runs have {}", fmt::join(names, ", ")));
 }
 
 /// Boost.JSON 1.81 reads some numbers a last bit off.
@@ -132,9 +131,50 @@ std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
     return StudyFigure{sum, unit};
 }
 
+std::string StudyMeasure::name_without_subscripts() const { return name_of_array(name_); }
+
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
-    std::vector<std::string> names = names_to_choose_from(figures);
-    return there_is_no("measure", measure.text(), names, fmt::format("the runs have {}", fmt::join(names, ", ")));
+    std::set<std::string> names;
+    for (const auto& each : figures)
+        names.insert(name_of_array(each.first));
+    return say_there_is_no(measure, names);
+}
+
+void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const ProblemRegistry& problems) {
+    names_.insert({"time", "processors", "links"});
+    for (const Node& node : network.nodes)
+        names_.insert(name_of_array(node.name + ".busy"));
+    for (const ProcessInstance& process : network.processes) {
+        const ProcessKind* kind = kinds.find(process.kind);
+        if (!kind || kind->measurements.empty())
+            unknown_.insert(name_of_array(process.name + "."));
+        else
+            for (const MeasurementDescription& each : kind->measurements)
+                add(process, each.name, problems);
+    }
+}
+
+/// A kind describes names that depend on the process in words: "the problem's parameters".
+void PossibleMeasures::add(const ProcessInstance& process, const std::string& described,
+                           const ProblemRegistry& problems) {
+    auto problem = process.parameters.find("problem");
+    if (described.find(' ') == described.npos)
+        names_.insert(name_of_array(process.name + "." + described));
+    else if (problem == process.parameters.end())
+        unknown_.insert(name_of_array(process.name + "."));
+    else
+        for (const std::string& each :
+             problems.find(std::get<std::string>(problem->second)).problem()->parameter_names())
+            names_.insert(name_of_array(process.name + "." + each));
+}
+
+bool PossibleMeasures::has(const StudyMeasure& measure) const {
+    std::string name = measure.name_without_subscripts();
+    return names_.contains(name) || unknown_.contains(name.substr(0, name.rfind('.') + 1));
+}
+
+std::string PossibleMeasures::there_is_no(const StudyMeasure& measure) const {
+    return say_there_is_no(measure, names_);
 }
 
 } // namespace placedpar

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "gaprocs/problem_registry.hpp"
+#include "netlist/kinds/catalogue.hpp"
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +40,9 @@ public:
     /// None where the run has no such figure.
     std::optional<StudyFigure> of(const StudyFigures&) const;
 
+    /// Of what it is a measure: "master.T_exe" of "max(master[0].T_exe)".
+    std::string name_without_subscripts() const;
+
 private:
     bool matches(const std::string& figure) const;
 
@@ -47,5 +53,21 @@ private:
 
 /// What may have been meant by a measure that a run does not have: a sentence, with all that it has.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
+
+/// What runs can measure, as far as their netlists say before any is made. What is measured only where it came to pass
+/// is among it.
+class PossibleMeasures {
+public:
+    void add(const Network&, const Catalogue&, const ProblemRegistry&);
+    bool has(const StudyMeasure&) const;
+    /// A sentence, with all that there are.
+    std::string there_is_no(const StudyMeasure&) const;
+
+private:
+    void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);
+
+    std::set<std::string> names_;   ///< without subscripts
+    std::set<std::string> unknown_; ///< "column.": of processes that measure what their kind does not name
+};
 
 } // namespace placedpar

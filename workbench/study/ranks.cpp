@@ -2,6 +2,8 @@
 
 #include "text/user_error.hpp"
 
+#include <fmt/format.h>
+
 #include <dlfcn.h>
 
 #include <array>
@@ -40,6 +42,17 @@ std::unique_ptr<Ranks> ranks_of_mpirun() {
                         "openmpi-bin, and configure and build it again");
     using Make = Ranks*();
     return std::unique_ptr<Ranks>(reinterpret_cast<Make*>(dlsym(module, "placedpar_mpi_ranks"))());
+}
+
+bool left_to_rank_zero(const std::string& command) {
+    std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
+    if (!ranks || ranks->count() == 1)
+        return false;
+    if (ranks->own() == 0)
+        throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: {} works on one machine, on all "
+                                    "its cores, so start it without mpirun; sweep is shared among ranks",
+                                    ranks->count(), command));
+    return true;
 }
 
 } // namespace placedpar

@@ -35,4 +35,8 @@ inline constexpr std::chrono::milliseconds rank_patience{4};
 /// MPI is loaded only now, as a module of its own (app/mpi): who does not start ranks need not have it.
 std::unique_ptr<Ranks> ranks_of_mpirun();
 
+/// For work that ranks cannot share, and would all do: throws UserError in rank 0 of several, and is true in the
+/// others, which have nothing to do nor to say.
+bool left_to_rank_zero(const std::string& command);
+
 } // namespace placedpar

@@ -109,6 +109,10 @@ private:
         if (search.minimise.empty() || search.minimise.size() > 2)
             report(node.source().begin, "a search minimises one measure or two",
                    "minimise = \"time\", or minimise = [\"time\", \"processors\"]");
+        else if (search.minimise.front() == search.minimise.back() && search.minimise.size() == 2)
+            report(table->get("minimise")->source().begin,
+                   fmt::format("\"{}\" is to be minimised twice", search.minimise.front()),
+                   "two different measures are weighed against each other; minimise = \"time\" has one");
         study_.search = std::move(search);
     }
 

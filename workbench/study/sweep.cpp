@@ -1,5 +1,6 @@
 #include "workbench/study/sweep.hpp"
 
+#include "runtime/random.hpp"
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/problems.hpp"
@@ -22,6 +23,23 @@ constexpr std::uint64_t most_counted = 1'000'000; ///< runs that are looked up o
 Network network_of(const Study& study, const Overrides& set) {
     return load_network(
         study.netlist, set, known_problems(0), [](const std::string&) {}, study.read);
+}
+
+/// Calls `look` with networks of the study until it has seen enough: all that there are, or of very many the first, the
+/// last and some that are drawn.
+void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
+    RandomStream random(0, "networks of a study");
+    const std::uint64_t count = study.count();
+    for (std::uint64_t i = 0; i < std::min(count, most_read); ++i) {
+        std::uint64_t drawn = (std::uint64_t{random()} << 32 | random()) % count;
+        std::optional<StudyRun> run = study.at(count <= most_read || i == 0 ? i : i == 1 ? count - 1 : drawn);
+        try {
+            if (run && look(network_of(study, run->set)))
+                return;
+        } catch (const UserError&) {
+            continue; // there is no such machine
+        }
+    }
 }
 
 template <class Then, class Work>
@@ -91,6 +109,22 @@ Network readable_network(const Study& study) {
     if (first)
         std::rethrow_exception(first);
     throw UserError("the study's condition leaves nothing to be run");
+}
+
+void require_possible(const std::vector<std::string>& measures, const Study& study, const Network& network) {
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
+    std::vector<StudyMeasure> missing(measures.begin(), measures.end());
+    PossibleMeasures possible;
+    auto all_found_with = [&](const Network& seen) {
+        possible.add(seen, kinds, problems);
+        std::erase_if(missing, [&](const StudyMeasure& each) { return possible.has(each); });
+        return missing.empty();
+    };
+    if (!all_found_with(network))
+        look_at_networks(study, all_found_with);
+    if (!missing.empty())
+        throw UserError(possible.there_is_no(missing.front()));
 }
 
 /// Makes it, keeps it, and notes how long it took. None when it was interrupted.

@@ -20,6 +20,10 @@ namespace placedpar {
 /// is refused with where none can.
 Network readable_network(const Study&);
 
+/// Throws UserError for one of these measures that no run can have: none of all combinations, or where there are very
+/// many none of some that are drawn. The network is one of the study's.
+void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
+
 /// Makes runs of a study, one after the other. What they have in common is made once: the network of those of one
 /// combination; the kinds, and the records that are searched over, of those of one seed.
 class StudyWorker {

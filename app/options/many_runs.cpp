@@ -1,0 +1,45 @@
+#include "app/options/many_runs.hpp"
+
+#include "text/counted.hpp"
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <iostream>
+#include <utility>
+
+namespace placedpar {
+
+std::string print_duration(double seconds) {
+    constexpr std::pair<double, const char*> units[] = {{365.25 * 86400, "year"}, {86400, "day"}, {3600, "hour"}};
+    for (const auto& [length, name] : units)
+        if (seconds >= 2 * length)
+            return counted(static_cast<std::size_t>(seconds / length), name);
+    return seconds >= 120 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.0f} s", seconds);
+}
+
+std::string print_count(std::uint64_t count) {
+    std::string digits = std::to_string(count);
+    for (std::size_t i = digits.size(); i > 3; i -= 3)
+        digits.insert(i - 3, ",");
+    return digits;
+}
+
+bool are_meant(const RunsAhead& ahead) {
+    std::string many = fmt::format(
+        "{}{} runs of about {:.3g} s, {} on {}", ahead.exact ? "" : "up to ", print_count(ahead.runs),
+        ahead.seconds_a_run,
+        print_duration(ahead.seconds_a_run * static_cast<double>(ahead.runs) / static_cast<double>(ahead.at_once)),
+        counted(ahead.at_once, "core"));
+    if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
+        throw UserError(many + "; --yes begins with them");
+    fmt::print(stderr, "{}. Begin? [y/N] ", many);
+    std::string answer;
+    std::getline(std::cin, answer);
+    return lower_case(answer).starts_with("y");
+}
+
+} // namespace placedpar

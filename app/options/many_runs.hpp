@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace placedpar {
+
+// Very many runs are begun only if the user means them.
+
+constexpr std::uint64_t most_unasked = 10'000; ///< runs that are begun without a question
+
+/// Runs that are about to be made.
+struct RunsAhead {
+    std::uint64_t runs;
+    bool exact; ///< else at most that many
+    std::size_t at_once;
+    double seconds_a_run;
+};
+
+/// Says how many they are and how long they take, and asks whether to begin. Throws UserError where nobody can be
+/// asked: standard input or standard error is no terminal.
+bool are_meant(const RunsAhead&);
+
+/// "3 days", "4 min".
+std::string print_duration(double seconds);
+/// "1,000,000".
+std::string print_count(std::uint64_t count);
+
+} // namespace placedpar
