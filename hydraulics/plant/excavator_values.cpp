@@ -12,6 +12,11 @@ namespace placedpar::hydraulics {
 
 namespace {
 
+/// The rows fault.leak* are of the boom.
+PistonLeak leak_of(Link link, const Parameters& parameters) {
+    return link == Link::boom ? PistonLeak{parameters["fault.leak"], parameters["fault.leak_start"]} : PistonLeak{};
+}
+
 /// The valve of B.5 of a link whose row names begin with `name`.
 TimedOrifices two_link_orifices(std::string_view name, const Parameters& parameters) {
     auto value = [&](std::string_view what) { return parameters[fmt::format("two_links.{}_{}", name, what)]; };
@@ -42,7 +47,7 @@ ExcavatorScenario single_boom_scenario(const Parameters& parameters, std::string
     scenario.links = {{.link = Link::boom,
                        .mechanics = single_boom_mechanics(parameters),
                        .valve = SpoolOrifices{value("spool_at_rest"), {step}},
-                       .leak = {parameters["fault.leak"], parameters["fault.leak_start"]}}};
+                       .leak = leak_of(Link::boom, parameters)}};
     scenario.duration_s = value("duration");
     scenario.integration_step_s = value("integration_step");
     return scenario;
@@ -53,8 +58,8 @@ ExcavatorScenario two_link_scenario(const Parameters& parameters) {
     scenario.flow = flow_constants(parameters);
     scenario.configuration = Configuration::a;
     for (Link link : {Link::bucket, Link::boom})
-        scenario.links.push_back(
-            {link, coupled_mechanics(link, parameters), two_link_orifices(name_of(link), parameters)});
+        scenario.links.push_back({link, coupled_mechanics(link, parameters),
+                                  two_link_orifices(name_of(link), parameters), leak_of(link, parameters)});
     scenario.duration_s = parameters["two_links.duration"];
     scenario.integration_step_s = parameters["two_links.integration_step"];
     return scenario;
@@ -66,8 +71,8 @@ ExcavatorScenario step_scenario(Configuration configuration, LinkSet active, con
     scenario.links.clear();
     for (Link link : all_links)
         if (active.contains(link))
-            scenario.links.push_back(
-                {link, coupled_mechanics(link, parameters), two_link_orifices("bucket", parameters)});
+            scenario.links.push_back({link, coupled_mechanics(link, parameters),
+                                      two_link_orifices("bucket", parameters), leak_of(link, parameters)});
     Circuit circuit = junctions_of(scenario);
     std::vector<FlowTarget> targets;
     for (const Junction& junction : circuit)

@@ -87,7 +87,7 @@ Record record_excavator(const Parameters& parameters, const LinksInMotion&, cons
 }
 
 bool two_links_use(std::string_view name) {
-    if (in_group(name, {"flow.", "bucket.", "noise.", "sensors.period"}))
+    if (in_group(name, {"flow.", "bucket.", "noise.", "sensors.period", "fault.leak"}))
         return name != "noise.spool" && !name.starts_with("flow.rounded.");
     constexpr std::array<std::string_view, 6> boom{"inlet_area", "moment_arm", "mass",
                                                    "gravity",    "spool_lag",  "inlet_compliance"};

@@ -2,9 +2,11 @@
 
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/circuit_error.hpp"
+#include "identification/verdict/noisy_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace placedpar::identification {
@@ -16,13 +18,9 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr Eigen::Index ways = all_ways.size();
-/// Neighbouring errors that are correlated: two 5-point slopes that share a sample, and one more.
-constexpr Eigen::Index lag = 5;
-/// Slopes share their samples with two on either side: their errors say less than so many free ones.
-constexpr double overlap = 3;
 constexpr std::size_t fewest_at_rest = 4;
-/// Of a converter and of friction, (in^3/s)^2: samples at rest are not trusted beyond it.
-constexpr double least_variance_at_rest = 0.05;
+/// (in^3/s)^2 of each sample, beyond the noise of the sensors: of the equations; at rest of a converter and of friction.
+constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The share of the slopes' noise by which it may be known wrongly: 50 readings and a median.
 constexpr double noise_known_within = 0.3;
 /// Before a movement is seen, a link may be off by ten units in any way.
@@ -47,10 +45,11 @@ LinkSample with_spool_moved(LinkSample link, double moved_in) {
     return link;
 }
 
-/// The equations of a circuit near health: what a unit of each way changes in the flow that is missed.
-class Regression {
+/// The equations of a circuit near health: by how much a sample's flows fail to balance, a row a junction, and what
+/// changes that.
+class Balance {
 public:
-    Regression(const Circuit& circuit, const FlowConstants& flow, std::span<const LinkInHealth> links)
+    Balance(const Circuit& circuit, const FlowConstants& flow, std::span<const LinkInHealth> links)
         : circuit_(circuit), flow_(flow), links_(links) {
         for (const LinkInHealth& link : links) {
             compliances_.push_back(link.compliance_in3_per_psi);
@@ -58,62 +57,47 @@ public:
         }
     }
 
-    Eigen::Index unknowns() const { return row_of(circuit_.size()); }
+    std::size_t junctions() const { return circuit_.size(); }
+    Eigen::Index unknowns() const { return row_of(junctions()); }
+    const WayUnits& unit(std::size_t junction) const { return units_[junction]; }
+    bool reads_areas(std::size_t junction) const { return links_[junction].areas == AreasFrom::areas; }
+    double compliance(std::size_t junction) const { return compliances_[junction]; }
 
-    VectorXd missed(const JunctionSamples& samples, const std::vector<double>& compliances) const {
-        auto missing = missing_flows_in3_per_s<double>(circuit_, compliances, samples, flow_, InletFlow::as_signed);
+    VectorXd missed(const JunctionSamples& samples) const {
+        auto missing = missing_flows_in3_per_s<double>(circuit_, compliances_, samples, flow_, InletFlow::as_signed);
         return Eigen::Map<const VectorXd>(missing.data(), static_cast<Eigen::Index>(circuit_.size()));
     }
-    VectorXd missed(const JunctionSamples& samples) const { return missed(samples, compliances_); }
-
-    /// A row a junction, a column an unknown.
-    MatrixXd slopes(const JunctionSamples& samples) const {
-        MatrixXd slopes(static_cast<Eigen::Index>(circuit_.size()), unknowns());
-        for (std::size_t j = 0; j < circuit_.size(); ++j) {
-            slopes.col(row_of(j)) = by_compliance(samples, j) * units_[j].compliance_in3_per_psi;
-            slopes.col(row_of(j) + 1) = by_leak(samples, j) * units_[j].leak_in3_per_s_psi;
-            if (links_[j].areas == AreasFrom::areas)
-                slopes.col(row_of(j) + 2).setZero();
-            else
-                slopes.col(row_of(j) + 2) = by_offset(samples, j) * units_[j].offset_in;
-        }
-        return slopes;
+    /// What one more in^3/s into the cylinder changes, one more psi, one more in^2.
+    VectorXd by_flow(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, 0.01, [&](JunctionSamples& to, double step) { to[junction].piston_flow_in3_per_s += step; });
     }
-
-    /// At rest: what flows into the cylinder of a link whose inlet is shut, and what a unit of each way adds.
-    double missed_at_rest(const LinkSample& link, std::size_t junction) const {
-        return -cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliances_[junction]);
+    VectorXd by_pressure(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, 0.1, [&](JunctionSamples& to, double step) { to[junction].inlet_psi += step; });
     }
-    Eigen::Vector3d slopes_at_rest(const LinkSample& link, std::size_t junction) const {
-        return {-link.inlet_slope_psi_per_s * units_[junction].compliance_in3_per_psi,
-                -link.inlet_psi * units_[junction].leak_in3_per_s_psi, 0};
+    VectorXd by_inlet(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, area_step_in2, [&](JunctionSamples& to, double step) { to[junction].inlet_in2 += step; });
     }
-
-    const std::vector<WayUnits>& units() const { return units_; }
+    VectorXd by_bypass(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, area_step_in2, [&](JunctionSamples& to, double step) {
+            to[junction].bypass_in2 = std::max(0.0, to[junction].bypass_in2 + step);
+        });
+    }
+    /// What a reading of the spool that is too high by one inch changes: it stands lower.
+    VectorXd by_offset(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, 0.1 * units_[junction].offset_in, [&](JunctionSamples& to, double step) {
+            to[junction] = with_spool_moved(to[junction], -step);
+        });
+    }
 
 private:
-    VectorXd by_compliance(const JunctionSamples& samples, std::size_t junction) const {
-        const double step = 1e-3 * units_[junction].compliance_in3_per_psi;
-        auto more = compliances_, less = compliances_;
-        more[junction] += step;
-        less[junction] -= step;
-        return (missed(samples, more) - missed(samples, less)) / (2 * step);
-    }
-    /// A leak past the piston takes k_l P, as though the piston took more.
-    VectorXd by_leak(const JunctionSamples& samples, std::size_t junction) const {
-        const double step = 1e-3 * units_[junction].leak_in3_per_s_psi;
+    static constexpr double area_step_in2 = 1e-5;
+
+    VectorXd by(const JunctionSamples& samples, double step,
+                const std::function<void(JunctionSamples&, double)>& change) const {
         auto more = samples, less = samples;
-        more[junction].piston_flow_in3_per_s += step * samples[junction].inlet_psi;
-        less[junction].piston_flow_in3_per_s -= step * samples[junction].inlet_psi;
+        change(more, step);
+        change(less, -step);
         return (missed(more) - missed(less)) / (2 * step);
-    }
-    /// A reading that is too high is of a spool that stands lower.
-    VectorXd by_offset(const JunctionSamples& samples, std::size_t junction) const {
-        const double step = 0.1 * units_[junction].offset_in;
-        auto lower = samples, higher = samples;
-        lower[junction] = with_spool_moved(samples[junction], -step);
-        higher[junction] = with_spool_moved(samples[junction], step);
-        return (missed(lower) - missed(higher)) / (2 * step);
     }
 
     const Circuit& circuit_;
@@ -123,140 +107,165 @@ private:
     std::vector<WayUnits> units_;
 };
 
-/// Rows of one kind whose errors have one variance.
-struct Rows {
-    MatrixXd slopes;
-    VectorXd missed;
-    double variance = 1;
-
-    Eigen::Index size() const { return missed.size(); }
-    VectorXd errors(const VectorXd& by) const { return missed + slopes * by; }
-    MatrixXd information() const { return slopes.transpose() * slopes / variance; }
-    void add_to(MatrixXd& to_information, VectorXd& pull) const {
-        to_information += information();
-        pull -= slopes.transpose() * missed / variance;
-    }
+/// Standard deviations of what is read of a link.
+struct ReadingNoise {
+    double psi, slope_psi_per_s, flow_in3_per_s, inlet_in2, bypass_in2, spool_in;
 };
 
-Rows moving_rows(const Regression& regression, const MovementSamples& movement, std::size_t junction) {
-    const auto count = static_cast<Eigen::Index>(movement.moving.size());
-    const auto row = static_cast<Eigen::Index>(junction);
-    Rows rows{MatrixXd(count, regression.unknowns()), VectorXd(count)};
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const JunctionSamples& samples = movement.moving[static_cast<std::size_t>(i)];
-        rows.slopes.row(i) = regression.slopes(samples).row(row);
-        rows.missed[i] = regression.missed(samples)[row];
-    }
-    return rows;
+ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction) {
+    auto of = [&](auto value, double gain) {
+        std::vector<double> values;
+        for (const JunctionSamples& samples : movement.moving)
+            values.push_back(value(samples[junction]));
+        return std::sqrt(noise_variance(values, gain));
+    };
+    return {of([](const LinkSample& link) { return link.inlet_psi; }, white_gain),
+            of([](const LinkSample& link) { return link.inlet_slope_psi_per_s; }, slope_gain),
+            of([](const LinkSample& link) { return link.piston_flow_in3_per_s; }, slope_gain),
+            of([](const LinkSample& link) { return link.inlet_in2; }, white_gain),
+            of([](const LinkSample& link) { return link.bypass_in2; }, white_gain),
+            of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
 }
 
-Rows rows_at_rest(const Regression& regression, const MovementSamples& movement, std::size_t junction) {
+/// Of every moving sample a column: what changes the flows that are missed at all junctions.
+template <class Change>
+MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
+    MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));
+    for (Eigen::Index i = 0; i < columns.cols(); ++i)
+        columns.col(i) = change(movement.moving[static_cast<std::size_t>(i)]);
+    return columns;
+}
+
+/// A movement's rows, sample by sample, and of each link the noise of its compliance's column.
+struct MovingRows {
+    NoisyRows rows;
+    std::vector<Sparse> compliance_noise;
+};
+
+/// The white noise of a link's valve, in what is missed.
+void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                     const ReadingNoise& noise) {
+    auto add = [&](double deviation, auto change) {
+        rows.add_noise(white_noise(deviation * by_sample(movement, balance.junctions(), change)));
+    };
+    if (balance.reads_areas(junction)) {
+        add(noise.inlet_in2, [&](const JunctionSamples& samples) { return balance.by_inlet(samples, junction); });
+        add(noise.bypass_in2, [&](const JunctionSamples& samples) { return balance.by_bypass(samples, junction); });
+    } else {
+        add(noise.spool_in, [&](const JunctionSamples& samples) { return balance.by_offset(samples, junction); });
+    }
+}
+
+/// The columns of a link: what a unit of each way changes. A leak past the piston takes k_l P, as though the piston
+/// took more.
+void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                const MatrixXd& by_flow) {
+    const WayUnits& unit = balance.unit(junction);
+    const auto height = static_cast<Eigen::Index>(balance.junctions());
+    for (Eigen::Index i = 0; i < by_flow.cols(); ++i) {
+        const JunctionSamples& samples = movement.moving[static_cast<std::size_t>(i)];
+        const LinkSample& link = samples[junction];
+        auto block = rows.slopes.block(i * height, row_of(junction), height, ways);
+        block.col(0) = by_flow.col(i) * (link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi);
+        block.col(1) = by_flow.col(i) * (link.inlet_psi * unit.leak_in3_per_s_psi);
+        if (!balance.reads_areas(junction))
+            block.col(2) = balance.by_offset(samples, junction) * unit.offset_in;
+    }
+}
+
+/// One link's columns and noise; the noise of its compliance's column.
+Sparse add_link(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                const ReadingNoise& noise) {
+    const MatrixXd by_flow = by_sample(movement, balance.junctions(), [&](const JunctionSamples& samples) {
+        return balance.by_flow(samples, junction);
+    });
+    const MatrixXd by_pressure = by_sample(movement, balance.junctions(), [&](const JunctionSamples& samples) {
+        return balance.by_pressure(samples, junction);
+    });
+    set_slopes(rows, balance, movement, junction, by_flow);
+    const Sparse of_slopes = slope_noise(noise.slope_psi_per_s * by_flow);
+    rows.add_noise(balance.compliance(junction) * of_slopes + white_noise(noise.psi * by_pressure));
+    rows.add_noise(slope_noise(noise.flow_in3_per_s * by_flow));
+    add_valve_noise(rows, balance, movement, junction, noise);
+    return balance.unit(junction).compliance_in3_per_psi * of_slopes;
+}
+
+MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
+                       const std::vector<ReadingNoise>& noises) {
+    const auto height = static_cast<Eigen::Index>(balance.junctions());
+    const auto count = static_cast<Eigen::Index>(movement.moving.size());
+    MovingRows moving{NoisyRows(height * count, balance.unknowns(), least_variance_moving), {}};
+    moving.rows.missed =
+        by_sample(movement, balance.junctions(), [&](const JunctionSamples& each) { return balance.missed(each); })
+            .reshaped();
+    for (std::size_t j = 0; j < balance.junctions(); ++j)
+        moving.compliance_noise.push_back(add_link(moving.rows, balance, movement, j, noises[j]));
+    return moving;
+}
+
+/// At rest the inlet is shut: A v + C dP/dt + k_l P = 0, whatever the spool reads.
+NoisyRows rows_at_rest(const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                       const ReadingNoise& noise) {
     const auto count = static_cast<Eigen::Index>(movement.at_rest.size());
-    Rows rows{MatrixXd::Zero(count, regression.unknowns()), VectorXd(count)};
+    const WayUnits& unit = balance.unit(junction);
+    const double compliance = balance.compliance(junction);
+    NoisyRows rows(count, balance.unknowns(), least_variance_at_rest);
     for (Eigen::Index i = 0; i < count; ++i) {
         const LinkSample& link = movement.at_rest[static_cast<std::size_t>(i)][junction];
-        rows.slopes.block<1, ways>(i, row_of(junction)) = regression.slopes_at_rest(link, junction).transpose();
-        rows.missed[i] = regression.missed_at_rest(link, junction);
+        rows.slopes(i, row_of(junction)) = -link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi;
+        rows.slopes(i, row_of(junction) + 1) = -link.inlet_psi * unit.leak_in3_per_s_psi;
+        rows.missed[i] = -cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance);
     }
+    const MatrixXd same = MatrixXd::Constant(1, count, 1);
+    rows.add_noise(slope_noise(compliance * noise.slope_psi_per_s * same));
+    rows.add_noise(slope_noise(noise.flow_in3_per_s * same));
     return rows;
-}
-
-/// The variance of a pressure's slopes that is noise, by the median of their fourth differences, which are next to 0 of
-/// what is smooth. White noise of the pressure, through the 5-point line, gives the differences 25.2 times the variance
-/// that it gives the slopes. Ripple counts: it spoils the slopes as noise does.
-double slope_noise_variance(const MovementSamples& movement, std::size_t junction) {
-    const std::vector<JunctionSamples>& moving = movement.moving;
-    auto slope = [&](std::size_t i) { return moving[i][junction].inlet_slope_psi_per_s; };
-    std::vector<double> differences;
-    for (std::size_t i = 4; i < moving.size(); ++i)
-        differences.push_back(
-            std::abs(slope(i) - 4 * slope(i - 1) + 6 * slope(i - 2) - 4 * slope(i - 3) + slope(i - 4)));
-    auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::ranges::nth_element(differences, middle);
-    constexpr double median_of_normal = 0.6745, gain = 25.2;
-    return *middle * *middle / (median_of_normal * median_of_normal * gain);
-}
-
-/// What the noise of a link's slopes adds to the information of its compliance, which would come out too small by it
-/// (errors in variables).
-double noise_information(const MovementSamples& movement, const std::vector<Rows>& moving, const WayUnits& units,
-                         std::size_t junction) {
-    double sum = 0;
-    for (const Rows& rows : moving)
-        for (Eigen::Index i = 0; i < rows.size(); ++i) {
-            const double psi = movement.moving[static_cast<std::size_t>(i)][junction].inlet_psi;
-            const double by_flow = rows.slopes(i, row_of(junction) + 1) / (units.leak_in3_per_s_psi * psi);
-            const double by_slope = by_flow * units.compliance_in3_per_psi;
-            sum += by_slope * by_slope / rows.variance;
-        }
-    return sum * slope_noise_variance(movement, junction);
-}
-
-/// The variance at rest is about the leak that explains it best: nothing else is told apart there.
-double variance_at_rest(const Rows& rows, std::size_t junction) {
-    VectorXd by_leak = rows.slopes.col(row_of(junction) + 1);
-    double leak = -by_leak.dot(rows.missed) / by_leak.squaredNorm();
-    return (rows.missed + leak * by_leak).squaredNorm() / static_cast<double>(rows.size() - 1) + least_variance_at_rest;
-}
-
-/// The variance of what least squares of these rows alone leave.
-double variance_left(const std::vector<Rows>& moving, const Rows& rows) {
-    const Eigen::Index unknowns = rows.slopes.cols();
-    MatrixXd information = 1e-9 * MatrixXd::Identity(unknowns, unknowns);
-    VectorXd pull = VectorXd::Zero(unknowns);
-    for (const Rows& each : moving)
-        each.add_to(information, pull);
-    VectorXd by = information.ldlt().solve(pull);
-    return rows.errors(by).squaredNorm() / static_cast<double>(rows.size() - ways);
-}
-
-/// The sum of the products of rows' pulls that lie up to `lag` apart, with Bartlett's weights.
-MatrixXd correlated_pulls(const std::vector<Rows>& moving, const VectorXd& by) {
-    const Eigen::Index unknowns = by.size(), count = moving.front().size();
-    MatrixXd pulls = MatrixXd::Zero(count, unknowns);
-    for (const Rows& rows : moving)
-        pulls += (rows.slopes.array().colwise() * (rows.errors(by) / rows.variance).array()).matrix();
-    MatrixXd sum = pulls.transpose() * pulls;
-    for (Eigen::Index apart = 1; apart <= std::min(lag, count - 1); ++apart) {
-        MatrixXd product = pulls.topRows(count - apart).transpose() * pulls.bottomRows(count - apart);
-        sum += (1 - static_cast<double>(apart) / static_cast<double>(lag + 1)) * (product + product.transpose());
-    }
-    return sum;
 }
 
 /// The normal equations of a movement.
 struct Equations {
-    MatrixXd information; ///< of all rows, noise included
+    MatrixXd information; ///< noise included
     VectorXd pull;
     VectorXd noise;     ///< what is noise of each unknown's information
     VectorXd in_health; ///< of each unknown, what it is in health, in its unit: the noise spoils all of it
-    MatrixXd moving;    ///< the information of the moving rows alone
-    MatrixXd others;    ///< of the pulls of all other rows: the covariance
+
+    void add(const MatrixXd& more, const VectorXd& pulls) {
+        information += more;
+        pull += pulls;
+    }
 };
 
 /// Nothing is known but that a link is hardly off by more than prior_units.
 Equations before_movement(Eigen::Index unknowns) {
     const VectorXd none = VectorXd::Zero(unknowns);
-    const MatrixXd prior = MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units);
-    return {prior, none, none, none, MatrixXd::Zero(unknowns, unknowns), prior};
+    return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-void add_rest(Equations& equations, Rows rest, std::size_t junction) {
-    rest.variance = variance_at_rest(rest, junction);
-    rest.add_to(equations.information, equations.pull);
-    equations.others += overlap * rest.information();
+/// The noise of the slopes adds to the information of a compliance, which would come out too small by it (errors in
+/// variables).
+void add_moving(Equations& equations, const MovingRows& moving) {
+    const Weights weights(moving.rows);
+    const MatrixXd information = weights.information();
+    VectorXd noise = VectorXd::Zero(information.rows());
+    for (std::size_t j = 0; j < moving.compliance_noise.size(); ++j) {
+        noise[row_of(j)] = weights.share_of(moving.compliance_noise[j]);
+        equations.in_health[row_of(j)] = 1 / WayUnits::compliance_share;
+    }
+    MatrixXd without_noise = equations.information + information;
+    without_noise.diagonal() -= noise;
+    const VectorXd by = without_noise.ldlt().solve(weights.pull() + noise.cwiseProduct(equations.in_health));
+    const double scale = weights.scale(by, without_noise.rows());
+    equations.add(information / scale, weights.pull() / scale);
+    equations.noise = noise / scale;
 }
 
-std::vector<Rows> weighted_rows(const Regression& regression, const MovementSamples& movement, std::size_t junctions) {
-    std::vector<Rows> moving;
-    for (std::size_t j = 0; j < junctions; ++j)
-        moving.push_back(moving_rows(regression, movement, j));
-    std::vector<double> variances;
-    for (const Rows& rows : moving)
-        variances.push_back(variance_left(moving, rows));
-    for (std::size_t j = 0; j < junctions; ++j)
-        moving[j].variance = variances[j];
-    return moving;
+void add_rest(Equations& equations, const NoisyRows& rest, std::size_t junction) {
+    const Weights weights(rest);
+    const Eigen::Index leak = row_of(junction) + 1; // nothing else is told apart there
+    VectorXd by = VectorXd::Zero(equations.pull.size());
+    by[leak] = weights.pull()[leak] / weights.information()(leak, leak);
+    const double scale = weights.scale(by, 1);
+    equations.add(weights.information() / scale, weights.pull() / scale);
 }
 
 std::vector<Deviation> parts(const VectorXd& by, const MatrixXd& covariance) {
@@ -266,7 +275,7 @@ std::vector<Deviation> parts(const VectorXd& by, const MatrixXd& covariance) {
     return deviations;
 }
 
-std::optional<std::vector<Deviation>> solve(const Equations& equations, const std::vector<Rows>& moving) {
+std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     MatrixXd information = equations.information;
     information.diagonal() -= equations.noise;
     if (information.llt().info() != Eigen::Success)
@@ -274,7 +283,7 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations, const st
     const MatrixXd inverse = information.inverse();
     const VectorXd by = inverse * (equations.pull + equations.noise.cwiseProduct(equations.in_health));
     const VectorXd unsure = noise_known_within * equations.noise.cwiseProduct(equations.in_health + by);
-    MatrixXd pulls = (correlated_pulls(moving, by) + overlap * equations.moving) / 2 + equations.others;
+    MatrixXd pulls = equations.information;
     pulls.diagonal() += unsure.cwiseProduct(unsure);
     return parts(by, inverse * pulls * inverse);
 }
@@ -296,18 +305,16 @@ std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const F
                                                  std::span<const LinkInHealth> links, const MovementSamples& movement) {
     if (movement.moving.size() < fewest_moving)
         return std::nullopt;
-    Regression regression(circuit, flow, links);
-    std::vector<Rows> moving = weighted_rows(regression, movement, circuit.size());
-    Equations equations = before_movement(regression.unknowns());
-    for (std::size_t j = 0; j < circuit.size(); ++j) {
-        moving[j].add_to(equations.information, equations.pull);
-        equations.moving += moving[j].information();
-        if (movement.at_rest.size() >= fewest_at_rest)
-            add_rest(equations, rows_at_rest(regression, movement, j), j);
-        equations.in_health[row_of(j)] = 1 / WayUnits::compliance_share;
-        equations.noise[row_of(j)] = noise_information(movement, moving, regression.units()[j], j);
-    }
-    return solve(equations, moving);
+    const Balance balance(circuit, flow, links);
+    std::vector<ReadingNoise> noises;
+    for (std::size_t j = 0; j < circuit.size(); ++j)
+        noises.push_back(reading_noise(movement, j));
+    Equations equations = before_movement(balance.unknowns());
+    add_moving(equations, moving_rows(balance, movement, noises));
+    if (movement.at_rest.size() >= fewest_at_rest)
+        for (std::size_t j = 0; j < circuit.size(); ++j)
+            add_rest(equations, rows_at_rest(balance, movement, j, noises[j]), j);
+    return solve(equations);
 }
 
 } // namespace placedpar::identification

@@ -57,15 +57,15 @@ struct LinkInHealth {
 /// Fewer samples of a movement say nothing (ours).
 inline constexpr std::size_t fewest_moving = 12;
 
-/// What a movement says of the links of a circuit, in the order of its junctions: weighted least squares of the flow
+/// What a movement says of the links of a circuit, in the order of its junctions: generalised least squares of the flow
 /// that the equations miss (3.5 to 3.7, 3.10, 3.11; signed) on compliance, leak and offset of every link, and of
 /// A v + C dP/dt + k_l P = 0 at rest, whatever the spool reads.
 ///
-/// The noise of the slopes, which is seen in their differences, would make compliances too small; it is taken out of
-/// the normal equations (W. Fuller, Measurement Error Models, 1987). Errors of 5-point slopes are correlated over
-/// neighbouring samples: half of the covariance is that of W. Newey and K. West (Econometrica 55, 1987; lag 5), which
-/// is too small where few samples matter, and half that of white errors of slopes that overlap. None with fewer than
-/// fewest_moving moving samples, or where the slopes are hardly more than noise.
+/// The errors' covariance is what the noise of the readings makes of the missed flows, of all junctions together: of
+/// pressures, angles and valves, each as its own fourth differences show it, through the equations and through the
+/// 5-point slopes; scaled by what is left. The noise of the slopes would make compliances too small; it is taken out of
+/// the normal equations (W. Fuller, Measurement Error Models, 1987). None with fewer than fewest_moving moving samples,
+/// or where the slopes are hardly more than noise.
 std::optional<std::vector<Deviation>> deviations(const hydraulics::Circuit& circuit,
                                                  const hydraulics::FlowConstants& flow,
                                                  std::span<const LinkInHealth> links, const MovementSamples& movement);

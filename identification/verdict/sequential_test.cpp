@@ -21,14 +21,10 @@ double likelihood_ratio(const Vector3d& seen, const Matrix3d& information, const
     return suspected.dot(information * (seen - suspected / 2));
 }
 
-/// The standard errors are too great rather than too small: by machines on which nothing was tuned the variance that
-/// they state of a single link is two to four times that of its movements.
-constexpr double errors_overstated = 0.5;
-
 /// The variance of one way, were the others known; none of what is known exactly.
 double unknown_of(const Matrix3d& covariance, Way way) {
     const auto i = static_cast<Eigen::Index>(way);
-    return covariance.isZero(0) ? 0 : errors_overstated / covariance.inverse()(i, i);
+    return covariance.isZero(0) ? 0 : 1 / covariance.inverse()(i, i);
 }
 
 } // namespace
@@ -40,9 +36,10 @@ double SequentialTest::add(std::size_t suspicion, const Vector3d& seen, const Ma
     if (sum == 0)
         known = 0;
     const Vector3d by = suspected(suspicions[suspicion], scale);
-    known += by.dot(information * by);
+    const double full = likelihood_ratio(seen, information, by);
+    const double ratio = std::clamp(full, -most_of_one, most_of_one);
+    known += by.dot(information * by) * (full == ratio ? 1 : ratio / full);
     const double worth = 1 + known * unknown_of(from_covariance, suspicions[suspicion].way) / by.squaredNorm();
-    const double ratio = std::clamp(likelihood_ratio(seen, information, by), -most_of_one, most_of_one);
     sum = std::clamp(sum + ratio, 0.0, most * worth);
     return sum / worth;
 }

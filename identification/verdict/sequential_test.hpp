@@ -17,14 +17,17 @@ struct Suspicion {
 /// Tests one after the other whether a link has left a deviation, Page's cumulative sums (Biometrika 41, 1954): for
 /// each suspicion the logarithm of the likelihood of the suspected deviation over that of none, added up over the
 /// movements, never below 0. One movement says no more than `most_of_one`, since errors that are not normal have
-/// longer tails than the likelihood knows; so it takes two at least. What the link is compared with is known from few
-/// movements itself: of a sum s over movements of information I that is worth s / (1 + I b), b half its stated
-/// variance.
+/// longer tails than the likelihood knows, and counts as so much less information; so it takes two at least. What the
+/// link is compared with is not known exactly: of a sum s over movements of information I that is worth
+/// s / (1 + I b), b the variance of what it is compared with.
 class SequentialTest {
 public:
     static constexpr std::array<Suspicion, 5> suspicions{
         {{Way::compliance, 1}, {Way::compliance, -1}, {Way::leak, 1}, {Way::offset, 1}, {Way::offset, -1}}};
-    static constexpr double most_of_one = 6, raised_at = 6.5; ///< ours; the rates: examples/14-faults
+    static constexpr double most_of_one = 6;
+    /// Nothing that is suspected is raised wrongly more often than once in e^7 = 1100 movements (G. Lorden, Annals of
+    /// Mathematical Statistics 42, 1971); the rates of machines: examples/14-faults.
+    static constexpr double raised_at = 7;
     /// A suspicion is dropped when its sum is back at 0, and none is worth more than this: three movements clear it.
     static constexpr double most = 13;
 

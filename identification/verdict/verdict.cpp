@@ -20,6 +20,11 @@ constexpr std::array<std::string_view, 7> verdict_names{"sound",  "compliance", 
 /// What a mean of many movements may still be off by, in units; ours.
 constexpr double mean_repeats_within = 0.05;
 
+/// Machines of a kind differ in health, in each way by this standard deviation, in units: 10 % of the compliance, evenly.
+constexpr double kind_within = 0.3;
+
+Deviation kind_in_health() { return {Vector3d::Zero(), Matrix3d::Identity() * kind_within * kind_within}; }
+
 VerdictKind kind_of(Way way, AreasFrom valve) {
     switch (way) {
     case Way::compliance: return VerdictKind::compliance;
@@ -105,7 +110,7 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
         state_ = {}; // another way to know the valve has another offset in health
     state_.valve = valve;
     SequentialTest from_kind(state_.from_kind);
-    from_kind.take(movement, {},
+    from_kind.take(movement, kind_in_health(),
                    {valve == AreasFrom::servo ? servo_units_beyond_kind : units_beyond_kind, units_beyond_kind,
                     units_beyond_kind});
     state_.from_kind = from_kind.state();

@@ -20,7 +20,8 @@ struct TestedFault {
     identification::AlarmKind called;           ///< of the boom
     bool from_first_day = false;                ///< or after three sound movements
     double units = 1;                           ///< of WayUnits
-    double least_found = 90, least_called = 95; ///< %: of the machines (0: not asked), and of those found
+    /// %: of the machines, unless theory's limit is below it, and of those found.
+    double least_found = 90, least_called = 95;
 };
 
 std::vector<TestedFault> tested_faults(hydraulics::AreasFrom from);
