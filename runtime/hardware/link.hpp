@@ -6,17 +6,14 @@
 #include "runtime/hardware/link_streams.hpp"
 #include "runtime/hardware/link_timing.hpp"
 #include "runtime/hardware/wire.hpp"
+#include "runtime/kernel.hpp"
 #include "runtime/source_location.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace placedpar {
-class Kernel;
-class Process;
-} // namespace placedpar
 
 namespace placedpar::hardware {
 
@@ -56,27 +53,33 @@ public:
     /// REQUIRES: a packet has just begun.
     void look_ahead();
     /// The directions and wires have the state of a moment that is still to come.
-    bool is_ahead() const;
+    bool is_ahead() const { return kernel_.now() < ahead_until_; }
     /// They have that of now.
     void leave() {
         if (is_ahead())
             come_back();
     }
     /// What the direction has done by now. REQUIRES: is_ahead().
-    LinkStreams::Progress now(const LinkDirection&);
+    LinkStreams::Progress now(const LinkDirection& direction) {
+        std::size_t i = &direction == &a_to_b_ ? 0 : 1;
+        return repetition_.has_begun(kernel_.now()) && repetition_.is_simple(i)
+                   ? repetition_.progress(i, kernel_.now())
+                   : passed_until_now(i);
+    }
 
 private:
     Time end_of_what_is_certain() const;
-    void follow();
+    void follow(Time before);
     void come_back();
+    LinkStreams::Progress passed_until_now(std::size_t direction);
     void go_to(const LinkStreams&, Time);
 
     Kernel& kernel_;
-    const PacketTimes& times_;
-    LinkDirection &a_to_b_, &b_to_a_;
-    LinkStreams behind_; ///< at a moment that has been
-    LinkStreams ahead_;  ///< where the directions and wires are
     Time ahead_until_{};
+    Repetition repetition_; ///< between the moment of look_ahead() and ahead_until_
+    LinkDirection &a_to_b_, &b_to_a_;
+    const PacketTimes& times_;
+    LinkStreams behind_; ///< at a moment that has been
 };
 
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
@@ -98,7 +101,7 @@ public:
     void move_messages_of(MemoryOfEngines& memory) { memories_.push_back(&memory); }
     /// The words of the part under way that such an engine has moved before now.
     std::uint64_t words_moved(const MemoryOfEngines& memory, Time now) const {
-        return sender_ ? memory.words_in(bytes_begun_before(now)) : 0;
+        return memory.words_in(bytes_begun_before(now));
     }
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;

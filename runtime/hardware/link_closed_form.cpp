@@ -8,30 +8,27 @@
 namespace placedpar::hardware {
 
 ClosedForm::ClosedForm(Kernel& kernel, const PacketTimes& times, LinkDirection& a_to_b, LinkDirection& b_to_a)
-    : kernel_(kernel), times_(times), a_to_b_(a_to_b), b_to_a_(b_to_a) {}
-
-bool ClosedForm::is_ahead() const { return kernel_.now() < ahead_until_; }
+    : kernel_(kernel), a_to_b_(a_to_b), b_to_a_(b_to_a), times_(times) {}
 
 void ClosedForm::look_ahead() {
     if (a_to_b_.must_be_seen() || b_to_a_.must_be_seen())
         return;
-    Time now = kernel_.now();
-    behind_ = LinkStreams(now, {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()});
-    ahead_ = behind_;
-    ahead_.advance(times_, end_of_what_is_certain());
-    ahead_until_ = ahead_.now();
+    behind_ = {kernel_.now(), {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()}};
+    LinkStreams ahead = behind_;
+    repetition_ = Repetition::find(ahead, times_, end_of_what_is_certain());
+    ahead_until_ = ahead.now;
     if (is_ahead())
-        go_to(ahead_, ahead_until_);
+        go_to(ahead, ahead_until_);
 }
 
-/// Starts `behind_` from the moment at which `ahead_` began to repeat itself, once that has passed: it then knows the
-/// period without looking for it again.
-void ClosedForm::follow() {
-    if (ahead_.repeats_since() <= kernel_.now()) {
-        behind_ = ahead_;
-        behind_.go_back_to_repetition();
-        ahead_ = {};
+/// Lets the packets that are behind begin, up to that moment.
+void ClosedForm::follow(Time before) {
+    if (repetition_.has_begun(kernel_.now())) {
+        if (behind_.now < repetition_.first.now)
+            behind_ = repetition_.first;
+        repetition_.pass_periods(behind_, before);
     }
+    behind_.advance(times_, before);
 }
 
 /// Events that come after this may change what the link does.
@@ -48,26 +45,25 @@ Time ClosedForm::end_of_what_is_certain() const {
 /// (EventQueue::Priority): this has happened before a process or a timer does anything.
 void ClosedForm::come_back() {
     Time after = kernel_.now() + Time{1};
-    follow();
-    behind_.advance(times_, after);
+    follow(after);
     ahead_until_ = kernel_.now();
     go_to(behind_, after);
 }
 
-LinkStreams::Progress ClosedForm::now(const LinkDirection& direction) {
-    follow();
-    return behind_.progress(times_, &direction == &a_to_b_ ? 0 : 1, kernel_.now());
+LinkStreams::Progress ClosedForm::passed_until_now(std::size_t direction) {
+    follow(kernel_.now() + Time{1});
+    return behind_.streams[direction].progress();
 }
 
 /// Packets that are due at that moment or later are still to be asked for, by events.
 void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
-    const LinkStreams::Stream &forth = streams.stream(0), &back = streams.stream(1);
+    const LinkStreams::Stream &forth = streams.streams[0], &back = streams.streams[1];
     auto waits = [moment](const LinkStreams::Stream& s, bool acknowledge) {
         return s.flows && s.acknowledge == acknowledge && s.due < moment;
     };
-    a_to_b_.out_.go_to(streams.free_at(0), waits(forth, false) ? &a_to_b_ : nullptr,
+    a_to_b_.out_.go_to(streams.free_at[0], waits(forth, false) ? &a_to_b_ : nullptr,
                        waits(back, true) ? &b_to_a_ : nullptr);
-    b_to_a_.out_.go_to(streams.free_at(1), waits(back, false) ? &b_to_a_ : nullptr,
+    b_to_a_.out_.go_to(streams.free_at[1], waits(back, false) ? &b_to_a_ : nullptr,
                        waits(forth, true) ? &a_to_b_ : nullptr);
     a_to_b_.go_to(forth, moment);
     b_to_a_.go_to(back, moment);
@@ -75,7 +71,7 @@ void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
 
 /// What the packets of this direction that follow need of it.
 LinkStreams::Stream LinkDirection::stream() const {
-    LinkStreams::Stream stream{{bytes_left_, last_start_}};
+    LinkStreams::Stream stream{.bytes_left = bytes_left_, .last_start = last_start_};
     const EventQueue& future = kernel_.future();
     if (start_byte_.scheduled())
         stream.due = future.time_of(start_byte_);
