@@ -1,4 +1,4 @@
-// The closed form of a link.
+#include "runtime/hardware/link_closed_form.hpp"
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -23,8 +23,8 @@ void ClosedForm::look_ahead() {
 
 /// Lets the packets that are behind begin, up to that moment.
 void ClosedForm::follow(Time before) {
-    if (repetition_.has_begun(kernel_.now())) {
-        if (behind_.now < repetition_.first.now)
+    if (repetition_.since <= kernel_.now()) {
+        if (behind_.now < repetition_.since)
             behind_ = repetition_.first;
         repetition_.pass_periods(behind_, before);
     }
@@ -52,7 +52,7 @@ void ClosedForm::come_back() {
 
 LinkStreams::Progress ClosedForm::passed_until_now(std::size_t direction) {
     follow(kernel_.now() + Time{1});
-    return behind_.streams[direction].progress();
+    return {behind_.streams[direction].bytes_left, behind_.streams[direction].last_start};
 }
 
 /// Packets that are due at that moment or later are still to be asked for, by events.
@@ -71,7 +71,7 @@ void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
 
 /// What the packets of this direction that follow need of it.
 LinkStreams::Stream LinkDirection::stream() const {
-    LinkStreams::Stream stream{.bytes_left = bytes_left_, .last_start = last_start_};
+    LinkStreams::Stream stream{.bytes_left = part_.bytes_left, .last_start = part_.last_start};
     const EventQueue& future = kernel_.future();
     if (start_byte_.scheduled())
         stream.due = future.time_of(start_byte_);
@@ -88,26 +88,26 @@ LinkStreams::Stream LinkDirection::stream() const {
 /// which may be that behind an acknowledge that still waits for its wire.
 bool LinkDirection::must_be_seen() const {
     bool begins = start_byte_.scheduled() || out_.byte_waits(*this);
-    bool first_byte_begins = begins && bytes_left_ == bytes_in_part_;
-    bool to_be_traced = kernel_.trace() && !trace_carries_ && bytes_left_ > 0 && stream().flows;
+    bool first_byte_begins = begins && part_.bytes_left == part_.bytes;
+    bool to_be_traced = kernel_.trace() && !trace_carries_ && part_.bytes_left > 0 && stream().flows;
     return every_byte_ || writer_ || reader_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
 }
 
 /// Of its receiver it is certain that he will take the byte under way, and others will follow. One that still waits for
 /// the end of the part before may not.
 bool LinkDirection::is_sure_of_its_receiver() const {
-    return receiver_ && bytes_left_ > 0 && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
+    return receiver_ && part_.bytes_left > 0 && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
 }
 
 void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
     if (!stream.flows)
         return;
-    bytes_carried_ += bytes_left_;
-    bytes_carried_ -= bytes_left_ = stream.bytes_left;
-    last_start_ = stream.last_start;
+    bytes_carried_ += part_.bytes_left;
+    bytes_carried_ -= part_.bytes_left = stream.bytes_left;
+    part_.last_start = stream.last_start;
     unacknowledged_ = stream.acknowledge;
     byte_comes_over_ = true;
-    may_start_ = stream.acknowledge ? last_start_ : std::max(last_start_, stream.due);
+    may_start_ = stream.acknowledge ? part_.last_start : std::max(part_.last_start, stream.due);
     cancel(start_byte_);
     cancel(byte_noticed_);
     if (stream.due >= moment)

@@ -46,17 +46,14 @@ bool LinkStreams::is_in_phase_with(const LinkStreams& then, std::size_t other) c
 /// The present is compared with one moment that was noted: a later one each time that twice as many bytes began.
 Repetition Repetition::find(LinkStreams& streams, const PacketTimes& times, Time before) {
     Repetition found;
-    LinkStreams& noted = found.first;
+    LinkStreams noted;
     std::uint32_t bytes_until_note = 1, bytes_between_notes = 1;
     while (std::optional<std::size_t> next = streams.begin_next(times, before)) {
         bool marks = streams.streams[*next].acknowledge && (*next == 0 || !streams.streams[0].flows);
         if (!marks)
             continue;
         if (bytes_between_notes > 1 && streams.is_in_phase_with(noted, 1 - *next)) {
-            found.period = streams.now - noted.now;
-            for (std::size_t i : {0u, 1u})
-                found.bytes_a_period[i] = noted.streams[i].bytes_left - streams.streams[i].bytes_left;
-            noted = streams;
+            found.begin(noted, streams);
             found.pass_periods(streams, before);
             streams.advance(times, before);
             break;
@@ -69,11 +66,23 @@ Repetition Repetition::find(LinkStreams& streams, const PacketTimes& times, Time
     return found;
 }
 
+/// Everything is as it was then.
+void Repetition::begin(const LinkStreams& then, const LinkStreams& now) {
+    since = now.now;
+    period = now.now - then.now;
+    first = now;
+    for (std::size_t i : {0u, 1u}) {
+        const LinkStreams::Stream& stream = now.streams[i];
+        flows[i] = {stream.bytes_left, then.streams[i].bytes_left - stream.bytes_left, stream.last_start,
+                    stream.start_before};
+    }
+}
+
 void Repetition::pass_periods(LinkStreams& streams, Time before) const {
     std::int64_t periods = (before - streams.now - Time{1}) / period;
     for (std::size_t i : {0u, 1u})
-        if (bytes_a_period[i] > 0)
-            periods = std::min<std::int64_t>(periods, (streams.streams[i].bytes_left - 1) / bytes_a_period[i]);
+        if (std::uint32_t bytes = flows[i].bytes_a_period)
+            periods = std::min<std::int64_t>(periods, (streams.streams[i].bytes_left - 1) / bytes);
     if (periods <= 0)
         return;
     Time by = periods * period;
@@ -82,8 +91,8 @@ void Repetition::pass_periods(LinkStreams& streams, Time before) const {
         LinkStreams::Stream& stream = streams.streams[i];
         streams.free_at[i] += by;
         stream.due += by;
-        if (bytes_a_period[i] > 0) {
-            stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes_a_period[i];
+        if (std::uint32_t bytes = flows[i].bytes_a_period) {
+            stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
             stream.last_start += by;
             stream.start_before += by;
         }

@@ -26,8 +26,6 @@ struct LinkStreams {
         Time last_start{};
         Time due{};          ///< when the packet is asked for
         Time start_before{}; ///< of the byte before the last, if it began here
-
-        Progress progress() const { return {bytes_left, last_start}; }
     };
     /// When a packet is due that has been asked for already and waits for its wire.
     static constexpr Time past{-1};
@@ -60,31 +58,40 @@ private:
 /// from the packets of the other. From there on whole periods are passed at once, so that a long message costs what a
 /// short one does.
 struct Repetition {
-    LinkStreams first;                              ///< the moment from which on it is known
-    Time period{};                                  ///< 0 if there is none
-    std::array<std::uint32_t, 2> bytes_a_period{}; ///< of each direction
+    Time since = Time::max(); ///< from when on it is known
+    Time period{};
+    /// Of a direction at that moment, what is asked for most: it stands together in one line of the cache.
+    struct Flow {
+        std::uint32_t bytes_left = 0, bytes_a_period = 0;
+        Time last_start{}, start_before{};
+    };
+    std::array<Flow, 2> flows;
+    LinkStreams first; ///< all that the link does at that moment
 
     /// Lets all packets begin as LinkStreams::advance does; returns what the streams repeat from some moment on.
     static Repetition find(LinkStreams&, const PacketTimes&, Time before);
 
-    bool has_begun(Time moment) const { return period > Time{0} && first.now <= moment; }
-    /// As many whole periods as end before that moment and before the last byte of a part. REQUIRES: there is one.
+    /// Passes as many whole periods as end before that moment and before the last byte of a part. REQUIRES: it is known
+    /// at the moment of the streams.
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
-    bool is_simple(std::size_t direction) const { return bytes_a_period[direction] <= 2; }
-    /// How far a direction is at that moment. REQUIRES: is_simple(direction), it has begun, and nothing has been seen
+    bool is_simple(std::size_t direction) const { return flows[direction].bytes_a_period <= 2; }
+    /// How far a direction is at that moment. REQUIRES: is_simple(direction), since <= moment, and nothing has been seen
     /// by then.
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
-        const LinkStreams::Stream& stream = first.streams[direction];
-        std::uint32_t bytes = bytes_a_period[direction];
-        if (bytes == 0)
-            return stream.progress();
-        std::int64_t periods = (moment - stream.last_start) / period;
-        Time start = stream.last_start + periods * period, next = stream.start_before + (periods + 1) * period;
-        std::uint32_t left = stream.bytes_left - static_cast<std::uint32_t>(periods) * bytes;
-        bool has_next = bytes == 2 && next <= moment;
-        return {left - has_next, has_next ? next : start};
+        const Flow& flow = flows[direction];
+        if (flow.bytes_a_period == 0)
+            return {flow.bytes_left, flow.last_start};
+        std::int64_t periods = (moment - flow.last_start) / period;
+        std::uint32_t left = flow.bytes_left - static_cast<std::uint32_t>(periods) * flow.bytes_a_period;
+        Time start = flow.last_start + periods * period, next = flow.start_before + (periods + 1) * period;
+        if (flow.bytes_a_period == 2 && next <= moment)
+            return {left - 1, next};
+        return {left, start};
     }
+
+private:
+    void begin(const LinkStreams& then, const LinkStreams& now);
 };
 
 } // namespace placedpar::hardware

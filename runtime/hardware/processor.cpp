@@ -54,10 +54,9 @@ Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cy
 }
 
 void Processor::has_link(Link& link) {
-    for (LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()}) {
-        direction->move_messages_of(engines_);
-        directions_.push_back(direction);
-    }
+    link.from_a_to_b().move_messages_of(engines_);
+    link.from_b_to_a().move_messages_of(engines_);
+    links_.push_back(&link);
 }
 
 bool Processor::halted() const { return kernel_.now() >= halts_at_; }
@@ -67,8 +66,8 @@ Time Processor::memory_taken_by_links() const { return times(words_moved_by_link
 std::int64_t Processor::words_moved_by_links() const {
     std::uint64_t words = engines_.words_of_ended_parts;
     if (engines_.parts_under_way > 0)
-        for (const LinkDirection* direction : directions_)
-            words += direction->words_moved(engines_, kernel_.now());
+        for (Link* link : links_)
+            words += link->words_moved(engines_);
     return static_cast<std::int64_t>(words);
 }
 

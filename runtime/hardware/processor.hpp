@@ -108,7 +108,7 @@ private:
     Time access_{}; ///< to a word of its memory
     Time halts_at_ = Time::max();
     MemoryOfEngines engines_;
-    std::vector<const LinkDirection*> directions_; ///< of its links, both of each
+    std::vector<Link*> links_;
 
     ProcessQueue high_, low_;      ///< the processes that wait for the processor
     Process* current_ = nullptr;   ///< the process that has it
