@@ -12,7 +12,20 @@ namespace {
 constexpr std::size_t slice_bytes = Stack::zone_bytes + Stack::bytes;
 constexpr std::size_t stacks_in_a_piece = 256;
 constexpr std::size_t piece_bytes = stacks_in_a_piece * slice_bytes;
-constexpr std::size_t guarded_stacks = SwitchedStack::watched ? 0 : 16'000;
+
+/// Stacks that mprotect guards: with more a program would exceed the 65,530 mappings that Linux allows it.
+constexpr std::size_t most_protected = 16'000;
+/// MADV_GUARD_INSTALL of Linux 6.13, which Debian 12's headers do not have: whoever touches these pages gets SIGSEGV,
+/// as by mprotect, but their mapping stays one.
+constexpr int guard_install = 102;
+
+/// Returns whether it could. Number: how many zones there are before this one.
+bool guard(std::byte* zone, std::size_t number) {
+    if (SwitchedStack::watched)
+        return false;
+    return madvise(zone, Stack::zone_bytes, guard_install) == 0 ||
+           (number < most_protected && mprotect(zone, Stack::zone_bytes, PROT_NONE) == 0);
+}
 
 bool is_written(const std::byte* begin, const std::byte* end) {
     return std::any_of(begin, end, [](std::byte each) { return each != std::byte{0}; });
@@ -36,8 +49,7 @@ Stack StackArena::allocate() {
     if (allocated_ % stacks_in_a_piece == 0)
         add_piece();
     std::byte* zone = pieces_.back() + allocated_ % stacks_in_a_piece * slice_bytes;
-    bool guarded = allocated_ < guarded_stacks && mprotect(zone, Stack::zone_bytes, PROT_NONE) == 0;
-    ++allocated_;
+    bool guarded = guard(zone, allocated_++);
     return {zone + Stack::zone_bytes, guarded};
 }
 

@@ -32,8 +32,8 @@ public:
     StackArena(const StackArena&) = delete;
     StackArena& operator=(const StackArena&) = delete;
 
-    /// It lasts as long as the arena. The first 16,000 are guarded: with more a program would exceed the 65,530
-    /// mappings that Linux allows it. Throws std::bad_alloc.
+    /// It lasts as long as the arena. It is guarded from Linux 6.13 on; before, the first 16,000 are. Throws
+    /// std::bad_alloc.
     Stack allocate();
 
 private:

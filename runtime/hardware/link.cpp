@@ -32,10 +32,10 @@ const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
 } // namespace
 
 Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const std::string& b)
-    : kernel_(kernel), timing_(checked(timing, a)), wire_from_a_(kernel, times_), wire_from_b_(kernel, times_),
-      a_to_b_(kernel, a + " -> " + b, times_, wire_from_a_, wire_from_b_, closed_form_),
-      b_to_a_(kernel, b + " -> " + a, times_, wire_from_b_, wire_from_a_, closed_form_),
-      closed_form_(kernel, times_, a_to_b_, b_to_a_) {}
+    : closed_form_(kernel, times_, a_to_b_, b_to_a_), kernel_(kernel), times_(checked(timing, a)),
+      wire_from_a_(kernel, times_), wire_from_b_(kernel, times_),
+      a_to_b_(kernel, a + " -> " + b, times_, wire_from_a_, wire_from_b_, closed_form_, 0),
+      b_to_a_(kernel, b + " -> " + a, times_, wire_from_b_, wire_from_a_, closed_form_, 1), timing_(timing) {}
 
 const FaultEffect& Link::suffer(const LinkFault& fault) { return faults().add(fault); }
 
@@ -44,8 +44,8 @@ void Link::lead_through(Passage& passage) { faults().lead_through(passage); }
 LinkFaults& Link::faults() {
     if (!faults_) {
         faults_.emplace(timing_.bits_per_second);
-        a_to_b_.suffer(*faults_, true);
-        b_to_a_.suffer(*faults_, false);
+        a_to_b_.suffer(*faults_);
+        b_to_a_.suffer(*faults_);
         wire_from_a_.watch(*this);
         wire_from_b_.watch(*this);
     }
@@ -63,8 +63,15 @@ void Link::packet_begins() {
 }
 
 LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes& times, Wire& out, Wire& back,
-                             ClosedForm& closed_form)
-    : kernel_(kernel), name_(std::move(name)), times_(times), out_(out), back_(back), closed_form_(closed_form) {}
+                             ClosedForm& closed_form, std::size_t number)
+    : kernel_(kernel), closed_form_(closed_form), part_(closed_form.part(number)), out_(out), back_(back),
+      times_(times), number_(static_cast<std::uint8_t>(number)), name_(std::move(name)) {}
+
+void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
+    if (memories_[1])
+        throw std::logic_error(fmt::format("{}: a link has two ends, which have a processor each already", name_));
+    memories_[memories_[0] ? 1 : 0] = &memory;
+}
 
 void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
     kernel_.future().schedule(event, at, priority, out_.first_rank() + number);
@@ -105,9 +112,7 @@ void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
 
 void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocation& where) {
     sender_ = &kernel_.running();
-    for (MemoryOfEngines* memory : memories_)
-        ++memory->parts_under_way;
-    bytes_in_part_ = bytes_left_ = bytes;
+    enter_memories(bytes);
     last_part_ = last_part;
     stalled_ = false;
     closed_form_.leave();
@@ -125,7 +130,7 @@ bool LinkDirection::receive(const SourceLocation& where) {
         closed_form_.leave();
         back_.ask_for_acknowledge(*this);
     }
-    if (first_byte_here && bytes_left_ == 0) {
+    if (first_byte_here && part_.bytes_left == 0) {
         for (auto& event : last_byte_arrived_)
             cancel(event); // of this moment, if the arrival of the first byte woke an alternation
         take_part();
@@ -161,9 +166,7 @@ void LinkDirection::begin_reading(AnyChannel& channel) {
 void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool last_part) {
     serve(channel);
     sender_ = &kernel_.running();
-    for (MemoryOfEngines* memory : memories_)
-        ++memory->parts_under_way;
-    bytes_in_part_ = bytes_left_ = bytes;
+    enter_memories(bytes);
     last_part_ = last_part;
     stalled_ = false;
 }
@@ -180,7 +183,7 @@ void LinkDirection::may_be_written() {
 
 LinkDirection::Ended LinkDirection::read_byte() {
     readable_ = acknowledge_owed_ = first_byte_waits_ = false;
-    bool ends_part = bytes_left_ == 0, ends_message = ends_part && last_part_;
+    bool ends_part = part_.bytes_left == 0, ends_message = ends_part && last_part_;
     if (ends_part)
         take_part();
     back_.ask_for_acknowledge(*this);
@@ -195,15 +198,15 @@ void LinkDirection::start_byte() {
 
 void LinkDirection::byte_started() {
     ++bytes_carried_;
-    --bytes_left_;
-    last_start_ = kernel_.now();
+    --part_.bytes_left;
+    part_.last_start = kernel_.now();
     unacknowledged_ = true;
     byte_comes_over_ = !left_over_ && !receiver_left_ && !(faults_ && is_lost(false));
     if (byte_comes_over_)
         foresee_arrival();
     if (kernel_.trace()) {
         trace_bytes(kernel_.now());
-        if (bytes_left_ == 0 || writer_)
+        if (part_.bytes_left == 0 || writer_)
             trace_break(kernel_.now());
     }
     if (!byte_comes_over_)
@@ -215,11 +218,11 @@ void LinkDirection::byte_started() {
 void LinkDirection::foresee_arrival() {
     byte_noticed_.schedule(later(kernel_.now(), times_.to_acknowledge));
     Time arrived = later(kernel_.now(), times_.wire_delay + times_.data);
-    if (bytes_left_ + 1 == bytes_in_part_) {
+    if (part_.bytes_left + 1 == part_.bytes) {
         cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
         first_byte_arrived_.schedule(arrived);
     }
-    if (bytes_left_ == 0) {
+    if (part_.bytes_left == 0) {
         last_of_part_ = last_byte_arrived_[0].scheduled();
         last_byte_arrived_[last_of_part_].schedule(arrived);
     }
@@ -233,8 +236,8 @@ void LinkDirection::byte_noticed() {
         back_.ask_for_acknowledge(*this);
     else
         acknowledge_owed_ = true;
-    if (kernel_.trace() && acknowledge_owed_ && bytes_left_ > 0)
-        trace_break(last_start_);
+    if (kernel_.trace() && acknowledge_owed_ && part_.bytes_left > 0)
+        trace_break(part_.last_start);
 }
 
 void LinkDirection::first_byte_arrived() {
@@ -253,13 +256,13 @@ void LinkDirection::last_byte_arrived() {
 
 void LinkDirection::acknowledge_started() {
     if (faults_ && is_lost(true)) {
-        if (bytes_left_ == 0)
+        if (part_.bytes_left == 0)
             take_part();
         return stall();
     }
     unacknowledged_ = false;
     may_start_ = later(kernel_.now(), times_.to_next_byte);
-    if (bytes_left_ == 0) {
+    if (part_.bytes_left == 0) {
         take_part();
         sending_ended_.schedule(later(kernel_.now(), times_.wire_delay + times_.acknowledge));
     } else {
@@ -294,12 +297,12 @@ void LinkDirection::note_speed() {
     if (bytes == 0)
         return;
     occupied_at_old_speed_ = later(occupied_at_old_speed_, times(bytes, times_.data));
-    old_speed_until_ = later(last_start_, times_.data);
+    old_speed_until_ = later(part_.last_start, times_.data);
     bytes_at_old_speed_ = bytes_carried();
 }
 
 void LinkDirection::sending_ended() {
-    bytes_before_part_ += bytes_in_part_;
+    bytes_before_part_ += part_.bytes;
     leave_memories();
     Process& sender = *std::exchange(sender_, nullptr);
     if (writer_)
@@ -308,12 +311,20 @@ void LinkDirection::sending_ended() {
         kernel_.make_ready(sender);
 }
 
+void LinkDirection::enter_memories(std::uint32_t bytes) {
+    for (MemoryOfEngines* memory : memories_)
+        if (memory)
+            ++memory->parts_under_way;
+    part_.bytes = part_.bytes_left = bytes;
+}
+
 void LinkDirection::leave_memories() {
-    for (MemoryOfEngines* memory : memories_) {
-        --memory->parts_under_way;
-        memory->words_of_ended_parts += memory->words_in(bytes_in_part_ - bytes_left_);
-    }
-    bytes_in_part_ = bytes_left_ = 0;
+    for (MemoryOfEngines* memory : memories_)
+        if (memory) {
+            --memory->parts_under_way;
+            memory->words_of_ended_parts += memory->words_in(part_.bytes - part_.bytes_left);
+        }
+    part_.bytes = part_.bytes_left = 0;
 }
 
 } // namespace placedpar::hardware

@@ -2,21 +2,19 @@
 
 #include "runtime/carrier.hpp"
 #include "runtime/event.hpp"
+#include "runtime/hardware/link_closed_form.hpp"
 #include "runtime/hardware/link_faults.hpp"
 #include "runtime/hardware/link_streams.hpp"
 #include "runtime/hardware/link_timing.hpp"
 #include "runtime/hardware/wire.hpp"
+#include "runtime/kernel.hpp"
 #include "runtime/source_location.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
-
-namespace placedpar {
-class Kernel;
-class Process;
-} // namespace placedpar
 
 namespace placedpar::hardware {
 
@@ -43,42 +41,6 @@ protected:
     ~RegisterUser() = default;
 };
 
-class LinkDirection;
-
-/// The closed form of a link: packets that nobody can see need no events. When one begins, those that follow are
-/// computed at once, in both directions (LinkStreams), up to the first that others can see. The directions and the
-/// wires then go to that moment, and only the events that follow it are scheduled. If anybody acts on the link before,
-/// they come back to the moment at which he does.
-class ClosedForm {
-public:
-    ClosedForm(Kernel&, const PacketTimes&, LinkDirection& a_to_b, LinkDirection& b_to_a);
-
-    /// REQUIRES: a packet has just begun.
-    void look_ahead();
-    /// The directions and wires have the state of a moment that is still to come.
-    bool is_ahead() const;
-    /// They have that of now.
-    void leave() {
-        if (is_ahead())
-            come_back();
-    }
-    /// What the direction has done by now. REQUIRES: is_ahead().
-    LinkStreams::Progress now(const LinkDirection&);
-
-private:
-    Time end_of_what_is_certain() const;
-    void follow();
-    void come_back();
-    void go_to(const LinkStreams&, Time);
-
-    Kernel& kernel_;
-    const PacketTimes& times_;
-    LinkDirection &a_to_b_, &b_to_a_;
-    LinkStreams behind_; ///< at a moment that has been
-    LinkStreams ahead_;  ///< where the directions and wires are
-    Time ahead_until_{};
-};
-
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
 /// `in` start at its ends. A sender goes on when the acknowledge of its last byte has arrived, a receiver when
 /// the last byte has. If no process has asked for a message, its first byte waits, unacknowledged, at the receiving
@@ -91,15 +53,14 @@ private:
 /// Throws std::logic_error when a second channel uses it, and for a message without bytes.
 class LinkDirection final : public Carrier, private WireUser {
 public:
-    /// Its bytes travel on `out`, their acknowledges on `back`. The closed form is that of its link.
-    LinkDirection(Kernel&, std::string name, const PacketTimes&, Wire& out, Wire& back, ClosedForm&);
+    /// Its bytes travel on `out`, their acknowledges on `back`. The closed form is that of its link, in which this is
+    /// direction 0, from a to b, or 1.
+    LinkDirection(Kernel&, std::string name, const PacketTimes&, Wire& out, Wire& back, ClosedForm&,
+                  std::size_t number);
 
-    /// One of its two engines moves the messages from this memory, or to it. REQUIRES: it outlives the run.
-    void move_messages_of(MemoryOfEngines& memory) { memories_.push_back(&memory); }
-    /// The words of the part under way that such an engine has moved before now.
-    std::uint64_t words_moved(const MemoryOfEngines& memory, Time now) const {
-        return sender_ ? memory.words_in(bytes_begun_before(now)) : 0;
-    }
+    /// One of its two engines moves the messages from this memory, or to it. Throws std::logic_error when both have a
+    /// memory already. REQUIRES: it outlives the run.
+    void move_messages_of(MemoryOfEngines&);
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
@@ -138,11 +99,8 @@ public:
     std::uint64_t reset_output(AnyChannel&) override;
     std::uint64_t reset_input(AnyChannel&) override;
 
-    /// Its link has faults from now on. `leaves_a`: its bytes do.
-    void suffer(LinkFaults& faults, bool leaves_a) {
-        faults_ = &faults;
-        leaves_a_ = leaves_a;
-    }
+    /// Its link has faults from now on.
+    void suffer(LinkFaults& faults) { faults_ = &faults; }
     /// The speed of the link is about to change.
     void note_speed();
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
@@ -151,7 +109,7 @@ public:
     /// "t[0].link[1] -> t[1].link[0]"
     const std::string& name() const { return name_; }
     /// Those that the wire has begun to carry.
-    std::uint64_t bytes_carried() const { return bytes_carried_ + bytes_left_ - progress().bytes_left; }
+    std::uint64_t bytes_carried() const { return bytes_carried_ + part_.bytes_left - progress().bytes_left; }
     /// How long the wire has carried their bits.
     Time time_occupied() const;
 
@@ -171,6 +129,7 @@ private:
     void acknowledge_started() override;
     void sending_ended();
     void take_part();
+    void enter_memories(std::uint32_t bytes);
     void leave_memories();
 
     // What is lost, and what is given up (link_recovery.cpp).
@@ -191,13 +150,10 @@ private:
     friend class ClosedForm;
     LinkStreams::Stream stream() const;
     /// By now.
-    LinkStreams::Progress progress() const {
-        return closed_form_.is_ahead() ? closed_form_.now(*this) : LinkStreams::Progress{bytes_left_, last_start_};
-    }
+    LinkStreams::Progress progress() const { return closed_form_.progress(number_); }
     bool must_be_seen() const;
     bool is_sure_of_its_receiver() const;
     void go_to(const LinkStreams::Stream&, Time);
-    std::uint32_t bytes_begun_before(Time now) const;
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
     struct StepEvent final : Event {
@@ -209,34 +165,40 @@ private:
     void schedule(Event&, Time, EventQueue::Priority, std::uint64_t number);
     void cancel(Event&);
 
+    // In the order of use: what every message needs stands together, and not between what few do.
     Kernel& kernel_;
-    std::string name_;
-    const PacketTimes& times_;
+    ClosedForm& closed_form_;
+    PartUnderWay& part_;
     Wire& out_;
     Wire& back_;
-    ClosedForm& closed_form_;
-    AnyChannel* channel_ = nullptr;          ///< whose messages it carries
-    std::vector<MemoryOfEngines*> memories_; ///< at its ends
+    const PacketTimes& times_;
+    AnyChannel* channel_ = nullptr;                   ///< whose messages it carries
+    std::array<MemoryOfEngines*, 2> memories_{};      ///< at its ends; null where nobody uses it
+    LinkFaults* faults_ = nullptr;                    ///< null if its link has none
+    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
 
     Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
-    std::uint32_t bytes_in_part_ = 0;
-    std::uint32_t bytes_left_ = 0; ///< not yet started
-    bool last_part_ = false;       ///< the part under way ends its message
-    Time may_start_{};             ///< no byte before this
-
     Process* receiver_ = nullptr;
+    Time may_start_{}; ///< no byte before this
+
+    bool last_part_ = false;        ///< the part under way ends its message
     bool first_byte_waits_ = false; ///< it has arrived, and no process has asked for it
     bool acknowledge_owed_ = false; ///< to the first byte, once a process asks for it
     /// The receiver has been given the part, and either its last byte or that byte's acknowledge is still to come.
     bool taken_ = false;
-    bool took_last_part_ = false; ///< the part that was taken last ended its message
-
-    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
-    bool writable_ = true;                               ///< the register for the next byte
+    bool took_last_part_ = false;  ///< the part that was taken last ended its message
+    bool stalled_ = false;         ///< the message under way gets no further
+    bool unacknowledged_ = false;  ///< the byte begun last: its acknowledge has not begun, or is lost
+    bool byte_comes_over_ = true;  ///< the byte begun last does
+    bool last_of_part_ = false;    ///< which event is that of the part under way: last_byte_arrived_[...]
+    bool receiver_left_ = false;   ///< the receiving end has given up the message under way
+    bool output_given_up_ = false; ///< the message under way, by its sender
+    bool input_given_up_ = false;  ///< the same, by its receiver
+    bool writable_ = true;         ///< the register for the next byte
     bool readable_ = false;
-
     bool every_byte_ = false;
-    Time last_start_{}; ///< of a byte
+    bool trace_carries_ = false; ///< the trace was told that bytes follow each other
+    const std::uint8_t number_;  ///< in its link: 0 or 1
 
     StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
     StepEvent<&LinkDirection::byte_noticed, EventQueue::request, 1> byte_noticed_{*this};
@@ -245,35 +207,17 @@ private:
     StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
     StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
 
-    LinkFaults* faults_ = nullptr; ///< null if its link has none
-    bool leaves_a_ = true;
-    bool stalled_ = false;                ///< the message under way gets no further
-    bool unacknowledged_ = false;         ///< the byte begun last: its acknowledge has not begun, or is lost
-    bool byte_comes_over_ = true;         ///< the byte begun last does
-    bool last_of_part_ = false;           ///< which event is that of the part under way: last_byte_arrived_[...]
-    bool receiver_left_ = false;          ///< the receiving end has given up the message under way
-    bool output_given_up_ = false;        ///< the message under way, by its sender
-    bool input_given_up_ = false;         ///< the same, by its receiver
+    std::uint64_t bytes_carried_ = 0;
     std::uint64_t bytes_before_part_ = 0; ///< of the message under way
     /// The receiving end is in a message that its sender has given up: how many bytes of it came.
     std::optional<std::uint64_t> left_over_;
     std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes; until the end is reset
-
-    std::uint64_t bytes_carried_ = 0;
-    // Of them those that travelled before the speed changed last.
+    // Of those carried the ones that travelled before the speed changed last.
     std::uint64_t bytes_at_old_speed_ = 0;
     Time occupied_at_old_speed_{}, old_speed_until_{};
-    std::uint64_t bytes_traced_ = 0; ///< of them, how many the trace was told of
-    bool trace_carries_ = false;     ///< the trace was told that bytes follow each other
+    std::uint64_t bytes_traced_ = 0; ///< of those carried, how many the trace was told of
+    std::string name_;
 };
-
-/// Of the part under way. One that begins now is not counted: whether it has begun yet depends on the order of this
-/// instant's events.
-inline std::uint32_t LinkDirection::bytes_begun_before(Time now) const {
-    auto [bytes_left, last_start] = progress();
-    std::uint32_t bytes = bytes_in_part_ - bytes_left;
-    return bytes > 0 && last_start >= now ? bytes - 1 : bytes;
-}
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
 class Link final : private WireWatch {
@@ -289,6 +233,12 @@ public:
     const LinkDirection& from_a_to_b() const { return a_to_b_; }
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
+    /// How many words the engines at this memory have moved before now, of the parts that are under way.
+    std::uint64_t words_moved(const MemoryOfEngines& memory) {
+        return memory.words_in(closed_form_.bytes_begun_before_now(0)) +
+               memory.words_in(closed_form_.bytes_begun_before_now(1));
+    }
+
     /// Adds a fault. REQUIRES: before the run. What it does is found in the effect, which lasts as long as the link.
     /// Throws as LinkFaults::add.
     const FaultEffect& suffer(const LinkFault&);
@@ -302,13 +252,13 @@ private:
     LinkFaults& faults();
     void packet_begins() override;
 
+    ClosedForm closed_form_;
     Kernel& kernel_;
-    LinkTiming timing_;
-    PacketTimes times_{timing_};
-    std::optional<LinkFaults> faults_;
+    PacketTimes times_;
     Wire wire_from_a_, wire_from_b_;
     LinkDirection a_to_b_, b_to_a_;
-    ClosedForm closed_form_;
+    LinkTiming timing_;
+    std::optional<LinkFaults> faults_;
 };
 
 } // namespace placedpar::hardware

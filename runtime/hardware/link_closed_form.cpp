@@ -1,4 +1,4 @@
-// The closed form of a link.
+#include "runtime/hardware/link_closed_form.hpp"
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -8,30 +8,27 @@
 namespace placedpar::hardware {
 
 ClosedForm::ClosedForm(Kernel& kernel, const PacketTimes& times, LinkDirection& a_to_b, LinkDirection& b_to_a)
-    : kernel_(kernel), times_(times), a_to_b_(a_to_b), b_to_a_(b_to_a) {}
-
-bool ClosedForm::is_ahead() const { return kernel_.now() < ahead_until_; }
+    : kernel_(kernel), a_to_b_(a_to_b), b_to_a_(b_to_a), times_(times) {}
 
 void ClosedForm::look_ahead() {
     if (a_to_b_.must_be_seen() || b_to_a_.must_be_seen())
         return;
-    Time now = kernel_.now();
-    behind_ = LinkStreams(now, {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()});
-    ahead_ = behind_;
-    ahead_.advance(times_, end_of_what_is_certain());
-    ahead_until_ = ahead_.now();
+    behind_ = {kernel_.now(), {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()}};
+    LinkStreams ahead = behind_;
+    repetition_ = Repetition::find(ahead, times_, end_of_what_is_certain());
+    ahead_until_ = ahead.now;
     if (is_ahead())
-        go_to(ahead_, ahead_until_);
+        go_to(ahead, ahead_until_);
 }
 
-/// Starts `behind_` from the moment at which `ahead_` began to repeat itself, once that has passed: it then knows the
-/// period without looking for it again.
-void ClosedForm::follow() {
-    if (ahead_.repeats_since() <= kernel_.now()) {
-        behind_ = ahead_;
-        behind_.go_back_to_repetition();
-        ahead_ = {};
+/// Lets the packets that are behind begin, up to that moment.
+void ClosedForm::follow(Time before) {
+    if (repetition_.since <= kernel_.now()) {
+        if (behind_.now < repetition_.since)
+            behind_ = repetition_.first;
+        repetition_.pass_periods(behind_, before);
     }
+    behind_.advance(times_, before);
 }
 
 /// Events that come after this may change what the link does.
@@ -48,26 +45,25 @@ Time ClosedForm::end_of_what_is_certain() const {
 /// (EventQueue::Priority): this has happened before a process or a timer does anything.
 void ClosedForm::come_back() {
     Time after = kernel_.now() + Time{1};
-    follow();
-    behind_.advance(times_, after);
+    follow(after);
     ahead_until_ = kernel_.now();
     go_to(behind_, after);
 }
 
-LinkStreams::Progress ClosedForm::now(const LinkDirection& direction) {
-    follow();
-    return behind_.progress(times_, &direction == &a_to_b_ ? 0 : 1, kernel_.now());
+LinkStreams::Progress ClosedForm::passed_until_now(std::size_t direction) {
+    follow(kernel_.now() + Time{1});
+    return {behind_.streams[direction].bytes_left, behind_.streams[direction].last_start};
 }
 
 /// Packets that are due at that moment or later are still to be asked for, by events.
 void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
-    const LinkStreams::Stream &forth = streams.stream(0), &back = streams.stream(1);
+    const LinkStreams::Stream &forth = streams.streams[0], &back = streams.streams[1];
     auto waits = [moment](const LinkStreams::Stream& s, bool acknowledge) {
         return s.flows && s.acknowledge == acknowledge && s.due < moment;
     };
-    a_to_b_.out_.go_to(streams.free_at(0), waits(forth, false) ? &a_to_b_ : nullptr,
+    a_to_b_.out_.go_to(streams.free_at[0], waits(forth, false) ? &a_to_b_ : nullptr,
                        waits(back, true) ? &b_to_a_ : nullptr);
-    b_to_a_.out_.go_to(streams.free_at(1), waits(back, false) ? &b_to_a_ : nullptr,
+    b_to_a_.out_.go_to(streams.free_at[1], waits(back, false) ? &b_to_a_ : nullptr,
                        waits(forth, true) ? &a_to_b_ : nullptr);
     a_to_b_.go_to(forth, moment);
     b_to_a_.go_to(back, moment);
@@ -75,7 +71,7 @@ void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
 
 /// What the packets of this direction that follow need of it.
 LinkStreams::Stream LinkDirection::stream() const {
-    LinkStreams::Stream stream{{bytes_left_, last_start_}};
+    LinkStreams::Stream stream{.bytes_left = part_.bytes_left, .last_start = part_.last_start};
     const EventQueue& future = kernel_.future();
     if (start_byte_.scheduled())
         stream.due = future.time_of(start_byte_);
@@ -92,26 +88,26 @@ LinkStreams::Stream LinkDirection::stream() const {
 /// which may be that behind an acknowledge that still waits for its wire.
 bool LinkDirection::must_be_seen() const {
     bool begins = start_byte_.scheduled() || out_.byte_waits(*this);
-    bool first_byte_begins = begins && bytes_left_ == bytes_in_part_;
-    bool to_be_traced = kernel_.trace() && !trace_carries_ && bytes_left_ > 0 && stream().flows;
+    bool first_byte_begins = begins && part_.bytes_left == part_.bytes;
+    bool to_be_traced = kernel_.trace() && !trace_carries_ && part_.bytes_left > 0 && stream().flows;
     return every_byte_ || writer_ || reader_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
 }
 
 /// Of its receiver it is certain that he will take the byte under way, and others will follow. One that still waits for
 /// the end of the part before may not.
 bool LinkDirection::is_sure_of_its_receiver() const {
-    return receiver_ && bytes_left_ > 0 && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
+    return receiver_ && part_.bytes_left > 0 && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
 }
 
 void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
     if (!stream.flows)
         return;
-    bytes_carried_ += bytes_left_;
-    bytes_carried_ -= bytes_left_ = stream.bytes_left;
-    last_start_ = stream.last_start;
+    bytes_carried_ += part_.bytes_left;
+    bytes_carried_ -= part_.bytes_left = stream.bytes_left;
+    part_.last_start = stream.last_start;
     unacknowledged_ = stream.acknowledge;
     byte_comes_over_ = true;
-    may_start_ = stream.acknowledge ? last_start_ : std::max(last_start_, stream.due);
+    may_start_ = stream.acknowledge ? part_.last_start : std::max(part_.last_start, stream.due);
     cancel(start_byte_);
     cancel(byte_noticed_);
     if (stream.due >= moment)

@@ -14,16 +14,16 @@ bool LinkDirection::is_lost(bool acknowledge) {
     using Message = FaultEffect::Hit::Message;
     const AnyChannel::Cargo& cargo = channel_->cargo();
     FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : channel_->name(), acknowledge,
-                         bytes_before_part_ + bytes_in_part_ - bytes_left_};
+                         bytes_before_part_ + part_.bytes - part_.bytes_left};
     if (cargo.channel)
         hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
-    return faults_->take(hit, acknowledge != leaves_a_);
+    return faults_->take(hit, acknowledge != (number_ == 0));
 }
 
 void LinkDirection::stall() {
     stalled_ = true;
     if (kernel_.trace() && trace_carries_)
-        trace_break(last_start_);
+        trace_break(part_.last_start);
 }
 
 /// By the receiving end, of the message under way. A byte for which no process has asked counts when it waits there
@@ -38,12 +38,12 @@ std::uint64_t LinkDirection::bytes_taken() const {
     if (acknowledge_owed_ && !reader_)
         return bytes_before_part_;
     bool on_its_way = unacknowledged_ && (!byte_comes_over_ || byte_noticed_.scheduled());
-    std::uint32_t started = bytes_in_part_ - bytes_left_;
+    std::uint32_t started = part_.bytes - part_.bytes_left;
     return bytes_before_part_ + started - (started > 0 && on_its_way);
 }
 
 std::uint64_t LinkDirection::bytes_acknowledged() const {
-    std::uint32_t started = bytes_in_part_ - bytes_left_;
+    std::uint32_t started = part_.bytes - part_.bytes_left;
     return bytes_before_part_ + started - (started > 0 && unacknowledged_);
 }
 
@@ -60,7 +60,7 @@ void LinkDirection::withdraw_acknowledge() {
 /// wire, and its receiver waits for it.
 void LinkDirection::drop_bytes_on_their_way() {
     cancel(first_byte_arrived_);
-    if (bytes_in_part_ > 0 && bytes_left_ == 0 && byte_comes_over_)
+    if (part_.bytes > 0 && part_.bytes_left == 0 && byte_comes_over_)
         cancel(last_byte_arrived_[last_of_part_]);
     withdraw_acknowledge();
     acknowledge_owed_ = readable_ = false;

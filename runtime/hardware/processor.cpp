@@ -26,6 +26,12 @@ OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     return costs;
 }
 
+std::int64_t checked_clock(std::int64_t clock_hz, const std::string& processor) {
+    if (clock_hz <= 0)
+        throw std::logic_error("processor " + processor + ": its clock frequency must be positive");
+    return clock_hz;
+}
+
 /// Throws std::logic_error unless the numbers are positive; there may be no cycles.
 void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
     if (cycles < Cycles{0})
@@ -40,9 +46,7 @@ void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
 
 Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call, const Memory& memory)
     : Executive(std::move(name), costs_with(channel_call, memory)), kernel_(kernel),
-      clock_hz_(clock_hz), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)} {
-    if (clock_hz <= 0)
-        throw std::logic_error("processor " + this->name() + ": its clock frequency must be positive");
+      clock_(checked_clock(clock_hz, this->name())), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)} {
     if (memory.access < Cycles{1} || (memory.bytes_in_a_word != 2 && memory.bytes_in_a_word != 4))
         throw std::logic_error("processor " + this->name() +
                                ": an access to its memory takes a cycle or more, and a word has 2 or 4 bytes");
@@ -50,10 +54,9 @@ Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cy
 }
 
 void Processor::has_link(Link& link) {
-    for (LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()}) {
-        direction->move_messages_of(engines_);
-        directions_.push_back(direction);
-    }
+    link.from_a_to_b().move_messages_of(engines_);
+    link.from_b_to_a().move_messages_of(engines_);
+    links_.push_back(&link);
 }
 
 bool Processor::halted() const { return kernel_.now() >= halts_at_; }
@@ -63,8 +66,8 @@ Time Processor::memory_taken_by_links() const { return times(words_moved_by_link
 std::int64_t Processor::words_moved_by_links() const {
     std::uint64_t words = engines_.words_of_ended_parts;
     if (engines_.parts_under_way > 0)
-        for (const LinkDirection* direction : directions_)
-            words += direction->words_moved(engines_, kernel_.now());
+        for (Link* link : links_)
+            words += link->words_moved(engines_);
     return static_cast<std::int64_t>(words);
 }
 
@@ -148,8 +151,6 @@ void Processor::compute(Cycles cycles, const Grain& how_fine) {
     }
     kernel_.give_way();
 }
-
-Time Processor::duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), clock_hz_); }
 
 /// Of the first timeslice period that ends with the current process having run for a whole one.
 Time Processor::end_of_slice() const {

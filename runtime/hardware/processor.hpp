@@ -65,7 +65,7 @@ public:
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     bool halted() const override;
 
-    std::int64_t clock_hz() const { return clock_hz_; }
+    std::int64_t clock_hz() const { return clock_.hertz(); }
     /// How long it has computed so far, waiting for its memory included.
     Time time_busy() const;
     /// How long its memory has served link engines so far, while it computed or not.
@@ -85,7 +85,7 @@ private:
         Processor& processor;
     };
 
-    Time duration(Cycles) const;
+    Time duration(Cycles cycles) const { return clock_.duration(static_cast<std::int64_t>(cycles)); }
     std::int64_t words_moved_by_links() const;
     void dispatch();
     void go_on(Process&);
@@ -104,11 +104,11 @@ private:
     void preempt();
 
     Kernel& kernel_;
-    std::int64_t clock_hz_;
+    Clock clock_;
     Time access_{}; ///< to a word of its memory
     Time halts_at_ = Time::max();
     MemoryOfEngines engines_;
-    std::vector<const LinkDirection*> directions_; ///< of its links, both of each
+    std::vector<Link*> links_;
 
     ProcessQueue high_, low_;      ///< the processes that wait for the processor
     Process* current_ = nullptr;   ///< the process that has it
