@@ -21,16 +21,20 @@ bool may_follow(const AnyChannel::User& last, const Process& process) {
     return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }
 
-/// `end`: "outputs to", "inputs from".
-void own(AnyChannel::User& end, const Process& process, const char* verb, const AnyChannel& channel) {
-    if (end.process == &process && end.ordinal == process.ordinal())
-        return;
+[[gnu::cold]] void change_owner(AnyChannel::User& end, const Process& process, const char* verb,
+                                const AnyChannel& channel) {
     if (end.process && !may_follow(end, process))
         throw std::logic_error(fmt::format("process {} {} channel {}, as {} does: a channel joins two processes only",
                                            process.path(), verb, channel.name(),
                                            end.outermost == &process.outermost() ? "another component of a PAR"
                                                                                  : "process " + end.outermost->path()));
     end = user(process);
+}
+
+/// `verb`: "outputs to", "inputs from".
+void own(AnyChannel::User& end, const Process& process, const char* verb, const AnyChannel& channel) {
+    if (end.process != &process || end.ordinal != process.ordinal())
+        change_owner(end, process, verb, channel);
 }
 
 /// The link was left in the middle of a message.
@@ -94,6 +98,36 @@ void AnyChannel::own_input(const Process& process) {
     own(inputter_, process, "inputs from", *this);
     if (input_out_of_order_)
         refuse_unreset(process, "inputs from", *this);
+}
+
+inline void AnyChannel::output_soft(Process& self, const WireForm& form, const SourceLocation& where) {
+    Kernel& kernel = self.kernel();
+    if (slot_) {
+        Process& inputter = *waiting_;
+        require_carrier_between(self, inputter, *this);
+        hand_over();
+        charge_copy(self, form);
+        kernel.make_ready(inputter);
+        return;
+    }
+    waiting_ = &self;
+    waiting_form_ = form;
+    announce();
+    self.wait_for(Activity::outputting, this, where);
+}
+
+inline void AnyChannel::input_soft(Process& self, const SourceLocation& where) {
+    Kernel& kernel = self.kernel();
+    if (message_) {
+        Process& outputter = *waiting_;
+        require_carrier_between(self, outputter, *this);
+        hand_over();
+        charge_copy(self, waiting_form_);
+        kernel.make_ready(outputter);
+        return;
+    }
+    waiting_ = &self;
+    self.wait_for(Activity::inputting, this, where);
 }
 
 void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
@@ -182,36 +216,6 @@ void AnyChannel::hand_over() {
         trace->communicated(*this, kernel.now());
     move_message(message_, slot_);
     message_ = slot_ = nullptr;
-}
-
-void AnyChannel::output_soft(Process& self, const WireForm& form, const SourceLocation& where) {
-    Kernel& kernel = self.kernel();
-    if (slot_) {
-        Process& inputter = *waiting_;
-        require_carrier_between(self, inputter, *this);
-        hand_over();
-        charge_copy(self, form);
-        kernel.make_ready(inputter);
-        return;
-    }
-    waiting_ = &self;
-    waiting_form_ = form;
-    announce();
-    self.wait_for(Activity::outputting, this, where);
-}
-
-void AnyChannel::input_soft(Process& self, const SourceLocation& where) {
-    Kernel& kernel = self.kernel();
-    if (message_) {
-        Process& outputter = *waiting_;
-        require_carrier_between(self, outputter, *this);
-        hand_over();
-        charge_copy(self, waiting_form_);
-        kernel.make_ready(outputter);
-        return;
-    }
-    waiting_ = &self;
-    self.wait_for(Activity::inputting, this, where);
 }
 
 } // namespace placedpar

@@ -53,24 +53,32 @@ void EventQueue::put(Entry entry, std::size_t position) {
     entry.event->position_ = position;
 }
 
+// The heap's place and size stand in variables of their own: the compiler cannot know that what is written to events
+// leaves them as they are.
+
 void EventQueue::sift_up(Entry entry, std::size_t position) {
+    Entry* const heap = heap_.data();
     while (position > 0) {
         std::size_t parent = (position - 1) / 2;
-        if (!entry.before(heap_[parent]))
+        if (!entry.before(heap[parent]))
             break;
-        put(heap_[parent], position);
+        heap[position] = heap[parent];
+        heap[position].event->position_ = position;
         position = parent;
     }
     put(entry, position);
 }
 
 void EventQueue::sift_down(Entry entry, std::size_t position) {
-    for (std::size_t child; (child = 2 * position + 1) < heap_.size(); position = child) {
-        if (child + 1 < heap_.size() && heap_[child + 1].before(heap_[child]))
+    Entry* const heap = heap_.data();
+    const std::size_t size = heap_.size();
+    for (std::size_t child; (child = 2 * position + 1) < size; position = child) {
+        if (child + 1 < size && heap[child + 1].before(heap[child]))
             ++child;
-        if (!heap_[child].before(entry))
+        if (!heap[child].before(entry))
             break;
-        put(heap_[child], position);
+        heap[position] = heap[child];
+        heap[position].event->position_ = position;
     }
     put(entry, position);
 }

@@ -23,15 +23,21 @@ namespace {
 
 /// Names the first process that computes or waits for its timer, as a hint: what comes too late is its own
 /// computation or delay, or follows from it.
-std::string beyond_the_end_of_time(const std::vector<const Process*>& living) {
+[[gnu::cold]] std::exception_ptr beyond_the_end_of_time(const std::vector<const Process*>& living) {
     auto late = std::ranges::find_if(living, [](const Process* p) {
         return p->activity() == Activity::ready || p->activity() == Activity::delayed;
     });
-    return fmt::format("virtual time lasts for {} days, and {} would pass that end: {}",
-                       std::chrono::floor<std::chrono::days>(Time::max()).count(),
-                       late == living.end() ? "a message on a link" : "process " + (*late)->path(),
-                       late == living.end() ? "give the link more speed, or send less"
-                                            : "shorten its computation or delay");
+    return std::make_exception_ptr(std::overflow_error(fmt::format(
+        "virtual time lasts for {} days, and {} would pass that end: {}",
+        std::chrono::floor<std::chrono::days>(Time::max()).count(),
+        late == living.end() ? "a message on a link" : "process " + (*late)->path(),
+        late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));
+}
+
+/// Out of the way of those that are taken in order.
+[[gnu::cold]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
+    while (!ready.empty() && lots.chance(0.5))
+        ready.push_back(*ready.pop_front());
 }
 
 } // namespace
@@ -98,15 +104,27 @@ void Kernel::make_ready(Process& p) {
         enqueue(p);
 }
 
-bool Kernel::over() const {
+inline bool Kernel::over() const {
     return program_processes_ == 0 || failure_ || limit_reached_ || interrupted_.load(std::memory_order_relaxed);
 }
 
-Process* Kernel::choose_ready() {
+inline Process* Kernel::choose_ready() {
     if (shuffle_)
-        while (!ready_.empty() && shuffle_->chance(0.5))
-            ready_.push_back(*ready_.pop_front());
+        put_off_some(ready_, *shuffle_);
     return ready_.pop_front();
+}
+
+/// Lets the next event happen, unless the run ends before it.
+inline void Kernel::pass_to(Time next) {
+    limit_reached_ = next > limit_;
+    if (limit_reached_) {
+        now_ = limit_;
+    } else if (next == Time::max()) {
+        failure_ = beyond_the_end_of_time(living());
+    } else {
+        now_ = next;
+        future_.happen_next();
+    }
 }
 
 Process* Kernel::choose_next() {
@@ -119,19 +137,6 @@ Process* Kernel::choose_next() {
             return nullptr;
     }
     return nullptr;
-}
-
-/// Lets the next event happen, unless the run ends before it.
-void Kernel::pass_to(Time next) {
-    limit_reached_ = next > limit_;
-    if (limit_reached_) {
-        now_ = limit_;
-    } else if (next == Time::max()) {
-        failure_ = std::make_exception_ptr(std::overflow_error(beyond_the_end_of_time(living())));
-    } else {
-        now_ = next;
-        future_.happen_next();
-    }
 }
 
 /// Ends the work and wakes those that wait for this; returns whether there are any.

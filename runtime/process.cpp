@@ -36,6 +36,35 @@ bool Process::is_beside(std::uint32_t ordinal) const {
     return false;
 }
 
+void Process::goes_on() {
+    if (outermost_->going_on_++ == 0)
+        outermost_->waited_ += kernel_.now() - outermost_->still_since_;
+}
+
+void Process::stands_still() {
+    if (--outermost_->going_on_ == 0)
+        outermost_->still_since_ = kernel_.now();
+}
+
+inline void Process::wait(Activity activity, Process* successor) {
+    // Ends the standstill also when the run ends during the wait.
+    struct Standstill {
+        explicit Standstill(Process& p) : process(p) { process.stands_still(); }
+        ~Standstill() { process.goes_on(); }
+        Process& process;
+    };
+    activity_ = activity;
+    if (TraceSink* trace = kernel_.trace())
+        trace->waits(*this, kernel_.now());
+    {
+        Standstill standstill(*this);
+        kernel_.wait(successor);
+    }
+    if (TraceSink* trace = kernel_.trace())
+        trace->goes_on(*this, kernel_.now());
+    activity_ = Activity::ready;
+}
+
 void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     awaited_.clear();
     if (channel)
@@ -67,35 +96,6 @@ std::optional<Time> Process::waits_since() const {
 Time Process::time_waited() const {
     Time now = kernel_.now();
     return waited_ + (now - waits_since().value_or(now));
-}
-
-void Process::goes_on() {
-    if (outermost_->going_on_++ == 0)
-        outermost_->waited_ += kernel_.now() - outermost_->still_since_;
-}
-
-void Process::stands_still() {
-    if (--outermost_->going_on_ == 0)
-        outermost_->still_since_ = kernel_.now();
-}
-
-void Process::wait(Activity activity, Process* successor) {
-    // Ends the standstill also when the run ends during the wait.
-    struct Standstill {
-        explicit Standstill(Process& p) : process(p) { process.stands_still(); }
-        ~Standstill() { process.goes_on(); }
-        Process& process;
-    };
-    activity_ = activity;
-    if (TraceSink* trace = kernel_.trace())
-        trace->waits(*this, kernel_.now());
-    {
-        Standstill standstill(*this);
-        kernel_.wait(successor);
-    }
-    if (TraceSink* trace = kernel_.trace())
-        trace->goes_on(*this, kernel_.now());
-    activity_ = Activity::ready;
 }
 
 void Process::was_delayed(Time since, const SourceLocation& where) {
