@@ -65,7 +65,9 @@ inline void Process::wait(Activity activity, Process* successor) {
     activity_ = Activity::ready;
 }
 
-void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
+/// All that a wait passes through is to be one function: where another fiber was on the processor meanwhile, it does
+/// not foresee where a call returns to.
+[[gnu::flatten]] void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     awaited_.clear();
     if (channel)
         awaited_.push_back(channel);
