@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace placedpar {
 
@@ -75,6 +76,21 @@ private:
     Estimates estimates_;
 };
 
+std::vector<MeasurementDescription> host_measurements() {
+    std::vector<MeasurementDescription> all{
+        {"estimates", "", "how many came back"},
+        {"response", "ms", "from when a master had taken a sample until its estimate of it had come: the mean"},
+        {"longest_response", "ms", "the longest of these"},
+        {"accurate_after", "ms",
+         "from the beginning until the fittest estimate has come to be accurate for good; absent where it is not in "
+         "the end"},
+        {"best_of", "", "the master whose last estimate is the fittest"},
+    };
+    for (MeasurementDescription& each : search_description::individual_measurements("that estimate"))
+        all.push_back(std::move(each));
+    return all;
+}
+
 } // namespace
 
 ProcessKind host_kind(const ProblemRegistry& problems) {
@@ -97,15 +113,7 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                        real("accuracy", {.by_default = 0, .least = 0, .most = 1},
                             "how far the fittest estimate may be from the true parameters of a simulated record, as "
                             "a part of them, to be accurate; 0: nobody looks")},
-        .measurements = {{"estimates", "", "how many came back"},
-                         {"response", "ms",
-                          "from when a master had taken a sample until its estimate of it had come: the mean"},
-                         {"longest_response", "ms", "the longest of these"},
-                         {"accurate_after", "ms",
-                          "from the beginning until the fittest estimate has come to be accurate for good; absent "
-                          "where it is not in the end"},
-                         {"best_of", "", "the master whose last estimate is the fittest"},
-                         {"the problem's parameters", "", "as decoded from that estimate"}},
+        .measurements = host_measurements(),
         .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
         .check = [&problems](const Network& network,
                              std::size_t process) { return check_host(network, process, problems); }};

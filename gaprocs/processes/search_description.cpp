@@ -135,7 +135,7 @@ Parameters search_parameters() {
 }
 
 std::vector<MeasurementDescription> search_measurements() {
-    return {
+    std::vector<MeasurementDescription> all{
         {"T_exe", "ms",
          "one generation: mean over the generations with a full window; absent if there were none (as for every time)"},
         {"T_sr", "ms", "from the first send to the last receive"},
@@ -147,7 +147,15 @@ std::vector<MeasurementDescription> search_measurements() {
          "of this process's own population, with all that a generation and a new sample cost; not there when they cost "
          "no time"},
         {"populations", "", "a hash of every population, in order: equal for equal generations"},
-        {"best_fitness", "(unit of the error)^2", "of the last generation's best individual"},
+    };
+    for (MeasurementDescription& each : individual_measurements("the last generation's best individual"))
+        all.push_back(std::move(each));
+    return all;
+}
+
+std::vector<MeasurementDescription> individual_measurements(const std::string& whose) {
+    return {
+        {"best_fitness", "(unit of the error)^2", "of " + whose},
         {"best_objective", "the problem's",
          "in place of it for a problem without a record: the best of all generations"},
         {"known_optimum", "the problem's", "the best objective there is, where the problem knows it"},

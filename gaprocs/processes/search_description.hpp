@@ -56,6 +56,8 @@ ParameterDescription bytes_in_message(std::string name, std::int64_t by_default,
 /// Of every process that holds a population, with the problem.
 Parameters search_parameters();
 std::vector<MeasurementDescription> search_measurements();
+/// What measure_individual() says of an individual.
+std::vector<MeasurementDescription> individual_measurements(const std::string& whose);
 PortDescription from_host();
 PortDescription to_host();
 

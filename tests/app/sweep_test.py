@@ -42,6 +42,12 @@ def figures(path, name):
                 database.execute("SELECT settings, figures FROM runs WHERE seed = 1")}
 
 
+def figures_of(path):
+    """The names of all."""
+    with opened(path) as database:
+        return sorted({name for text, in database.execute("SELECT figures FROM runs") for name in json.loads(text)})
+
+
 class InFolder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -153,6 +159,14 @@ class Sweep(InFolder):
 
 
 class BadInput(InFolder):
+    def test_what_a_process_measures_its_kind_describes(self):
+        machine = EXAMPLES / "71-best-machine" / "machine.cfs"
+        arguments = [machine, "samples=6", "accuracy=0.1", "--results", "kept"]
+        self.sweep(*arguments)
+        names = figures_of(self.folder / "kept")
+        self.assertIn("host.best_fitness", names)
+        self.sweep(*arguments, *(word for name in names for word in ("--measure", name)))
+
     def test_what_does_not_exist(self):
         for arguments, message in (
                 (["slavs=1,2"], 'the netlist has no val, attribute or parameter "slavs"'),
@@ -168,6 +182,7 @@ class BadInput(InFolder):
                 (["slaves=1", "--results", "no/where"], "no/where: cannot be made: No such file or directory")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, code=1))
+        self.assertFalse((self.folder / "figure-e2.sqlite").exists())  # nothing was run
         self.assertIn("nowhere.sqlite: there is no such file", placedpar("report", "nowhere.cfs").stderr)
 
     def test_a_file_that_is_wrong_is_shown_where(self):

@@ -116,8 +116,8 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
     const Catalogue kinds = known_kinds(problems);
     std::vector<StudyMeasure> missing(measures.begin(), measures.end());
     PossibleMeasures possible;
-    auto all_found_with = [&](const Network& seen) {
-        possible.add(seen, kinds, problems);
+    auto all_found_with = [&](const Network& another) {
+        possible.add(another, kinds, problems);
         std::erase_if(missing, [&](const StudyMeasure& each) { return possible.has(each); });
         return missing.empty();
     };
