@@ -19,7 +19,8 @@ namespace {
 
 constexpr Eigen::Index ways = all_ways.size();
 constexpr std::size_t fewest_at_rest = 4;
-/// (in^3/s)^2 of each sample, beyond the noise of the sensors: of the equations; at rest of a converter and of friction.
+/// (in^3/s)^2 of each sample, beyond the noise of the sensors: of the equations; at rest of a converter and of
+/// friction.
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The share of the slopes' noise by which it may be known wrongly: 50 readings and a median.
 constexpr double noise_known_within = 0.3;
@@ -84,9 +85,8 @@ public:
     }
     /// What a reading of the spool that is too high by one inch changes: it stands lower.
     VectorXd by_offset(const JunctionSamples& samples, std::size_t junction) const {
-        return by(samples, 0.1 * units_[junction].offset_in, [&](JunctionSamples& to, double step) {
-            to[junction] = with_spool_moved(to[junction], -step);
-        });
+        return by(samples, 0.1 * units_[junction].offset_in,
+                  [&](JunctionSamples& to, double step) { to[junction] = with_spool_moved(to[junction], -step); });
     }
 
 private:
@@ -195,9 +195,9 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
     const auto height = static_cast<Eigen::Index>(balance.junctions());
     const auto count = static_cast<Eigen::Index>(movement.moving.size());
     MovingRows moving{NoisyRows(height * count, balance.unknowns(), least_variance_moving), {}};
-    moving.rows.missed =
-        by_sample(movement, balance.junctions(), [&](const JunctionSamples& each) { return balance.missed(each); })
-            .reshaped();
+    moving.rows.missed = by_sample(movement, balance.junctions(), [&](const JunctionSamples& each) {
+                             return balance.missed(each);
+                         }).reshaped();
     for (std::size_t j = 0; j < balance.junctions(); ++j)
         moving.compliance_noise.push_back(add_link(moving.rows, balance, movement, j, noises[j]));
     return moving;

@@ -37,8 +37,8 @@ constexpr double noise_worth_rows = 8;
 double noise_variance(const std::vector<double>& readings, double gain) {
     std::vector<double> differences;
     for (std::size_t i = 4; i < readings.size(); ++i)
-        differences.push_back(std::abs(readings[i] - 4 * readings[i - 1] + 6 * readings[i - 2] - 4 * readings[i - 3] +
-                                       readings[i - 4]));
+        differences.push_back(
+            std::abs(readings[i] - 4 * readings[i - 1] + 6 * readings[i - 2] - 4 * readings[i - 3] + readings[i - 4]));
     auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
     std::ranges::nth_element(differences, middle);
     constexpr double median_of_normal = 0.6745;

@@ -9,7 +9,8 @@ namespace placedpar::identification {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// By how much the fourth differences of white noise, and of the 5-point slopes of white noise, have a greater variance.
+/// By how much the fourth differences of white noise, and of the 5-point slopes of white noise, have a greater
+/// variance.
 inline constexpr double white_gain = 70, slope_gain = 25.2;
 
 /// The variance of what is noise in readings, by the median of their fourth differences, which are next to 0 of what is

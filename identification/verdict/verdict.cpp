@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 7> verdict_names{"sound",  "compliance", 
 /// What a mean of many movements may still be off by, in units; ours.
 constexpr double mean_repeats_within = 0.05;
 
-/// Machines of a kind differ in health, in each way by this standard deviation, in units: 10 % of the compliance, evenly.
+/// Machines of a kind differ in health, in each way by this standard deviation, in units: 10 % of the compliance,
+/// evenly.
 constexpr double kind_within = 0.3;
 
 Deviation kind_in_health() { return {Vector3d::Zero(), Matrix3d::Identity() * kind_within * kind_within}; }

@@ -16,10 +16,10 @@ inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
 /// What is wrong with a machine, and what it is to be called.
 struct TestedFault {
     PlantFault fault;
-    double compliance_factor;                   ///< times the machine's own
-    identification::AlarmKind called;           ///< of the boom
-    bool from_first_day = false;                ///< or after three sound movements
-    double units = 1;                           ///< of WayUnits
+    double compliance_factor;         ///< times the machine's own
+    identification::AlarmKind called; ///< of the boom
+    bool from_first_day = false;      ///< or after three sound movements
+    double units = 1;                 ///< of WayUnits
     /// %: of the machines, unless theory's limit is below it, and of those found.
     double least_found = 90, least_called = 95;
 };

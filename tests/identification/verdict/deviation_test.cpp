@@ -48,6 +48,17 @@ Deviation deviation_of(const FaultyPlant& question, const Faults& faults, std::u
         .front();
 }
 
+/// Of bucket and boom, one after the other, which are known by their areas.
+std::vector<Deviation> two_links(const Faults& faults, const char* noise, std::uint64_t seed) {
+    const FaultyPlant both{"links", noise, {Link::bucket, Link::boom}};
+    const Circuit circuit = circuit_of(Configuration::a, both.links);
+    REQUIRE(circuit[0].link == Link::bucket);
+    return deviations(circuit, flow_constants(),
+                      std::array{LinkInHealth{0.0050, AreasFrom::areas}, LinkInHealth{0.0086, AreasFrom::areas}},
+                      moved(both, faults, seed))
+        .value();
+}
+
 /// By how many standard errors of each way the deviation is from what is so.
 Eigen::Vector3d standardised(const Deviation& found, const Eigen::Vector3d& truth) {
     return (found.by - truth).cwiseQuotient(found.covariance.diagonal().cwiseSqrt());
@@ -88,25 +99,41 @@ TEST_CASE("the standard errors are honest") {
     }
 }
 
+TEST_CASE("the standard errors are those of what scatters, of one link and of two") {
+    for (bool two : {false, true}) {
+        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(two ? 4 : 2), squares = sum; // areas have no offset
+        constexpr int movements = 60;
+        for (std::uint64_t seed = 101; seed < 101 + movements; ++seed) {
+            const auto found =
+                two ? two_links({}, "high", seed) : std::vector{deviation_of({"scenario-a", "high"}, {}, seed)};
+            Eigen::ArrayXd off(sum.size());
+            for (std::size_t j = 0; j < found.size(); ++j)
+                off.segment<2>(2 * static_cast<Eigen::Index>(j)) = standardised(found[j], {0, 0, 0}).head<2>();
+            sum += off;
+            squares += off.square();
+        }
+        const Eigen::ArrayXd variances = (squares - sum.square() / movements) / (movements - 1);
+        CAPTURE(variances.transpose());
+        CHECK(variances.minCoeff() > 0.5);
+        CHECK(variances.maxCoeff() < 1.6);
+    }
+}
+
 TEST_CASE("two links that share flow are told apart") {
-    const FaultyPlant both{"links", "low", {Link::bucket, Link::boom}};
-    const Circuit circuit = circuit_of(Configuration::a, both.links);
-    std::vector<LinkInHealth> health;
-    for (const Junction& junction : circuit)
-        health.push_back({junction.link == Link::boom ? 0.0086 : 0.0050, AreasFrom::areas});
     auto found = [&](const Faults& faults, Link link) {
         Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-            auto all = deviations(circuit, flow_constants(), health, moved(both, faults, seed)).value();
-            mean += all[circuit[0].link == link ? 0 : 1].by / 3;
-        }
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+            mean += two_links(faults, "low", seed)[link == Link::bucket ? 0 : 1].by / 3;
         return mean;
     };
     for (Link link : {Link::bucket, Link::boom})
         CHECK(found({}, link).cwiseAbs().maxCoeff() < 0.2);
-    const Faults softer{{"boom.inlet_compliance", 0.01032}};
+    const Faults softer{{"boom.inlet_compliance", 0.01032}}, leaking{{"fault.leak", 0.0014}};
     CHECK(found(softer, Link::boom)[0] == doctest::Approx(1).epsilon(0.2));
     CHECK(std::abs(found(softer, Link::bucket)[0]) < 0.2);
+    CHECK(found(leaking, Link::boom)[1] == doctest::Approx(1).epsilon(0.1));
+    CHECK(std::abs(found(leaking, Link::boom)[0]) < 0.2);
+    CHECK(found(leaking, Link::bucket).cwiseAbs().maxCoeff() < 0.2);
 }
 
 TEST_CASE("too little of a movement says nothing") {

@@ -47,6 +47,23 @@ TEST_CASE("less than half a unit, and a leak that gives, are not suspected") {
     CHECK(movements_until_raised(seen(0, -1, 0, 0.1)) == 0);
 }
 
+TEST_CASE("what it is compared with is known in part: plain ones take two all the same, others more") {
+    auto until = [](double compliance, double error) {
+        SequentialTest test;
+        const Deviation health{{0, 0, 0}, Eigen::Matrix3d::Identity() * 0.3 * 0.3};
+        for (std::size_t i = 1; i <= 20; ++i) {
+            test.take(seen(compliance, 0, 0, error), health, {2, 2, 2});
+            if (test.raised())
+                return i;
+        }
+        return std::size_t{0};
+    };
+    CHECK(until(5, 0.01) == 2); // a movement counts as no more information than its ratio
+    CHECK(until(2, 0.01) == 2);
+    CHECK(until(2, 0.8) > 2);
+    CHECK(until(1.2, 0.2) == 0); // within what sound ones differ by
+}
+
 TEST_CASE("raised once, it is cleared by three movements that are sound, and not before") {
     SequentialTest test;
     for (int i = 0; i < 50; ++i)
