@@ -25,8 +25,6 @@ public:
     /// The next fiber that Boost announces is a new worker's.
     void expect_worker() { newest_ = nullptr, expecting_worker_ = true; }
     Context* newest_worker() const { return newest_; }
-    /// From now on a fiber that ends hands over to the host.
-    void dismissing(bool on) { dismissing_ = on; }
 
     void awakened(Context* context) noexcept override {
         if (std::exchange(expecting_worker_, false))
@@ -36,8 +34,6 @@ public:
     }
 
     Context* pick_next() noexcept override {
-        if (dismissing_)
-            return host_;
         if (resting_.empty())
             return nullptr;
         Context* next = resting_.front();
@@ -54,7 +50,6 @@ private:
     Context* newest_ = nullptr;
     std::deque<Context*> resting_; ///< fibers that are no workers
     bool expecting_worker_ = false;
-    bool dismissing_ = false;
 };
 
 } // namespace placedpar

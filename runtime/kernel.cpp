@@ -304,7 +304,6 @@ Ending Kernel::run(Time limit, Observer observer) {
     unwind_all();
     current_ = nullptr;
     boost::fibers::use_scheduling_algorithm<boost::fibers::algo::round_robin>();
-    boost::this_fiber::yield(); // Boost's dispatcher frees the stacks of the workers
     scheduler_ = nullptr;
     if (failure_)
         std::rethrow_exception(failure_);
@@ -342,14 +341,6 @@ void Kernel::unwind_all() {
             switch_to(p);
         p->activity_ = Activity::ended;
     }
-    scheduler_->dismissing(true);
-    for (auto& worker : workers_) {
-        worker->dismissed = true;
-        host_stack_.leave_for(worker->stack);
-        worker->resume();
-        host_stack_.arrive();
-    }
-    scheduler_->dismissing(false);
     workers_.clear();
     idle_.clear();
 }

@@ -19,8 +19,8 @@ constexpr std::size_t most_protected = 16'000;
 /// as by mprotect, but their mapping stays one.
 constexpr int guard_install = 102;
 
-/// Returns whether it could. Number: how many zones there are before this one.
-bool guard(std::byte* zone, std::size_t number) {
+/// Returns whether it could. `number`: of zones before this one.
+bool guard_zone(std::byte* zone, std::size_t number) {
     if (SwitchedStack::watched)
         return false;
     return madvise(zone, Stack::zone_bytes, guard_install) == 0 ||
@@ -49,7 +49,7 @@ Stack StackArena::allocate() {
     if (allocated_ % stacks_in_a_piece == 0)
         add_piece();
     std::byte* zone = pieces_.back() + allocated_ % stacks_in_a_piece * slice_bytes;
-    bool guarded = guard(zone, allocated_++);
+    bool guarded = guard_zone(zone, allocated_++);
     return {zone + Stack::zone_bytes, guarded};
 }
 

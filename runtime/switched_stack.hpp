@@ -20,15 +20,13 @@ namespace placedpar {
 /// a jump out of the stack. Compiled without the sanitizer, this does nothing.
 ///
 /// 1. lies_at, once the stack's memory is known.
-/// 2. To switch: leave_for(the other stack), or end_for if this one is left for good; then switch.
+/// 2. To switch: leave_for(the other stack), then switch.
 /// 3. On arrival: arrive; the first time arrive_from(the stack that was left).
 class SwitchedStack {
 public:
 #if defined(PLACEDPAR_ADDRESS_SANITIZER)
     static constexpr bool watched = true;
     void leave_for(const SwitchedStack& to) { __sanitizer_start_switch_fiber(&fake_stack_, to.bottom_, to.bytes_); }
-    /// The stack is left for good.
-    void end_for(const SwitchedStack& to) { __sanitizer_start_switch_fiber(nullptr, to.bottom_, to.bytes_); }
     void arrive() { __sanitizer_finish_switch_fiber(fake_stack_, nullptr, nullptr); }
     /// The first arrival, which also tells where the stack that was left lies.
     void arrive_from(SwitchedStack& from) { __sanitizer_finish_switch_fiber(nullptr, &from.bottom_, &from.bytes_); }
@@ -41,7 +39,6 @@ private:
 #else
     static constexpr bool watched = false;
     void leave_for(const SwitchedStack&) {}
-    void end_for(const SwitchedStack&) {}
     void arrive() {}
     void arrive_from(SwitchedStack&) {}
     void lies_at(const void*, std::size_t) {}

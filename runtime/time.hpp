@@ -57,8 +57,8 @@ public:
 
 private:
     std::int64_t hertz_;
-    Time cycle_;                                               ///< rounded down
-    std::int64_t left_ = 1'000'000'000'000 % hertz_;           ///< of a cycle then, in picoseconds / hertz
+    Time cycle_;                                                           ///< rounded down
+    std::int64_t left_ = 1'000'000'000'000 % hertz_;                       ///< of a cycle then, in picoseconds / hertz
     std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1); ///< cycles for which 64 bits are enough
 };
 

@@ -39,7 +39,7 @@ Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory)
 
 void Worker::work(Kernel& kernel) {
     stack.arrive_from(*kernel.stack_left_);
-    while (!dismissed) {
+    for (;;) {
         Process& self = *process;
         try {
             self.body_();
@@ -55,7 +55,6 @@ void Worker::work(Kernel& kernel) {
         else
             kernel.switch_to(next);
     }
-    stack.end_for(kernel.host_stack_);
 }
 
 } // namespace placedpar

@@ -10,20 +10,24 @@ namespace placedpar {
 class Kernel;
 class Process;
 
-/// A fiber that runs the bodies of processes, one after the other.
+/// A fiber that runs the bodies of processes, one after the other. It never ends: Boost's way to end one takes 5 Kbyte
+/// of its stack, another page of memory for each, and with a worker without a process there is nothing to unwind.
 class Worker {
 public:
-    /// The memory must outlast the run.
+    /// The memory must outlast it.
     Worker(Kernel&, const Stack& memory);
+    /// Leaves the fiber where it is. REQUIRES: it runs no process.
+    ~Worker() { context_->worker_unlink(); }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
     void resume() { context_->resume(); }
 
     Process* process = nullptr; ///< whose body it runs, or will run next
-    bool dismissed = false;     ///< it ends when it is resumed next
     const Stack memory;
     SwitchedStack stack;
 
 private:
-    void work(Kernel&);
+    [[noreturn]] void work(Kernel&);
 
     boost::fibers::context* context_;
 };

@@ -1,4 +1,4 @@
-#include "runtime/hardware/link_closed_form.hpp"
+// The closed form of a link.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -96,7 +96,8 @@ bool LinkDirection::must_be_seen() const {
 /// Of its receiver it is certain that he will take the byte under way, and others will follow. One that still waits for
 /// the end of the part before may not.
 bool LinkDirection::is_sure_of_its_receiver() const {
-    return receiver_ && part_.bytes_left > 0 && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
+    return receiver_ && part_.bytes_left > 0 && !last_byte_arrived_[0].scheduled() &&
+           !last_byte_arrived_[1].scheduled();
 }
 
 void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {

@@ -47,9 +47,7 @@ struct LinkStreams {
     bool is_in_phase_with(const LinkStreams& then, std::size_t other) const;
 
 private:
-    std::size_t wire_of(std::size_t direction) const {
-        return direction ^ std::size_t{streams[direction].acknowledge};
-    }
+    std::size_t wire_of(std::size_t direction) const { return direction ^ std::size_t{streams[direction].acknowledge}; }
     Time begin_of_next(std::size_t direction) const;
     void begin_packet(const PacketTimes&, std::size_t direction);
 };
@@ -76,8 +74,8 @@ struct Repetition {
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
     bool is_simple(std::size_t direction) const { return flows[direction].bytes_a_period <= 2; }
-    /// How far a direction is at that moment. REQUIRES: is_simple(direction), since <= moment, and nothing has been seen
-    /// by then.
+    /// How far a direction is at that moment. REQUIRES: is_simple(direction), since <= moment, and nothing has been
+    /// seen by then.
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
         const Flow& flow = flows[direction];
         if (flow.bytes_a_period == 0)

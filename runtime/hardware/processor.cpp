@@ -46,7 +46,8 @@ void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
 
 Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call, const Memory& memory)
     : Executive(std::move(name), costs_with(channel_call, memory)), kernel_(kernel),
-      clock_(checked_clock(clock_hz, this->name())), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)} {
+      clock_(checked_clock(clock_hz, this->name())), engines_{.bytes_in_a_word =
+                                                                  static_cast<std::uint32_t>(memory.bytes_in_a_word)} {
     if (memory.access < Cycles{1} || (memory.bytes_in_a_word != 2 && memory.bytes_in_a_word != 4))
         throw std::logic_error("processor " + this->name() +
                                ": an access to its memory takes a cycle or more, and a word has 2 or 4 bytes");
