@@ -93,6 +93,7 @@ private:
     std::vector<hardware::Link*> links_;                                   ///< by connection; null for ways over a bus
     std::vector<std::vector<const hardware::FaultEffect*>> fault_effects_; ///< by fault, of each link it strikes
     std::vector<hardware::VmeMaster*> hogs_;                               ///< by fault; null where it is of no bus
+    std::vector<const hardware::BusSlave::Absence*> absences_;             ///< by fault; null where it is none
     std::vector<hardware::VmeBus*> buses_;                                 ///< by node; null where it is none
     std::vector<hardware::VmeMaster*> masters_;                            ///< by attachment; null where it is none
     std::vector<hardware::DualPortedMemory*> memories_;                    ///< by attachment; null where it has none

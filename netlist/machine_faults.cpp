@@ -79,7 +79,7 @@ void Machine::hog(const Fault& fault) {
 /// An adapter without a wire answers nobody anyway.
 void Machine::leave_bus(const Fault& fault) {
     if (hardware::BusSlave* slave = slaves_[fault.node])
-        slave->leave(begin_of(fault), end_of(fault));
+        absences_.back() = &slave->leave(begin_of(fault), end_of(fault));
 }
 
 /// A device that falls silent does so at its end of each of its links.
@@ -87,6 +87,7 @@ void Machine::make_faults() {
     for (const Fault& fault : network_.faults) {
         fault_effects_.emplace_back();
         hogs_.push_back(nullptr);
+        absences_.push_back(nullptr);
         if (fault.link >= 0) {
             strike_links_at(fault);
             continue;
@@ -154,8 +155,8 @@ std::vector<FaultUse> Machine::fault_uses() const {
             add_effect(use, *effect);
         if (const hardware::VmeMaster* master = hogs_[i]; master && master->grants() > 0)
             use.held_since = begin_of(fault) + master->time_waited();
-        if (leaves_the_bus(fault) && slaves_[fault.node])
-            use.bus_errors = slaves_[fault.node]->unanswered();
+        if (absences_[i])
+            use.bus_errors = absences_[i]->unanswered;
         if (fault.link < 0)
             use.stopped = stopped_on(fault.node);
         use.stopped_channels = channels_stopped_by(fault);

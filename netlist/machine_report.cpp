@@ -78,6 +78,8 @@ RunReport Machine::run(Time limit) {
         throw UserError(fmt::format("{}: {}\nhint: a broadcast is one message for all that are placed on the bus; a "
                                     "channel that is not placed there has messages of its own",
                                     failure_in_words(*simulation_.who_failed(), network_), refused.what()));
+    } catch (const hardware::BusError& error) { // of a router, over a bus; a program's names it already
+        throw UserError(fmt::format("{}: {}", failure_in_words(*simulation_.who_failed(), network_), error.what()));
     }
     forget_waits_that_end(report);
     if (report.result.deadlock)

@@ -68,13 +68,15 @@ void Kernel::unwind_running() {
     throw Unwinding{};
 }
 
-void Kernel::takes_no_time() {
+void Kernel::takes_no_time(std::uint64_t operations_unheeded) {
     throw_if_unwinding();
-    if (interrupted_.load(std::memory_order_relaxed))
-        return give_way();
     if (std::exchange(operations_at_, now_) != now_)
         operations_at_once_ = 0;
-    if (++operations_at_once_ > most_operations_at_once)
+    if (++operations_at_once_ <= operations_unheeded)
+        return;
+    if (interrupted_.load(std::memory_order_relaxed))
+        return give_way();
+    if (operations_at_once_ > most_operations_at_once)
         throw std::logic_error(fmt::format("process {} computes for ever without any time passing", running_->path()));
 }
 

@@ -106,11 +106,12 @@ public:
     }
     /// The running process does something that takes no time. Lets the run be interrupted; throws std::logic_error when
     /// it has done so `most_operations_at_once` times since time last passed: nothing else would ever happen.
-    void takes_no_time();
-    /// The same of reading the clock, which destructors may do while a process is unwound.
+    void takes_no_time() { takes_no_time(0); }
+    /// The same of reading the clock, but destructors may do that: it does not throw while a process is unwound, nor
+    /// before much has been done since time last passed.
     void reads_clock() {
         if (!unwinding_)
-            takes_no_time();
+            takes_no_time(most_operations_at_once / 1000);
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
     /// Makes the process ready when the work is over. It waits until then.
@@ -151,6 +152,7 @@ private:
 
     [[noreturn]] static void refuse_outside_a_run();
     [[noreturn]] void unwind_running();
+    void takes_no_time(std::uint64_t operations_unheeded);
 
     void add(Process&);
     void remove(Process&);

@@ -387,7 +387,7 @@ std::string print_never_ran(const std::vector<std::string>& names) {
     std::size_t shown = std::min(names.size(), most), left_out = names.size() - shown;
     return fmt::format("\nnever ran: {}{}\n",
                        fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                       left_out > 0 ? fmt::format(" and {} others", left_out) : "");
+                       left_out > 0 ? " and " + counted(left_out, "other") : "");
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -37,6 +38,9 @@ bool are_meant(const RunsAhead& ahead) {
     if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
         throw UserError(many + "; --yes begins with them");
     fmt::print(stderr, "{}. Begin? [y/N] ", many);
+    pollfd answers{STDIN_FILENO, POLLIN, 0};
+    if (::poll(&answers, 1, -1) < 0) // a signal came: std::getline would go on waiting
+        return false;
     std::string answer;
     std::getline(std::cin, answer);
     return lower_case(answer).starts_with("y");

@@ -30,7 +30,7 @@ const NodeType* find_type(const Scopes& scopes, const std::string& name) {
 NodeType with_attributes_of(NodeType type, const Node& untyped) {
     for (const auto& name : untyped.given)
         type.preset.attributes[name] = untyped.attributes.at(name);
-    type.preset.given = untyped.given;
+    type.preset.given.insert(untyped.given.begin(), untyped.given.end());
     for (const auto& [name, value] : untyped.other)
         type.preset.other[name] = value;
     return type;

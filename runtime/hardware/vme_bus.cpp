@@ -157,6 +157,16 @@ VmeMaster::VmeMaster(Kernel& kernel, std::string name, VmeBus& bus, const VmePla
     bus.attach(*this);
 }
 
+bool BusSlave::answer(Time now) {
+    bool there = true;
+    for (Absence& each : absences_)
+        if (now >= each.from && now < each.until) {
+            ++each.unanswered;
+            there = false;
+        }
+    return there;
+}
+
 void VmeMaster::move_words(BusSlave& slave, std::uint64_t words) {
     require_answer(slave);
     move(words, bus_.timing().word);

@@ -41,19 +41,18 @@ public:
     virtual ~BusSlave() = default;
     virtual const std::string& bus_name() const = 0;
 
-    /// As a board that is pulled out of its slot, from one moment to another. Called before the run.
-    void leave(Time from, Time until) { left_ = from, back_ = until; }
+    /// From one moment to another it is not there, as a board that is pulled out of its slot.
+    struct Absence {
+        Time from, until;
+        std::uint64_t unanswered = 0; ///< accesses
+    };
+    /// Adds one, which lasts as long as the slave. REQUIRES: before the run.
+    const Absence& leave(Time from, Time until) { return absences_.emplace_back(Absence{from, until}); }
     /// An access begins. Whether it is answered.
-    bool answer(Time now) {
-        bool there = now < left_ || now >= back_;
-        unanswered_ += !there;
-        return there;
-    }
-    std::uint64_t unanswered() const { return unanswered_; }
+    bool answer(Time now);
 
 private:
-    Time left_ = Time::max(), back_ = Time::max();
-    std::uint64_t unanswered_ = 0;
+    std::deque<Absence> absences_;
 };
 
 /// Nobody answered: the bus timer has ended the cycle.

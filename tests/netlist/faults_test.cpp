@@ -208,8 +208,26 @@ TEST_CASE("who asks something absent on a bus is told so by a bus error after th
     CHECK(said.find("process p (csp.producer) at ") != std::string::npos);
     CHECK(said.find("bus error: b does not answer a on bus vme within 125.000000 us") != std::string::npos);
     CHECK(refused_with("fault b absent (from = 1s);").empty());
+    CHECK(refused_with("fault b absent (until = 100us); fault b absent (from = 1s);").find(" at 1") !=
+          std::string::npos);                       // each of two, and not the last alone
     CHECK(refused_with("fault a absent;").empty()); // which nobody asks for anything
     CHECK(run_on_bus("fault b absent (from = 1s);").faults[0].had_effect() == false);
+}
+
+TEST_CASE("a router that asks something absent on a bus is told so as a program is") {
+    std::string said;
+    try {
+        Machine(network_of_stream(R"(workstation sun; VME vme; C011 ad; T800 a, b; connect sun.bus[0] to vme.slot[1];
+            connect ad.bus[0] to vme.slot[5]; connect ad.link[0] to a.link[0]; connect a.link[1] to b.link[0];
+            process p, c; use "csp.producer" for p; use "csp.consumer" for c; p (count = 10); c (count = 10);
+            connect p.out to c.in; place p on sun; place c on b; fault ad absent (from = 100us);)"),
+                csp(), 1)
+            .run();
+    } catch (const UserError& error) {
+        said = error.what();
+    }
+    CHECK(said.find("router ") != std::string::npos);
+    CHECK(said.find("bus error: ad does not answer sun on bus vme within 125.000000 us") != std::string::npos);
 }
 
 TEST_CASE("two hogs stand in two slots, and what is printed of one loads again") {

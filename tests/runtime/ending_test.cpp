@@ -113,6 +113,26 @@ TEST_CASE("unwound when interrupted") {
     CHECK(waiters.alive == 0);
 }
 
+TEST_CASE("a destructor may read the clock, also when the run has just been interrupted, and while it is unwound") {
+    struct Watch {
+        std::vector<Time>& ends;
+        ~Watch() { ends.push_back(now()); }
+    };
+    Simulation simulation;
+    std::vector<Time> ends;
+    simulation.process("p", [&] {
+        Watch whole{ends};
+        wait_for(microseconds{1});
+        {
+            Watch part{ends};
+            simulation.interrupt();
+        }
+        wait_for(microseconds{1});
+    });
+    CHECK(simulation.run().ending == Ending::interrupted);
+    CHECK(ends == std::vector<Time>{microseconds{1}, microseconds{1}});
+}
+
 TEST_CASE("unwound when the report at the end throws") {
     Kernel kernel;
     int alive = 0;

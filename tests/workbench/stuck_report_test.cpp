@@ -149,6 +149,8 @@ TEST_CASE("the report of a run names the processes that never ran") {
     for (int i = 0; i < 12; ++i)
         report.result.never_ran.push_back("r" + std::to_string(i));
     CHECK(print_report(report, *read.network).find(", r9 and 2 others\n") != std::string::npos);
+    report.result.never_ran.pop_back();
+    CHECK(print_report(report, *read.network).find(", r9 and 1 other\n") != std::string::npos);
 }
 
 TEST_CASE("in a deadlock only those that it holds wait for ever, not those that rehearse after the work") {
