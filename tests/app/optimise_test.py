@@ -325,6 +325,10 @@ class Refused(Optimise):
                      'did you mean "sink.rate"?')
         self.assertFalse((self.folder / "refused.sqlite").exists())
 
+    def test_a_measure_of_a_process_that_there_is_not(self):
+        self.refuses(STUDY.format(minimise='"sink[3].time"'),
+                     'there is no measure "sink[3].time"; did you mean "sink.time"?')
+
     def test_a_measure_that_some_machines_alone_have_is_none_to_refuse(self):
         self.write("small.cfs", NETLIST + "if wires > 3 {\n    process more, still;\n"
                                           '    use "csp.producer" for more;\n    use "csp.consumer" for still;\n'

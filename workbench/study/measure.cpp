@@ -34,10 +34,9 @@ std::string name_of_array(const std::string& figure) {
                : figure.substr(0, bracket) + figure.substr(dot);
 }
 
-std::string say_there_is_no(const StudyMeasure& measure, const std::set<std::string>& known) {
+std::string say_there_is_no(const std::string& measure, const std::set<std::string>& known) {
     std::vector<std::string> names(known.begin(), known.end());
-    return there_is_no("measure", measure.name_without_subscripts(), names,
-                       fmt::format("the runs have {}", fmt::join(names, ", ")));
+    return there_is_no("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
 }
 
 /// Boost.JSON 1.81 reads some numbers a last bit off.
@@ -137,7 +136,7 @@ std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures&
     std::set<std::string> names;
     for (const auto& each : figures)
         names.insert(name_of_array(each.first));
-    return say_there_is_no(measure, names);
+    return say_there_is_no(measure.text(), names);
 }
 
 void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const ProblemRegistry& problems) {
@@ -174,7 +173,7 @@ bool PossibleMeasures::has(const StudyMeasure& measure) const {
 }
 
 std::string PossibleMeasures::there_is_no(const StudyMeasure& measure) const {
-    return say_there_is_no(measure, names_);
+    return say_there_is_no(measure.name_without_subscripts(), names_);
 }
 
 } // namespace placedpar

@@ -29,10 +29,11 @@ Network network_of(const Study& study, const Overrides& set) {
 /// last and some that are drawn.
 void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
     RandomStream random(0, "networks of a study");
-    const std::uint64_t count = study.count();
+    const std::uint64_t count = study.count() / study.seeds; // a network is that of all seeds
     for (std::uint64_t i = 0; i < std::min(count, most_read); ++i) {
         std::uint64_t drawn = (std::uint64_t{random()} << 32 | random()) % count;
-        std::optional<StudyRun> run = study.at(count <= most_read || i == 0 ? i : i == 1 ? count - 1 : drawn);
+        std::uint64_t network = count <= most_read || i == 0 ? i : i == 1 ? count - 1 : drawn;
+        std::optional<StudyRun> run = study.at(network * study.seeds);
         try {
             if (run && look(network_of(study, run->set)))
                 return;
