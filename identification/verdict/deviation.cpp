@@ -262,6 +262,8 @@ void add_moving(Equations& equations, const MovingRows& moving) {
 void add_rest(Equations& equations, const NoisyRows& rest, std::size_t junction) {
     const Weights weights(rest);
     const Eigen::Index leak = row_of(junction) + 1; // nothing else is told apart there
+    if (weights.information()(leak, leak) == 0)     // nor a leak, without pressure
+        return;
     VectorXd by = VectorXd::Zero(equations.pull.size());
     by[leak] = weights.pull()[leak] / weights.information()(leak, leak);
     const double scale = weights.scale(by, 1);

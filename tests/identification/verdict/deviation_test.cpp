@@ -142,6 +142,20 @@ TEST_CASE("too little of a movement says nothing") {
     CHECK_FALSE(deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement));
 }
 
+TEST_CASE("rest without pressure tells nothing of a leak") {
+    MovementSamples movement = moved({"scenario-a", "high"}, {}, 1);
+    REQUIRE(movement.at_rest.size() >= 4);
+    for (JunctionSamples& samples : movement.at_rest)
+        samples.front().inlet_psi = 0;
+    auto found = [&] {
+        return deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement);
+    };
+    const auto with_rest = found();
+    movement.at_rest.clear();
+    REQUIRE(with_rest);
+    CHECK(with_rest == found());
+}
+
 TEST_CASE("the noise of the slopes does not make a compliance smaller") {
     for (const char* plant : {"scenario-a", "excavator"}) {
         double mean = 0;
