@@ -129,10 +129,16 @@ inline void Kernel::pass_to(Time next) {
     }
 }
 
+/// Roughly: of each one looks at ten lines, and a second-level cache has some 8,000, for all that there is.
+constexpr std::size_t stacks_in_a_cache = 500;
+
 Process* Kernel::choose_next() {
     while (!over()) {
-        if (Process* p = choose_ready())
+        if (Process* p = choose_ready()) {
+            if (workers_.size() > stacks_in_a_cache) [[unlikely]]
+                Worker::fetch_stack(running_, *p);
             return p;
+        }
         if (!future_.empty())
             pass_to(future_.next_time());
         else if (!go_on_after_work())

@@ -37,6 +37,17 @@ Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory)
     context_ = kernel.scheduler_->newest_worker();
 }
 
+// What a process looks at first are its registers, at the end of its stack, and its youngest frames above them: it
+// would wait for them line by line.
+void Worker::fetch_stack(const Process* leaves, const Process& next) {
+    constexpr std::ptrdiff_t line = 64, lines_below = 2, lines_above = 8;
+    if (leaves && leaves->worker_)
+        leaves->worker_->stack_ends_ = static_cast<const std::byte*>(__builtin_frame_address(0));
+    if (const std::byte* end = next.worker_ ? next.worker_->stack_ends_ : nullptr)
+        for (std::ptrdiff_t i = -lines_below; i < lines_above; ++i)
+            __builtin_prefetch(end + i * line);
+}
+
 void Worker::work(Kernel& kernel) {
     stack.arrive_from(*kernel.stack_left_);
     for (;;) {

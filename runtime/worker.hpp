@@ -5,6 +5,8 @@
 
 #include <boost/fiber/context.hpp>
 
+#include <cstddef>
+
 namespace placedpar {
 
 class Kernel;
@@ -21,6 +23,10 @@ public:
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
     void resume() { context_->resume(); }
+    /// With so many workers that their stacks are in no cache: notes where the stack ends of the process that leaves,
+    /// and begins to fetch what the next one looks at first. REQUIRES: the caller runs on the stack of the one that
+    /// leaves, which may be null or have ended.
+    [[gnu::noinline]] static void fetch_stack(const Process* leaves, const Process& next);
 
     Process* process = nullptr; ///< whose body it runs, or will run next
     const Stack memory;
@@ -30,6 +36,7 @@ private:
     [[noreturn]] void work(Kernel&);
 
     boost::fibers::context* context_;
+    const std::byte* stack_ends_ = nullptr; ///< where it was left; null where nobody has noted that
 };
 
 } // namespace placedpar
