@@ -129,7 +129,8 @@ inline void Kernel::pass_to(Time next) {
     }
 }
 
-/// Roughly: of each one looks at ten lines, and a second-level cache has some 8,000, for all that there is.
+/// A rough figure of ours: a process that goes on looks at some ten lines of its stack, and a second-level cache of
+/// half a Mbyte has 8,000 for everything.
 constexpr std::size_t stacks_in_a_cache = 500;
 
 Process* Kernel::choose_next() {

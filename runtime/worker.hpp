@@ -23,9 +23,9 @@ public:
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
     void resume() { context_->resume(); }
-    /// With so many workers that their stacks are in no cache: notes where the stack ends of the process that leaves,
-    /// and begins to fetch what the next one looks at first. REQUIRES: the caller runs on the stack of the one that
-    /// leaves, which may be null or have ended.
+    /// Worth its time where there are so many workers that their stacks are in no cache: notes how far the stack of the
+    /// process that leaves is in use, and begins to fetch what the next one looks at first. REQUIRES: the caller runs
+    /// on the stack of the one that leaves, which may be null or have ended.
     [[gnu::noinline]] static void fetch_stack(const Process* leaves, const Process& next);
 
     Process* process = nullptr; ///< whose body it runs, or will run next
