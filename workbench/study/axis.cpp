@@ -103,8 +103,13 @@ std::string StudyValues::at(std::uint64_t index) const {
 
 std::uint64_t StudyAxis::count() const {
     std::uint64_t sum = 0;
-    for (const StudyValues& part : parts)
+    for (const StudyValues& part : parts) {
+        if (part.count() > std::numeric_limits<std::uint64_t>::max() - sum)
+            throw UserError(
+                fmt::format("{}: its {} ranges and values are more values than can be counted: more than {}", name,
+                            parts.size(), std::numeric_limits<std::uint64_t>::max()));
         sum += part.count();
+    }
     return sum;
 }
 

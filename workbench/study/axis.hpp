@@ -33,6 +33,7 @@ struct StudyAxis {
     std::string name;
     std::vector<StudyValues> parts;
 
+    /// Throws UserError where 64 bits do not hold it.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     std::string at(std::uint64_t index) const;

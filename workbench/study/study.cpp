@@ -1,6 +1,9 @@
 #include "workbench/study/study.hpp"
 
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <limits>
 #include <utility>
@@ -9,22 +12,43 @@ namespace placedpar {
 
 namespace {
 
-[[noreturn]] void refuse_endless() { throw UserError("the study has more runs than can be counted"); }
+constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
-std::uint64_t product_of(std::uint64_t a, std::uint64_t b) {
-    if (b != 0 && a > std::numeric_limits<std::uint64_t>::max() / b)
-        refuse_endless();
-    return a * b;
+[[noreturn]] void refuse_endless(const std::string& why) {
+    throw UserError(fmt::format("the study has more runs than can be counted: {} are more than {}", why, most));
+}
+
+/// What makes it so large.
+[[noreturn]] void refuse_endless(const StudyProduct& product, std::uint64_t seeds) {
+    std::size_t several = 0;
+    std::string values;
+    for (const StudyAxis& axis : product.axes)
+        if (std::uint64_t count = axis.count(); count > 1)
+            values += fmt::format("{}{} of {}", several++ == 0 ? "" : ", ", count, axis.name);
+    refuse_endless(fmt::format("all combinations of {} with several values ({}), each with {},",
+                               counted(several, "setting"), values, counted(seeds, "seed")));
+}
+
+std::uint64_t count_with(std::uint64_t seeds, const StudyProduct& product) {
+    std::uint64_t runs = seeds;
+    for (const StudyAxis& axis : product.axes) {
+        std::uint64_t values = axis.count();
+        if (values != 0 && runs > most / values)
+            refuse_endless(product, seeds);
+        runs *= values;
+    }
+    return runs;
+}
+
+void require_seeds(std::uint64_t first, std::uint64_t seeds) {
+    if (seeds > 0 && first > most - (seeds - 1))
+        throw UserError(
+            fmt::format("there are no {} from {} on: the greatest is {}", counted(seeds, "seed"), first, most));
 }
 
 } // namespace
 
-std::uint64_t StudyProduct::count() const {
-    std::uint64_t count = 1;
-    for (const StudyAxis& axis : axes)
-        count = product_of(count, axis.count());
-    return count;
-}
+std::uint64_t StudyProduct::count() const { return count_with(1, *this); }
 
 Overrides StudyProduct::at(std::uint64_t index) const {
     Overrides set;
@@ -36,12 +60,13 @@ Overrides StudyProduct::at(std::uint64_t index) const {
 }
 
 std::uint64_t Study::count() const {
+    require_seeds(first_seed, seeds);
     std::uint64_t sum = 0;
     for (const StudyProduct& product : products) {
-        std::uint64_t count = product_of(product.count(), seeds);
-        if (sum + count < sum)
-            refuse_endless();
-        sum += count;
+        std::uint64_t runs = count_with(seeds, product);
+        if (runs > most - sum)
+            refuse_endless(fmt::format("the {} of [set] and [[also]] together", counted(products.size(), "product")));
+        sum += runs;
     }
     return sum;
 }

@@ -18,7 +18,7 @@ struct StudyProduct {
     std::vector<StudyAxis> axes;
     StudyCondition where{""};
 
-    /// Throws UserError where 64 bits do not hold it.
+    /// Throws UserError, which says what makes it so large, where 64 bits do not hold it.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     Overrides at(std::uint64_t index) const;
@@ -52,8 +52,8 @@ struct Study {
     std::vector<std::string> measures;
     std::optional<StudySearch> search = {}; ///< none: it is only swept
 
-    /// Runs, those with combinations for which the condition does not hold among them. Throws UserError where 64 bits
-    /// do not hold it.
+    /// Runs, those with combinations for which the condition does not hold among them. Throws UserError, which says
+    /// what makes it so large, where 64 bits do not hold it, or the last seed.
     std::uint64_t count() const;
     /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
     std::optional<StudyRun> at(std::uint64_t index) const;

@@ -68,8 +68,40 @@ TEST_CASE("a study is all combinations for which its condition holds, with each 
     CHECK(study.combinations().size() == 6);
     CHECK_THROWS_WITH_AS(two_axes("d > 0").at(0), doctest::Contains("the name \"d\" is undefined"), RefusedInput);
     CHECK_THROWS_AS(StudyCondition("a >"), RefusedInput);
-    study.seeds = std::numeric_limits<std::uint64_t>::max();
+}
+
+TEST_CASE("a study of more runs than 64 bits count is refused with what makes it so large") {
+    Study study;
+    study.products.push_back({{read_axis("a=0..65535"), read_axis("b=1..65536"), read_axis("once=1"),
+                               read_axis("c=1..65536"), read_axis("d=1..65535,7")}}); // 2^64: none, in 64 bits
+    CHECK_THROWS_WITH_AS(study.products[0].count(),
+                         doctest::Contains("4 settings with several values (65536 of a, 65536 of b, 65536 of c, 65536 "
+                                           "of d), each with 1 seed, are more than 18446744073709551615"),
+                         UserError);
     CHECK_THROWS_AS(study.count(), UserError);
+    study.products[0].axes.pop_back(); // 2^48
+    study.seeds = 65535;
+    CHECK(study.count() == 65535ULL << 48);
+    study.products.push_back({{read_axis("a=1..65536"), read_axis("b=1..4294967296")}});
+    study.seeds = 65536;
+    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("each with 65536 seeds, are more than"), UserError);
+    study.seeds = 32768;
+    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("the 2 products of [set] and [[also]] together"), UserError);
+}
+
+TEST_CASE("values and seeds that 64 bits do not count are refused") {
+    StudyAxis axis{"a", std::vector<StudyValues>(18'447, StudyValues("1..1000000000000000"))};
+    CHECK_THROWS_WITH_AS(axis.count(), doctest::Contains("a: its 18447 ranges and values are more"), UserError);
+    axis.parts.pop_back();
+    CHECK(axis.count() == 18'446'000'000'000'000'000U);
+    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+    Study study;
+    study.products.emplace_back();
+    study.seeds = most;
+    CHECK(study.count() == most);
+    study.first_seed = 2;
+    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("seeds from 2 on: the greatest is 18446744073709551615"),
+                         UserError);
 }
 
 TEST_CASE("a measure is one figure, or several in one") {
