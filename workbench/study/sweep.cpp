@@ -7,6 +7,8 @@
 #include "workbench/study/ranks.hpp"
 #include "workbench/workers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -23,6 +25,18 @@ constexpr std::uint64_t most_counted = 1'000'000; ///< runs that are looked up o
 Network network_of(const Study& study, const Overrides& set) {
     return load_network(
         study.netlist, set, known_problems(0), [](const std::string&) {}, study.read);
+}
+
+/// None where the condition does not hold for that combination, or where it is refused, which is noted.
+std::optional<Network> network_at(std::uint64_t combination, const Study& study,
+                                  std::vector<std::exception_ptr>& refusals) {
+    std::optional<StudyRun> run = study.at(combination * study.seeds);
+    try {
+        return run ? std::optional(network_of(study, run->set)) : std::nullopt;
+    } catch (const UserError&) {
+        refusals.push_back(std::current_exception());
+        return std::nullopt;
+    }
 }
 
 /// Calls `look` with networks of the study until it has seen enough: all that there are, or of very many the first, the
@@ -92,24 +106,21 @@ std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interru
 }
 
 Network readable_network(const Study& study) {
-    std::exception_ptr first;
-    std::uint64_t count = study.count(), step = std::max<std::uint64_t>(count / most_read, 1);
-    for (std::uint64_t i = 0; i < count; i += step) {
-        std::optional<StudyRun> run = study.at(i);
-        if (!run)
-            continue;
-        try {
-            return network_of(study, run->set);
-        } catch (const UserError&) {
-            if (!first)
-                first = std::current_exception();
-        }
-        if (count - i <= step)
-            break;
-    }
-    if (first)
-        std::rethrow_exception(first);
-    throw UserError("the study's condition leaves nothing to be run");
+    std::vector<std::exception_ptr> refusals;
+    const std::uint64_t count = study.count() / study.seeds; // a network is that of all seeds
+    const std::uint64_t step = count / most_read + 1;
+    for (std::uint64_t i = 0; i < most_read && i * step < count; ++i)
+        if (auto network = network_at(i * step, study, refusals))
+            return *network;
+    const bool none_held = refusals.empty(); // what the condition leaves may lie between those
+    for (std::uint64_t i = 0; none_held && i < std::min(count, most_counted) && refusals.size() < most_read; ++i)
+        if (auto network = network_at(i, study, refusals))
+            return *network;
+    if (!refusals.empty())
+        std::rethrow_exception(refusals.front());
+    throw UserError(count > most_counted
+                        ? fmt::format("the study's condition leaves none of the first {} combinations", most_counted)
+                        : "the study's condition leaves nothing to be run");
 }
 
 void require_possible(const std::vector<std::string>& measures, const Study& study, const Network& network) {

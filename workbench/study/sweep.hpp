@@ -16,8 +16,8 @@
 
 namespace placedpar {
 
-/// A netlist of the study: the first of some that are spread over it and that can be read. Throws what the very first
-/// is refused with where none can.
+/// A netlist of the study: the first of some that are spread over it, or where its condition leaves none of these the
+/// first of all, that can be read. Throws UserError where none can: what the first is refused with.
 Network readable_network(const Study&);
 
 /// Throws UserError for one of these measures that no run can have: none of all combinations, or where there are very
