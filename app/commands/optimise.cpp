@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -118,7 +119,7 @@ struct Session {
     MachineTrials trials{study, space, results, options.jobs, interruption};
 };
 
-/// That the search makes at most, but for those that are there.
+/// That the search makes at most, but for those that are there; the greatest number where they cannot be counted.
 std::uint64_t most_runs(const Session& session) {
     const StudySearch& wanted = *session.study.search;
     std::uint64_t bred = wanted.population - wanted.population / 2;
@@ -126,24 +127,28 @@ std::uint64_t most_runs(const Session& session) {
     std::uint64_t machines = session.options.random ? std::min(session.space.count(), 2 * drawn) : drawn;
     if (session.options.exhaustive)
         machines = session.space.count();
-    return session.study.seeds * machines;
+    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+    return machines > most / session.study.seeds ? most : session.study.seeds * machines;
+}
+
+std::optional<double> seconds_of(const Study& study, Session& session) {
+    return StudySweep(study, session.results).seconds_a_run(session.interruption);
 }
 
 /// Of one of the netlist as it is, or, where that is none, of the first machine. None when interrupted.
-std::optional<double> seconds_of_a_run(Session& session, const Trial& start) {
-    if (!start.simulated)
-        return StudySweep(session.study, session.results).seconds_a_run(session.interruption);
-    const Study as_it_is = study_of(session.study, {session.space.fixed()});
-    return StudySweep(as_it_is, session.results).seconds_a_run(session.interruption);
+std::optional<double> seconds_of_a_run(Session& session) {
+    std::optional<double> seconds = seconds_of(study_of(session.study, {session.space.fixed()}), session);
+    std::optional<StudyOutcome> start = session.results.find({session.space.fixed(), session.study.first_seed});
+    return start && start->refused.empty() ? seconds : seconds_of(session.study, session);
 }
 
 /// Whether to begin. An interrupted session is not.
-bool is_meant(Session& session, const Trial& start) {
+bool is_meant(Session& session) {
     std::uint64_t runs = most_runs(session);
     if (runs <= most_unasked || session.options.yes)
         return true;
-    std::optional<double> seconds = seconds_of_a_run(session, start);
-    return seconds && are_meant({runs, false, session.options.jobs, *seconds});
+    std::optional<double> seconds = seconds_of_a_run(session);
+    return seconds && are_meant({runs, false, session.options.jobs, *seconds}, session.interruption);
 }
 
 /// Each way that is wanted, until one is interrupted: false.
@@ -164,8 +169,10 @@ bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
 std::optional<Optimum> search_for(Session& session) {
     Optimum optimum;
     optimum.measures = session.study.search->minimise;
+    if (!is_meant(session))
+        return std::nullopt;
     std::optional<Trial> start = session.trials.of(session.space.fixed());
-    if (!start || !is_meant(session, *start))
+    if (!start)
         return std::nullopt;
     optimum.start = *start;
     Progress line;

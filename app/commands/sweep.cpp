@@ -139,7 +139,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     std::size_t at_once = options.jobs * (others ? others->ranks() : 1);
     if (missing.runs > most_unasked && !options.yes)
         if (auto seconds = sweep.seconds_a_run(interruption);
-            seconds && !are_meant({missing.runs, missing.exact, at_once, *seconds}))
+            seconds && !are_meant({missing.runs, missing.exact, at_once, *seconds}, interruption))
             return false;
     SweepProgress progress(missing);
     std::function<bool(bool)> serve;

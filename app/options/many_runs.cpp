@@ -29,7 +29,22 @@ std::string print_count(std::uint64_t count) {
     return digits;
 }
 
-bool are_meant(const RunsAhead& ahead) {
+namespace {
+
+constexpr int often_ms = 100; ///< a signal that comes between the question and the wait does not end the wait
+
+/// Until there is one, or the end of them. False when it was interrupted.
+bool wait_for_answer(const Interruption& interruption) {
+    pollfd answers{STDIN_FILENO, POLLIN, 0};
+    while (!interruption.requested())
+        if (::poll(&answers, 1, often_ms) > 0)
+            return true;
+    return false;
+}
+
+} // namespace
+
+bool are_meant(const RunsAhead& ahead, const Interruption& interruption) {
     std::string many = fmt::format(
         "{}{} runs of about {:.3g} s, {} on {}", ahead.exact ? "" : "up to ", print_count(ahead.runs),
         ahead.seconds_a_run,
@@ -38,11 +53,9 @@ bool are_meant(const RunsAhead& ahead) {
     if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
         throw UserError(many + "; --yes begins with them");
     fmt::print(stderr, "{}. Begin? [y/N] ", many);
-    pollfd answers{STDIN_FILENO, POLLIN, 0};
-    if (::poll(&answers, 1, -1) < 0) // a signal came: std::getline would go on waiting
-        return false;
     std::string answer;
-    std::getline(std::cin, answer);
+    if (!wait_for_answer(interruption) || !std::getline(std::cin, answer))
+        fmt::print(stderr, "\n"); // no answer ended the line
     return lower_case(answer).starts_with("y");
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "workbench/netlist_run.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,9 +20,10 @@ struct RunsAhead {
     double seconds_a_run;
 };
 
-/// Says how many they are and how long they take, and asks whether to begin. Throws UserError where nobody can be
-/// asked: standard input or standard error is no terminal.
-bool are_meant(const RunsAhead&);
+/// Says how many they are and how long they take, and asks whether to begin: not where nothing is answered, or the
+/// interruption is requested meanwhile. Throws UserError where nobody can be asked: standard input or standard error is
+/// no terminal.
+bool are_meant(const RunsAhead&, const Interruption&);
 
 /// "3 days", "4 min".
 std::string print_duration(double seconds);

@@ -1,6 +1,7 @@
 """placedpar sweep: what a study's runs come to, kept whatever happens, the same however they were made."""
 
 import contextlib
+import fcntl
 import json
 import os
 import pathlib
@@ -10,6 +11,7 @@ import signal
 import sqlite3
 import subprocess
 import tempfile
+import termios
 import time
 import unittest
 
@@ -203,15 +205,20 @@ class BadInput(InFolder):
     def test_a_billion_runs_are_not_begun_unasked(self):
         many = [FIGURE_E2, "slaves=0..3", "--seeds", "250000000"]
         self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; --yes begins")
-        parent, child = pty.openpty()
-        with subprocess.Popen([PROGRAM, "sweep", *map(str, many)], cwd=self.folder, stdin=child, stderr=child,
-                              stdout=subprocess.PIPE) as process:
-            os.close(child)
-            os.write(parent, b"n\n")
-            self.assertEqual(process.communicate(timeout=20)[0], b"")
-        self.assertIn(b"Begin? [y/N]", os.read(parent, 10000))
-        os.close(parent)
-        self.assertLess(len(rows(self.folder / "figure-e2.sqlite")), 4)
+
+    def test_more_runs_than_can_be_counted_are_refused(self):
+        for arguments, message in (
+                (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
+                 "the study has more runs than can be counted: all combinations of 4 settings with several values (65536 of slaves,"),
+                (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each with 4611686018427387904 seeds, are more than"),
+                (["--seed", 2 ** 64 - 1, "--seeds", 2], "there are no 2 seeds from 18446744073709551615 on")):
+            with self.subTest(arguments):
+                self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_what_a_condition_leaves_is_found_wherever_it_is(self):
+        self.study(f'netlist = "{COMMSTIME}"\nwhere = "count == 7"\n[set]\ncount = "1..1000"\n')
+        self.assertIn("count = 7", self.sweep("study.toml"))
 
     def test_results_of_another_study_or_version_are_left_alone(self):
         self.sweep(FIGURE_E2, "slaves=1", "--results", "kept")
@@ -254,6 +261,75 @@ class BadInput(InFolder):
             wait_until_it_listens(first, signal.SIGINT)
             self.assertIn("commstime.sqlite: another placedpar sweep or optimise is using it", self.sweep(COMMSTIME, code=1))
             first.send_signal(signal.SIGINT)
+
+
+class Question(InFolder):
+    """Whether to begin with a billion runs, asked on the terminal that the program is controlled by."""
+
+    def setUp(self):
+        super().setUp()
+        self.terminal, end = pty.openpty()
+        self.addCleanup(os.close, self.terminal)
+        self.process = subprocess.Popen([PROGRAM, "sweep", FIGURE_E2, "slaves=0..3", "--seeds", "250000000"], cwd=self.folder,
+                                        stdin=end, stderr=end, stdout=subprocess.PIPE, start_new_session=True,
+                                        preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0))
+        self.addCleanup(self.process.kill)
+        os.close(end)
+        self.told = b""
+        while not self.told.endswith(b"Begin? [y/N] "):
+            self.told += os.read(self.terminal, 4096)
+
+    def end(self, code):
+        """What is told after the question. What is kept is whole: the run that says how long one takes."""
+        said = len(self.told)
+        self.assertEqual(self.process.communicate(timeout=20)[0], b"")
+        with contextlib.suppress(OSError): # how Linux says that nobody is there any more
+            while part := os.read(self.terminal, 4096):
+                self.told += part
+        self.assertEqual(self.process.returncode, code, self.told)
+        self.assertEqual(os.listdir(self.folder), ["figure-e2.sqlite"])
+        with opened(self.folder / "figure-e2.sqlite") as database:
+            self.assertEqual(database.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
+        self.assertEqual(len(rows(self.folder / "figure-e2.sqlite")), 1)
+        return self.told[said:]
+
+    def ends_interrupted(self):
+        told = self.end(code=130)
+        self.assertTrue(told.endswith(b"\r\ninterrupted; the runs that ended are in figure-e2.sqlite: "
+                                      b"the same command goes on from them\r\n"), told)
+
+    def test_no_begins_nothing(self):
+        os.write(self.terminal, b"n\n")
+        self.assertEqual(self.end(code=0), b"n\r\n")
+
+    def test_no_answer_is_a_no(self):
+        os.write(self.terminal, b"\n")
+        self.assertEqual(self.end(code=0), b"\r\n")
+
+    def test_the_end_of_all_answers_is_a_no(self):
+        os.write(self.terminal, b"\x04") # Ctrl-D
+        self.assertEqual(self.end(code=0), b"\r\n")
+
+    def test_ctrl_c_is_an_interruption(self):
+        os.write(self.terminal, b"y\x03") # the beginning of an answer is none
+        self.ends_interrupted()
+
+    def test_sigint_is_an_interruption(self):
+        self.process.send_signal(signal.SIGINT)
+        self.ends_interrupted()
+
+    def test_sigterm_is_an_interruption(self):
+        self.process.send_signal(signal.SIGTERM)
+        self.ends_interrupted()
+
+    def test_a_yes_begins(self):
+        os.write(self.terminal, b"y\n")
+        while b" runs, " not in self.told:
+            self.told += os.read(self.terminal, 4096)
+        self.process.send_signal(signal.SIGTERM)
+        self.process.communicate(timeout=20)
+        self.assertEqual(self.process.returncode, 130)
+        self.assertGreaterEqual(len(rows(self.folder / "figure-e2.sqlite")), 1)
 
 
 class Report(InFolder):
