@@ -61,8 +61,13 @@ private:
         Time time;
         std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank below
         Event* event;
-        bool before(const Entry& other) const { return time != other.time ? time < other.time : order < other.order; }
+        /// Compared as one number, since the processor cannot foresee the outcome of a branch. Times are not negative.
+        __extension__ unsigned __int128 key() const {
+            return static_cast<decltype(key())>(static_cast<std::uint64_t>(time.count())) << 64 | order;
+        }
+        bool before(const Entry& other) const { return key() < other.key(); }
     };
+    static std::size_t earliest(const Entry* heap, std::size_t first, std::size_t end);
     void put(Entry, std::size_t position);
     void sift_up(Entry, std::size_t position);
     void sift_down(Entry, std::size_t position);

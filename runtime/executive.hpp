@@ -115,4 +115,11 @@ void charge(const Process& self, Cost cost) {
         executive->compute(std::invoke(cost, executive->costs()), {});
 }
 
+/// The same, and then executes the instruction, and waits if that has begun to.
+template <class Cost>
+void charge_and_execute(Instruction& instruction, Process& self, Cost cost) {
+    Executive* executive = self.executive();
+    self.compute_and_execute(instruction, executive ? std::invoke(cost, executive->costs()) : Cycles{});
+}
+
 } // namespace placedpar

@@ -133,9 +133,19 @@ inline void Kernel::pass_to(Time next) {
 /// half a Mbyte has 8,000 for everything.
 constexpr std::size_t stacks_in_a_cache = 500;
 
+/// On the stack of whoever runs.
+bool Kernel::execute_instruction(Process& p) {
+    Process* leaves = std::exchange(running_, &p);
+    bool goes_on = p.execute_instruction();
+    running_ = leaves;
+    return goes_on;
+}
+
 Process* Kernel::choose_next() {
     while (!over()) {
         if (Process* p = choose_ready()) {
+            if (p->instruction_ && !execute_instruction(*p))
+                continue;
             if (workers_.size() > stacks_in_a_cache) [[unlikely]]
                 Worker::fetch_stack(running_, *p);
             return p;

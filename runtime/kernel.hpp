@@ -160,6 +160,7 @@ private:
     std::vector<Process*> by_age() const;
     void introduce_to_trace();
     Process* choose_ready();
+    bool execute_instruction(Process&);
     Process* choose_next();
     void pass_to(Time next);
     bool go_on_after_work();

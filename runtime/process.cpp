@@ -1,5 +1,6 @@
 #include "runtime/process.hpp"
 
+#include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/trace.hpp"
 
@@ -46,34 +47,48 @@ void Process::stands_still() {
         outermost_->still_since_ = kernel_.now();
 }
 
-inline void Process::wait(Activity activity, Process* successor) {
-    // Ends the standstill also when the run ends during the wait.
-    struct Standstill {
-        explicit Standstill(Process& p) : process(p) { process.stands_still(); }
-        ~Standstill() { process.goes_on(); }
-        Process& process;
-    };
+/// Ends with the wait, also when that ends because the run does.
+struct Process::Standstill {
+    explicit Standstill(Process& p) : process(p) {}
+    ~Standstill() { process.goes_on(); }
+    Process& process;
+};
+
+inline void Process::note_wait(Activity activity) {
     activity_ = activity;
     if (TraceSink* trace = kernel_.trace())
         trace->waits(*this, kernel_.now());
-    {
-        Standstill standstill(*this);
-        kernel_.wait(successor);
-    }
+    stands_still();
+}
+
+inline void Process::note_end_of_wait() {
     if (TraceSink* trace = kernel_.trace())
         trace->goes_on(*this, kernel_.now());
     activity_ = Activity::ready;
 }
 
-/// All that a wait passes through is to be one function: where another fiber was on the processor meanwhile, it does
-/// not foresee where a call returns to.
-[[gnu::flatten]] void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
+inline void Process::finish_wait(Process* successor) {
+    {
+        Standstill standstill(*this);
+        kernel_.wait(successor);
+    }
+    note_end_of_wait();
+}
+
+void Process::begin_wait(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     awaited_.clear();
     if (channel)
         awaited_.push_back(channel);
     awaits_timer_ = activity == Activity::delayed || may_give_up_;
     where_ = where;
-    wait(activity);
+    note_wait(activity);
+}
+
+/// All that a wait passes through is to be one function: where another fiber was on the processor meanwhile, it does
+/// not foresee where a call returns to.
+[[gnu::flatten]] void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
+    begin_wait(activity, channel, where);
+    finish_wait();
 }
 
 void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where,
@@ -81,14 +96,49 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     awaited_.assign(channels.begin(), channels.end());
     awaits_timer_ = awaits_timer;
     where_ = where;
-    wait(activity);
+    note_wait(activity);
+    finish_wait();
+}
+
+/// Off the executive, if the process waits.
+bool Process::execute_instruction() {
+    Instruction& instruction = *std::exchange(instruction_, nullptr);
+    instruction.waits_ = !instruction.execute(*this);
+    if (instruction.waits_ && executive_)
+        executive_->leave(*this, nullptr);
+    return !instruction.waits_;
+}
+
+void Process::compute_and_execute(Instruction& instruction, Cycles cycles) {
+    // The run may end during the computation, and during the wait.
+    struct End {
+        ~End() {
+            process.instruction_ = nullptr;
+            if (instruction.waits_)
+                process.goes_on();
+        }
+        Process& process;
+        Instruction& instruction;
+    };
+    {
+        End end{*this, instruction};
+        instruction_ = &instruction;
+        instruction.waits_ = false;
+        if (executive_)
+            executive_->compute(cycles, {});
+        if (instruction_ && !execute_instruction())
+            kernel_.give_way();
+    }
+    if (instruction.waits_)
+        note_end_of_wait();
 }
 
 void Process::wait_for_components(Process& last, const SourceLocation& where) {
     awaited_.clear();
     awaits_timer_ = false;
     where_ = where;
-    wait(Activity::joining, executive_ ? &last : nullptr);
+    note_wait(Activity::joining);
+    finish_wait(executive_ ? &last : nullptr);
 }
 
 std::optional<Time> Process::waits_since() const {

@@ -47,6 +47,26 @@ struct Join {
     std::uint32_t first_ordinal = 0; ///< of its components, which follow each other
 };
 
+/// What a process does at the end of a computation, in place of its program. So an operation that computes and then
+/// waits, as each communication on a link, takes one switch of contexts and not two.
+class Instruction {
+public:
+    Instruction() = default;
+    Instruction(const Instruction&) = delete;
+    Instruction& operator=(const Instruction&) = delete;
+
+protected:
+    ~Instruction() = default;
+
+private:
+    friend class Process;
+    /// At the process's turn. Returns whether its program goes on; else it has begun to wait (Process::begin_wait). The
+    /// stack of another process may be in use: it does not wait in any other way.
+    virtual bool execute(Process&) noexcept = 0;
+
+    bool waits_ = false;
+};
+
 /// One process of the simulation: a body that runs on a fiber, and, if it is placed, the executive that it
 /// shares with others. It is owned by the `par` or the simulation that made it, and is destroyed only when it has ended
 /// or the simulation is over.
@@ -105,6 +125,11 @@ public:
     /// Waits until made ready, and notes for reports why and where. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
+    /// Computes for so many cycles, if it is placed, then executes the instruction, and waits if that has begun to.
+    /// REQUIRES: this process is running.
+    void compute_and_execute(Instruction&, Cycles);
+    /// For an instruction: notes for reports that the process waits, why and where.
+    void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
     /// Waits for the components of its PAR. It runs the last one itself where it has an executive for this: that one is
     /// not ready yet then.
     void wait_for_components(Process& last, const SourceLocation&);
@@ -118,7 +143,11 @@ private:
     friend class Worker;
     friend class ProcessQueue;
 
-    void wait(Activity, Process* successor = nullptr);
+    struct Standstill;
+    void note_wait(Activity);
+    void finish_wait(Process* successor = nullptr);
+    void note_end_of_wait();
+    bool execute_instruction();
     void goes_on();
     void stands_still();
 
@@ -142,9 +171,10 @@ private:
     Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};
 
-    Worker* worker_ = nullptr; ///< the fiber that runs its body; null before its first turn
-    Process* next_ = nullptr;  ///< the next in the queue in which it stands
-    std::size_t slot_ = 0;     ///< where the kernel lists it
+    Instruction* instruction_ = nullptr; ///< what it does at its next turn; null: its program goes on
+    Worker* worker_ = nullptr;           ///< the fiber that runs its body; null before its first turn
+    Process* next_ = nullptr;            ///< the next in the queue in which it stands
+    std::size_t slot_ = 0;               ///< where the kernel lists it
 
     unsigned times_unwound_ = 0;
     Time work_left_{};          ///< see Executive::work_left

@@ -87,58 +87,70 @@ void LinkDirection::serve(AnyChannel& channel) {
     channel_ = &channel;
 }
 
+bool LinkDirection::Out::execute(Process& self) noexcept {
+    if (direction.output_given_up_)
+        return true;
+    direction.send(self);
+    self.begin_wait(Activity::outputting, direction.channel_, where);
+    return false;
+}
+
+bool LinkDirection::In::execute(Process& self) noexcept {
+    if (direction.input_given_up_ || direction.receive(self))
+        return true;
+    self.begin_wait(Activity::inputting, direction.channel_, where);
+    return false;
+}
+
 void LinkDirection::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
     if (form.total() == 0)
         throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
     begin_writing(channel);
     std::size_t last = last_travelling_part(form);
+    Process& self = kernel_.running();
     for (std::size_t part = 0; part <= last && !output_given_up_; ++part)
         if (form[part] > 0) {
-            charge(kernel_.running(), &OperationCosts::hard_communication);
-            if (!output_given_up_)
-                send(form[part], part == last, where);
+            out_instruction_.set(form[part], part == last, where);
+            charge_and_execute(out_instruction_, self, &OperationCosts::hard_communication);
         }
 }
 
 void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     begin_reading(channel);
-    bool last = false;
+    Process& self = kernel_.running();
     do {
-        charge(kernel_.running(), &OperationCosts::hard_communication);
-        if (!input_given_up_)
-            last = receive(where);
-    } while (!last && !input_given_up_);
+        in_instruction_.where = where;
+        charge_and_execute(in_instruction_, self, &OperationCosts::hard_communication);
+    } while (!took_last_part_ && !input_given_up_);
 }
 
-void LinkDirection::send(std::uint32_t bytes, bool last_part, const SourceLocation& where) {
-    sender_ = &kernel_.running();
-    enter_memories(bytes);
-    last_part_ = last_part;
+void LinkDirection::send(Process& sender) {
+    sender_ = &sender;
+    enter_memories(out_instruction_.bytes);
+    last_part_ = out_instruction_.last_part;
     stalled_ = false;
     closed_form_.leave();
     if (kernel_.now() >= may_start_)
         start_byte();
     else
         start_byte_.schedule(may_start_);
-    sender_->wait_for(Activity::outputting, channel_, where);
 }
 
-bool LinkDirection::receive(const SourceLocation& where) {
-    receiver_ = &kernel_.running();
-    bool first_byte_here = std::exchange(first_byte_waits_, false) && !left_over_;
+/// Returns whether the part is there already: then it is taken.
+bool LinkDirection::receive(Process& receiver) {
+    receiver_ = &receiver;
+    bool all_here = std::exchange(first_byte_waits_, false) && !left_over_ && progress().bytes_left == 0;
     if (std::exchange(acknowledge_owed_, false)) {
         closed_form_.leave();
         back_.ask_for_acknowledge(*this);
     }
-    if (first_byte_here && part_.bytes_left == 0) {
+    if (all_here) {
         for (auto& event : last_byte_arrived_)
             cancel(event); // of this moment, if the arrival of the first byte woke an alternation
         take_part();
         receiver_ = nullptr;
-    } else {
-        receiver_->wait_for(Activity::inputting, channel_, where);
     }
-    return took_last_part_;
+    return all_here;
 }
 
 /// A part ends when both its last byte has arrived and that byte's acknowledge has started; this is called at each. The
@@ -216,16 +228,25 @@ void LinkDirection::byte_started() {
 
 /// Of the byte that starts now.
 void LinkDirection::foresee_arrival() {
-    byte_noticed_.schedule(later(kernel_.now(), times_.to_acknowledge));
-    Time arrived = later(kernel_.now(), times_.wire_delay + times_.data);
-    if (part_.bytes_left + 1 == part_.bytes) {
-        cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
-        first_byte_arrived_.schedule(arrived);
-    }
-    if (part_.bytes_left == 0) {
-        last_of_part_ = last_byte_arrived_[0].scheduled();
-        last_byte_arrived_[last_of_part_].schedule(arrived);
-    }
+    Time now = kernel_.now();
+    byte_noticed_.schedule(later(now, times_.to_acknowledge));
+    if (part_.bytes_left + 1 == part_.bytes)
+        foresee_arrival_of_first();
+    if (part_.bytes_left == 0)
+        foresee_arrival_of_last(now);
+}
+
+/// Where a process waits for it, that makes no difference to anybody, unless it leaves before it is noticed.
+void LinkDirection::foresee_arrival_of_first() {
+    cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
+    bool waited_for = receiver_ && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
+    if (!waited_for || !arrives_noticed())
+        first_byte_arrived_.schedule(arrival(part_.last_start));
+}
+
+void LinkDirection::foresee_arrival_of_last(Time started) {
+    last_of_part_ = last_byte_arrived_[0].scheduled();
+    last_byte_arrived_[last_of_part_].schedule(arrival(started));
 }
 
 void LinkDirection::byte_noticed() {

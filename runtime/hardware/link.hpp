@@ -63,6 +63,14 @@ public:
     /// That of direction 0, from a to b, or 1. While the link is ahead, as it is then.
     PartUnderWay& part(std::size_t direction) { return parts_[direction]; }
 
+    /// Begins to fetch what progress looks at.
+    void fetch() const {
+        constexpr std::ptrdiff_t line = 64;
+        const auto* lines = reinterpret_cast<const std::byte*>(this);
+        __builtin_prefetch(lines);
+        __builtin_prefetch(lines + line);
+    }
+
     /// REQUIRES: a packet has just begun.
     void look_ahead();
     /// The directions and wires have the state of a moment that is still to come.
@@ -76,8 +84,8 @@ public:
     LinkStreams::Progress progress(std::size_t direction) {
         if (!is_ahead())
             return {parts_[direction].bytes_left, parts_[direction].last_start};
-        bool repeats = repetition_.since <= kernel_.now() && repetition_.is_simple(direction);
-        return repeats ? repetition_.progress(direction, kernel_.now()) : passed_until_now(direction);
+        return repetition_.is_simple(direction, kernel_.now()) ? repetition_.progress(direction, kernel_.now())
+                                                               : passed_until_now(direction);
     }
     /// One that begins now is not counted: whether it has begun yet depends on the order of this instant's events.
     std::uint32_t bytes_begun_before_now(std::size_t direction) {
@@ -96,9 +104,9 @@ private:
     Kernel& kernel_;
     Time ahead_until_{};
     std::array<PartUnderWay, 2> parts_;
-    LinkDirection &a_to_b_, &b_to_a_;
     Repetition repetition_; ///< between the moment of look_ahead() and ahead_until_
     LinkStreams behind_;    ///< at a moment that has been
+    LinkDirection &a_to_b_, &b_to_a_;
     const PacketTimes& times_;
 };
 
@@ -176,14 +184,41 @@ public:
 
 private:
     void serve(AnyChannel&);
-    void send(std::uint32_t bytes, bool last_part, const SourceLocation&);
-    bool receive(const SourceLocation&);
+    void send(Process&);
+    bool receive(Process&);
+
+    /// The instructions of occam's compilers, here for a part of a message. They stand with what they begin, which is
+    /// in the cache then, unlike the stack of their process.
+    struct Out final : Instruction {
+        explicit Out(LinkDirection& d) : direction(d) {}
+        void set(std::uint32_t part, bool last, const SourceLocation& place) {
+            bytes = part;
+            last_part = last;
+            where = place;
+        }
+        bool execute(Process&) noexcept override;
+        LinkDirection& direction;
+        std::uint32_t bytes = 0;
+        bool last_part = false;
+        SourceLocation where;
+    };
+    struct In final : Instruction {
+        explicit In(LinkDirection& d) : direction(d) {}
+        bool execute(Process&) noexcept override;
+        LinkDirection& direction;
+        SourceLocation where;
+    };
 
     // What happens to a byte, in this order.
     void start_byte();
     void byte_started() override;
     void may_be_written();
+    Time arrival(Time started) const { return later(started, times_.wire_delay + times_.data); }
     void foresee_arrival();
+    /// A byte has certainly been noticed by the time it has arrived.
+    bool arrives_noticed() const { return times_.overlaps() && !faults_; }
+    void foresee_arrival_of_first();
+    void foresee_arrival_of_last(Time started);
     void byte_noticed();
     void first_byte_arrived();
     void last_byte_arrived();
@@ -240,6 +275,8 @@ private:
 
     Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
     Process* receiver_ = nullptr;
+    Out out_instruction_{*this};
+    In in_instruction_{*this};
     Time may_start_{}; ///< no byte before this
 
     bool last_part_ = false;        ///< the part under way ends its message
@@ -294,6 +331,8 @@ public:
     const LinkDirection& from_a_to_b() const { return a_to_b_; }
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
+    /// Begins to fetch what words_moved looks at.
+    void fetch() const { closed_form_.fetch(); }
     /// How many words the engines at this memory have moved before now, of the parts that are under way.
     std::uint64_t words_moved(const MemoryOfEngines& memory) {
         return memory.words_in(closed_form_.bytes_begun_before_now(0)) +

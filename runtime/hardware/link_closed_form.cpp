@@ -13,9 +13,15 @@ ClosedForm::ClosedForm(Kernel& kernel, const PacketTimes& times, LinkDirection& 
 void ClosedForm::look_ahead() {
     if (a_to_b_.must_be_seen() || b_to_a_.must_be_seen())
         return;
-    behind_ = {kernel_.now(), {a_to_b_.stream(), b_to_a_.stream()}, {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()}};
-    LinkStreams ahead = behind_;
-    repetition_ = Repetition::find(ahead, times_, end_of_what_is_certain());
+    LinkStreams ahead{kernel_.now(),
+                      {a_to_b_.stream(), b_to_a_.stream()},
+                      {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()},
+                      kernel_.trace() != nullptr};
+    Time certain = end_of_what_is_certain();
+    if (!ahead.may_advance(certain))
+        return;
+    behind_ = ahead;
+    repetition_.find(ahead, times_, certain);
     ahead_until_ = ahead.now;
     if (is_ahead())
         go_to(ahead, ahead_until_);
@@ -103,6 +109,10 @@ bool LinkDirection::is_sure_of_its_receiver() const {
 void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
     if (!stream.flows)
         return;
+    if (stream.bytes_left > 0 && part_.bytes_left == 0)
+        cancel(last_byte_arrived_[last_of_part_]);
+    else if (stream.bytes_left == 0 && part_.bytes_left > 0)
+        foresee_arrival_of_last(stream.last_start);
     bytes_carried_ += part_.bytes_left;
     bytes_carried_ -= part_.bytes_left = stream.bytes_left;
     part_.last_start = stream.last_start;

@@ -124,6 +124,9 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
     closed_form_.leave();
     input_given_up_ = true;
     taken_when_given_up_ = bytes_taken();
+    bool first_byte_unnoticed = byte_noticed_.scheduled() && part_.bytes_left + 1 == part_.bytes;
+    if (first_byte_unnoticed && arrives_noticed() && !first_byte_arrived_.scheduled())
+        first_byte_arrived_.schedule(arrival(part_.last_start));
     receiver_leaves();
     if (receiver_)
         kernel_.make_ready(*std::exchange(receiver_, nullptr));

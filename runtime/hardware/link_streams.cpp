@@ -23,16 +23,37 @@ void LinkStreams::begin_packet(const PacketTimes& times, std::size_t direction) 
 
 /// If both directions want one wire, the acknowledge goes first. On two wires the order of one instant makes no
 /// difference.
-std::optional<std::size_t> LinkStreams::begin_next(const PacketTimes& times, Time before) {
-    auto is_seen = [](const Stream& stream) { return stream.bytes_left == (stream.acknowledge ? 0 : 1); };
+std::optional<LinkStreams::Next> LinkStreams::next(Time before) const {
+    auto is_seen = [this](const Stream& stream) {
+        return stream.acknowledge ? stream.bytes_left == 0 : stream.bytes_left == 1 && last_bytes_are_seen;
+    };
     Time begins[] = {begin_of_next(0), begin_of_next(1)};
     bool first = begins[0] < begins[1] || (begins[0] == begins[1] && streams[0].acknowledge);
-    std::size_t next = first ? 0 : 1;
-    if (begins[next] >= before || is_seen(streams[next]))
+    std::size_t direction = first ? 0 : 1;
+    if (begins[direction] >= before || is_seen(streams[direction]))
         return std::nullopt;
-    now = begins[next];
-    begin_packet(times, next);
-    return next;
+    return Next{direction, begins[direction]};
+}
+
+std::optional<std::size_t> LinkStreams::begin_next(const PacketTimes& times, Time before) {
+    std::optional<Next> packet = next(before);
+    if (!packet)
+        return std::nullopt;
+    now = packet->begins;
+    begin_packet(times, packet->direction);
+    return packet->direction;
+}
+
+bool LinkStreams::is_alone(std::size_t direction) const {
+    return !streams[1 - direction].flows && free_at[1 - direction] <= streams[direction].due;
+}
+
+Time LinkStreams::end_of_a_part() const {
+    Time end = Time::max();
+    for (const Stream& stream : streams)
+        if (stream.flows && stream.bytes_left == 0)
+            end = std::min(end, stream.last_start);
+    return end;
 }
 
 bool LinkStreams::is_in_phase_with(const LinkStreams& then, std::size_t other) const {
@@ -44,17 +65,21 @@ bool LinkStreams::is_in_phase_with(const LinkStreams& then, std::size_t other) c
 }
 
 /// The present is compared with one moment that was noted: a later one each time that twice as many bytes began.
-Repetition Repetition::find(LinkStreams& streams, const PacketTimes& times, Time before) {
-    Repetition found;
+void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time before) {
+    since = Time::max();
     LinkStreams noted;
     std::uint32_t bytes_until_note = 1, bytes_between_notes = 1;
     while (std::optional<std::size_t> next = streams.begin_next(times, before)) {
         bool marks = streams.streams[*next].acknowledge && (*next == 0 || !streams.streams[0].flows);
         if (!marks)
             continue;
-        if (bytes_between_notes > 1 && streams.is_in_phase_with(noted, 1 - *next)) {
-            found.begin(noted, streams);
-            found.pass_periods(streams, before);
+        bool alone = streams.is_alone(*next);
+        if (alone)
+            begin_alone(streams, *next, times);
+        else if (bytes_between_notes > 1 && streams.is_in_phase_with(noted, 1 - *next))
+            begin(noted, streams);
+        if (since <= streams.now) {
+            pass_periods(streams, before);
             streams.advance(times, before);
             break;
         }
@@ -63,7 +88,17 @@ Repetition Repetition::find(LinkStreams& streams, const PacketTimes& times, Time
             noted = streams;
         }
     }
-    return found;
+    until = streams.end_of_a_part();
+}
+
+void Repetition::begin_alone(const LinkStreams& now, std::size_t direction, const PacketTimes& times) {
+    since = now.now;
+    period = std::max(times.to_acknowledge + times.to_next_byte, times.data);
+    first = now;
+    for (std::size_t i : {0u, 1u}) {
+        const LinkStreams::Stream& stream = now.streams[i];
+        flows[i] = {stream.bytes_left, i == direction, stream.last_start, stream.start_before};
+    }
 }
 
 /// Everything is as it was then.
@@ -82,7 +117,7 @@ void Repetition::pass_periods(LinkStreams& streams, Time before) const {
     std::int64_t periods = (before - streams.now - Time{1}) / period;
     for (std::size_t i : {0u, 1u})
         if (std::uint32_t bytes = flows[i].bytes_a_period)
-            periods = std::min<std::int64_t>(periods, (streams.streams[i].bytes_left - 1) / bytes);
+            periods = std::min<std::int64_t>(periods, (std::int64_t{streams.streams[i].bytes_left} - 1) / bytes);
     if (periods <= 0)
         return;
     Time by = periods * period;

@@ -32,21 +32,32 @@ struct LinkStreams {
 
     Time now{}; ///< when the last packet began
     std::array<Stream, 2> streams;
-    std::array<Time, 2> free_at{}; ///< wire number i carries the bytes of direction i, and is free from then on
+    std::array<Time, 2> free_at{};    ///< wire number i carries the bytes of direction i, and is free from then on
+    bool last_bytes_are_seen = false; ///< of parts; their acknowledges always are
 
-    /// Lets the next packet begin, if it does so before that moment, and others cannot see it: the last byte of a part,
-    /// or its acknowledge. Returns its direction.
+    /// Whether begin_next does something.
+    bool may_advance(Time before) const { return next(before).has_value(); }
+    /// Lets the next packet begin, if it does so before that moment, and others cannot see it. Returns its direction.
     std::optional<std::size_t> begin_next(const PacketTimes&, Time before);
     /// All of these.
     void advance(const PacketTimes& times, Time before) {
         while (begin_next(times, before)) {
         }
     }
+    /// Whether the bytes of this direction meet nothing else from now on. REQUIRES: it has just begun one.
+    bool is_alone(std::size_t direction) const;
+    /// When the first of the last bytes of parts began, of those that have; else the end of time.
+    Time end_of_a_part() const;
     /// Whether everything will come again as it came then, seen from each moment. REQUIRES: the direction that is not
     /// `other` began a byte at both.
     bool is_in_phase_with(const LinkStreams& then, std::size_t other) const;
 
 private:
+    struct Next {
+        std::size_t direction;
+        Time begins;
+    };
+    std::optional<Next> next(Time before) const;
     std::size_t wire_of(std::size_t direction) const { return direction ^ std::size_t{streams[direction].acknowledge}; }
     Time begin_of_next(std::size_t direction) const;
     void begin_packet(const PacketTimes&, std::size_t direction);
@@ -56,7 +67,7 @@ private:
 /// from the packets of the other. From there on whole periods are passed at once, so that a long message costs what a
 /// short one does.
 struct Repetition {
-    Time since = Time::max(); ///< from when on it is known
+    Time since = Time::max(), until{}; ///< when it holds: from when it is known to the last byte of a part
     Time period{};
     /// Of a direction at that moment, what is asked for most: it stands together in one line of the cache.
     struct Flow {
@@ -66,16 +77,18 @@ struct Repetition {
     std::array<Flow, 2> flows;
     LinkStreams first; ///< all that the link does at that moment
 
-    /// Lets all packets begin as LinkStreams::advance does; returns what the streams repeat from some moment on.
-    static Repetition find(LinkStreams&, const PacketTimes&, Time before);
+    /// Lets all packets begin as LinkStreams::advance does, and notes what the streams repeat from some moment on.
+    void find(LinkStreams&, const PacketTimes&, Time before);
 
     /// Passes as many whole periods as end before that moment and before the last byte of a part. REQUIRES: it is known
     /// at the moment of the streams.
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
-    bool is_simple(std::size_t direction) const { return flows[direction].bytes_a_period <= 2; }
-    /// How far a direction is at that moment. REQUIRES: is_simple(direction), since <= moment, and nothing has been
-    /// seen by then.
+    bool is_simple(std::size_t direction, Time moment) const {
+        return since <= moment && moment < until && flows[direction].bytes_a_period <= 2;
+    }
+    /// How far a direction is at that moment. REQUIRES: is_simple(direction, moment), and nothing has been seen by
+    /// then.
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
         const Flow& flow = flows[direction];
         if (flow.bytes_a_period == 0)
@@ -90,6 +103,7 @@ struct Repetition {
 
 private:
     void begin(const LinkStreams& then, const LinkStreams& now);
+    void begin_alone(const LinkStreams& now, std::size_t direction, const PacketTimes&);
 };
 
 } // namespace placedpar::hardware

@@ -53,6 +53,9 @@ struct PacketTimes {
           to_acknowledge(later(timing.wire_delay, timing.acknowledge_latency())),
           to_next_byte(later(timing.wire_delay, timing.restart_latency())) {}
 
+    /// Whether a byte is noticed before the whole of it has arrived.
+    bool overlaps() const { return to_acknowledge < later(wire_delay, data); }
+
     Time data, acknowledge; ///< how long a wire carries them
     Time wire_delay;
     Time to_acknowledge; ///< from the start of a byte to the request for its acknowledge

@@ -66,9 +66,12 @@ Time Processor::memory_taken_by_links() const { return times(words_moved_by_link
 
 std::int64_t Processor::words_moved_by_links() const {
     std::uint64_t words = engines_.words_of_ended_parts;
-    if (engines_.parts_under_way > 0)
+    if (engines_.parts_under_way > 0) {
+        for (Link* link : links_)
+            link->fetch();
         for (Link* link : links_)
             words += link->words_moved(engines_);
+    }
     return static_cast<std::int64_t>(words);
 }
 

@@ -1,5 +1,6 @@
 // How long a process has waited, for the report.
 
+#include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
@@ -11,6 +12,7 @@
 using namespace placedpar;
 using namespace placedpar::hardware;
 using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
 
 TEST_CASE("a process whose components compute does not wait; it does when all of them do") {
     Simulation simulation;
@@ -50,4 +52,26 @@ TEST_CASE("a wait that is not over when the run is counts up to then; one who ha
         CHECK(stuck_inside.time_waited() == result.time);
         CHECK(ended.time_waited() == milliseconds{3});
     }
+}
+
+TEST_CASE("who communicates over a link waits while its bytes travel, not while its processor begins the communication") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    Channel<int> c("c", link.from_a_to_b());
+    Process& sends = simulation.process(
+        "sends",
+        [&] {
+            c.out().output(1);
+            compute(Cycles{20'000});
+            c.out().output(2);
+        },
+        &simulation.add<Processor>("a"));
+    Process& receives = simulation.process(
+        "receives", [&] { c.in().input(), c.in().input(); }, &simulation.add<Processor>("b"));
+    simulation.run();
+    // Four bytes of 560 ns each, but the last until its acknowledge of 100 ns, which begins after 260, or its end
+    // after 550 has arrived (LinkTiming).
+    constexpr Time sent = 3 * nanoseconds{560} + nanoseconds{360}, received = 3 * nanoseconds{560} + nanoseconds{550};
+    CHECK(sends.time_waited() == 2 * sent);
+    CHECK(receives.time_waited() == received + sent + milliseconds{1});
 }
