@@ -54,7 +54,8 @@ TEST_CASE("a wait that is not over when the run is counts up to then; one who ha
     }
 }
 
-TEST_CASE("who communicates over a link waits while its bytes travel, not while its processor begins the communication") {
+TEST_CASE(
+    "who communicates over a link waits while its bytes travel, not while its processor begins the communication") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     Channel<int> c("c", link.from_a_to_b());
