@@ -44,10 +44,6 @@ std::optional<std::size_t> LinkStreams::begin_next(const PacketTimes& times, Tim
     return packet->direction;
 }
 
-bool LinkStreams::is_alone(std::size_t direction) const {
-    return !streams[1 - direction].flows && free_at[1 - direction] <= streams[direction].due;
-}
-
 Time LinkStreams::end_of_a_part() const {
     Time end = Time::max();
     for (const Stream& stream : streams)
@@ -73,12 +69,8 @@ void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time befor
         bool marks = streams.streams[*next].acknowledge && (*next == 0 || !streams.streams[0].flows);
         if (!marks)
             continue;
-        bool alone = streams.is_alone(*next);
-        if (alone)
-            begin_alone(streams, *next, times);
-        else if (bytes_between_notes > 1 && streams.is_in_phase_with(noted, 1 - *next))
+        if (bytes_between_notes > 1 && streams.is_in_phase_with(noted, 1 - *next)) {
             begin(noted, streams);
-        if (since <= streams.now) {
             pass_periods(streams, before);
             streams.advance(times, before);
             break;
@@ -89,16 +81,6 @@ void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time befor
         }
     }
     until = streams.end_of_a_part();
-}
-
-void Repetition::begin_alone(const LinkStreams& now, std::size_t direction, const PacketTimes& times) {
-    since = now.now;
-    period = std::max(times.to_acknowledge + times.to_next_byte, times.data);
-    first = now;
-    for (std::size_t i : {0u, 1u}) {
-        const LinkStreams::Stream& stream = now.streams[i];
-        flows[i] = {stream.bytes_left, i == direction, stream.last_start, stream.start_before};
-    }
 }
 
 /// Everything is as it was then.

@@ -44,8 +44,6 @@ struct LinkStreams {
         while (begin_next(times, before)) {
         }
     }
-    /// Whether the bytes of this direction meet nothing else from now on. REQUIRES: it has just begun one.
-    bool is_alone(std::size_t direction) const;
     /// When the first of the last bytes of parts began, of those that have; else the end of time.
     Time end_of_a_part() const;
     /// Whether everything will come again as it came then, seen from each moment. REQUIRES: the direction that is not
@@ -103,7 +101,6 @@ struct Repetition {
 
 private:
     void begin(const LinkStreams& then, const LinkStreams& now);
-    void begin_alone(const LinkStreams& now, std::size_t direction, const PacketTimes&);
 };
 
 } // namespace placedpar::hardware
