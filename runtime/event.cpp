@@ -74,9 +74,10 @@ void EventQueue::sift_up(Entry entry, std::size_t position) {
     put(entry, position);
 }
 
-/// Of siblings. Of four in pairs and without a branch: the processor cannot foresee the outcome.
+/// Of siblings. Of four, in pairs and without a branch, since the processor cannot foresee the outcome.
 inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, std::size_t end) {
-    if (end - first == 4) {
+    static_assert(children == 4);
+    if (end - first == children) {
         std::size_t a = first + std::size_t{heap[first + 1].before(heap[first])};
         std::size_t b = first + 2 + std::size_t{heap[first + 3].before(heap[first + 2])};
         return heap[b].before(heap[a]) ? b : a;

@@ -187,8 +187,8 @@ private:
     void send(Process&);
     bool receive(Process&);
 
-    /// The instructions of occam's compilers, here for a part of a message. They stand with what they begin, which is
-    /// in the cache then, unlike the stack of their process.
+    /// The transputer's instructions `out` and `in`, each for a part of a message. They are members of the direction,
+    /// not variables of its processes: the direction is needed next anyway, and their stacks are in no cache.
     struct Out final : Instruction {
         explicit Out(LinkDirection& d) : direction(d) {}
         void set(std::uint32_t part, bool last, const SourceLocation& place) {

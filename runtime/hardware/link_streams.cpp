@@ -96,6 +96,7 @@ void Repetition::begin(const LinkStreams& then, const LinkStreams& now) {
 }
 
 void Repetition::pass_periods(LinkStreams& streams, Time before) const {
+    // None where the last byte of a part has begun: of its bytes none is left, so that the bound is negative.
     std::int64_t periods = (before - streams.now - Time{1}) / period;
     for (std::size_t i : {0u, 1u})
         if (std::uint32_t bytes = flows[i].bytes_a_period)
