@@ -21,56 +21,6 @@ bool may_follow(const AnyChannel::User& last, const Process& process) {
     return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }
 
-[[gnu::cold]] void change_owner(AnyChannel::User& end, const Process& process, const char* verb,
-                                const AnyChannel& channel) {
-    if (end.process && !may_follow(end, process))
-        throw std::logic_error(fmt::format("process {} {} channel {}, as {} does: a channel joins two processes only",
-                                           process.path(), verb, channel.name(),
-                                           end.outermost == &process.outermost() ? "another component of a PAR"
-                                                                                 : "process " + end.outermost->path()));
-    end = user(process);
-}
-
-/// `verb`: "outputs to", "inputs from".
-void own(AnyChannel::User& end, const Process& process, const char* verb, const AnyChannel& channel) {
-    if (end.process != &process || end.ordinal != process.ordinal())
-        change_owner(end, process, verb, channel);
-}
-
-/// The link was left in the middle of a message.
-[[noreturn]] void refuse_unreset(const Process& self, const char* verb, const AnyChannel& channel) {
-    throw std::logic_error(fmt::format("process {} {} channel {}, on which it gave up a message: reset it first",
-                                       self.path(), verb, channel.name()));
-}
-
-/// Notes that a process is in the channel, for as long as it is.
-class Stay {
-public:
-    Stay(void*& place, void* mine) : place_(place) { place_ = mine; }
-    ~Stay() { place_ = nullptr; }
-    Stay(const Stay&) = delete;
-    Stay& operator=(const Stay&) = delete;
-
-private:
-    void*& place_;
-};
-
-[[noreturn]] void refuse_without_carrier(const Process& self, const Process& other, const AnyChannel& channel) {
-    throw std::logic_error(fmt::format("channel {} joins process {} on {} and process {} on {}, and no link carries it",
-                                       channel.name(), other.path(), other.executive()->name(), self.path(),
-                                       self.executive()->name()));
-}
-
-void require_carrier_between(const Process& self, const Process& other, const AnyChannel& channel) {
-    if (self.executive() != other.executive() && self.executive() && other.executive())
-        refuse_without_carrier(self, other, channel);
-}
-
-/// The second process to arrive at a soft channel copies the message.
-void charge_copy(const Process& self, const WireForm& form) {
-    charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
-}
-
 void require_can_be_given_up(const Carrier* carrier, const AnyChannel& channel) {
     if (std::string reason = carrier ? carrier->why_not_given_up() : ""; !reason.empty())
         throw std::logic_error(
@@ -90,75 +40,34 @@ void AnyChannel::put_on(Carrier& carrier) {
     carrier_ = &carrier;
 }
 
-void AnyChannel::expect_outputter(const Process& process) { own(outputter_, process, "outputs to", *this); }
+void AnyChannel::expect_outputter(const Process& process) { own(outputter_, process, "outputs to"); }
 
 void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 
-void AnyChannel::own_input(const Process& process) {
-    own(inputter_, process, "inputs from", *this);
-    if (input_out_of_order_)
-        refuse_unreset(process, "inputs from", *this);
+[[gnu::cold]] void AnyChannel::change_owner(User& end, const Process& process, const char* verb) {
+    if (end.process && !may_follow(end, process))
+        throw std::logic_error(fmt::format("process {} {} channel {}, as {} does: a channel joins two processes only",
+                                           process.path(), verb, name_,
+                                           end.outermost == &process.outermost() ? "another component of a PAR"
+                                                                                 : "process " + end.outermost->path()));
+    end = user(process);
 }
 
-inline void AnyChannel::output_soft(Process& self, const WireForm& form, const SourceLocation& where) {
-    Kernel& kernel = self.kernel();
-    if (slot_) {
-        Process& inputter = *waiting_;
-        require_carrier_between(self, inputter, *this);
-        hand_over();
-        charge_copy(self, form);
-        kernel.make_ready(inputter);
-        return;
-    }
-    waiting_ = &self;
-    waiting_form_ = form;
-    announce();
-    self.wait_for(Activity::outputting, this, where);
+/// The link was left in the middle of a message.
+void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
+    throw std::logic_error(
+        fmt::format("process {} {} channel {}, on which it gave up a message: reset it first", self.path(), verb, name_));
 }
 
-inline void AnyChannel::input_soft(Process& self, const SourceLocation& where) {
-    Kernel& kernel = self.kernel();
-    if (message_) {
-        Process& outputter = *waiting_;
-        require_carrier_between(self, outputter, *this);
-        hand_over();
-        charge_copy(self, waiting_form_);
-        kernel.make_ready(outputter);
-        return;
-    }
-    waiting_ = &self;
-    self.wait_for(Activity::inputting, this, where);
+[[gnu::cold]] void AnyChannel::require_carrier_between(const Process& self, const Process& other) const {
+    if (self.executive() && other.executive())
+        throw std::logic_error(fmt::format("channel {} joins process {} on {} and process {} on {}, and no link "
+                                           "carries it",
+                                           name_, other.path(), other.executive()->name(), self.path(),
+                                           self.executive()->name()));
 }
 
-void AnyChannel::output_any(void* message, const WireForm& form, const SourceLocation& where) {
-    Process& self = Kernel::here().running();
-    if (!carrier_)
-        charge(self, &OperationCosts::soft_communication);
-    own(outputter_, self, "outputs to", *this);
-    if (output_out_of_order_)
-        refuse_unreset(self, "outputs to", *this);
-    Stay stay(message_, message);
-    if (output_attempt_)
-        output_attempt_->entered();
-    if (carrier_)
-        carrier_->output(*this, form, where);
-    else
-        output_soft(self, form, where);
-}
-
-void AnyChannel::input_any(void* slot, const SourceLocation& where) {
-    Process& self = Kernel::here().running();
-    if (!carrier_)
-        charge(self, &OperationCosts::soft_communication);
-    own_input(self);
-    Stay stay(slot_, slot);
-    if (input_attempt_)
-        input_attempt_->entered();
-    if (carrier_)
-        carrier_->input(*this, where);
-    else
-        input_soft(self, where);
-}
+void AnyChannel::tell_trace(const Kernel& kernel) const { kernel.trace()->communicated(*this, kernel.now()); }
 
 void AnyChannel::attempt_output(Entrant* attempt) {
     if (attempt)
@@ -194,7 +103,7 @@ bool AnyChannel::give_up_input() {
 
 std::uint64_t AnyChannel::reset_output() {
     require_can_be_given_up(carrier_, *this);
-    own(outputter_, Kernel::here().running(), "resets", *this);
+    own(outputter_, Kernel::here().running(), "resets");
     require_nobody_in(message_, *this);
     output_out_of_order_ = false;
     return carrier_ ? carrier_->reset_output(*this) : 0;
@@ -202,18 +111,14 @@ std::uint64_t AnyChannel::reset_output() {
 
 std::uint64_t AnyChannel::reset_input() {
     require_can_be_given_up(carrier_, *this);
-    own(inputter_, Kernel::here().running(), "resets", *this);
+    own(inputter_, Kernel::here().running(), "resets");
     require_nobody_in(slot_, *this);
     input_out_of_order_ = false;
     return carrier_ ? carrier_->reset_input(*this) : 0;
 }
 
 void AnyChannel::hand_over() {
-    Kernel& kernel = inputter_.process->kernel();
-    kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
-    kernel.fingerprint().mix(std::uint64_t{outputter_.ordinal} << 32 | inputter_.ordinal);
-    if (TraceSink* trace = kernel.trace())
-        trace->communicated(*this, kernel.now());
+    note_communication(inputter_.process->kernel());
     move_message(message_, slot_);
     message_ = slot_ = nullptr;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "runtime/carrier.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/process.hpp"
 #include "runtime/protocol.hpp"
 #include "runtime/same_message.hpp"
 #include "runtime/source_location.hpp"
@@ -15,8 +18,6 @@
 #include <vector>
 
 namespace placedpar {
-
-class Process;
 
 /// Waits for messages that begin to wait in channels: an alternation; an attempt that a message ends.
 class Listener {
@@ -87,7 +88,11 @@ public:
     /// Whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
     /// The process has a guard on the channel. Throws std::logic_error when it does not own the end.
-    void own_input(const Process&);
+    void own_input(const Process& process) {
+        own(inputter_, process, "inputs from");
+        if (input_out_of_order_)
+            refuse_unreset(process, "inputs from");
+    }
     /// From now on a message is announced.
     void enable(Listener& listener) { listener_ = &listener; }
     void disable() { listener_ = nullptr; }
@@ -142,14 +147,93 @@ public:
     }
 
 protected:
-    void output_any(void* message, const WireForm&, const SourceLocation&);
-    void input_any(void* slot, const SourceLocation&);
+    // Of a communication, what stands here is inlined where a program communicates; what waits, or seldom happens, is
+    // not. A process begins to output (input); then it either meets its partner in a soft channel and copies the
+    // message, or waits.
+    void begin_output(Process& self) {
+        if (!carrier_)
+            charge(self, &OperationCosts::soft_communication);
+        own(outputter_, self, "outputs to");
+        if (output_out_of_order_)
+            refuse_unreset(self, "outputs to");
+    }
+    void begin_input(Process& self) {
+        if (!carrier_)
+            charge(self, &OperationCosts::soft_communication);
+        own_input(self);
+    }
+    /// The slot of the inputter that waits in a soft channel; null if none does.
+    void* slot_that_waits() const { return carrier_ ? nullptr : slot_; }
+    void* message_that_waits() const { return carrier_ ? nullptr : message_; }
+    void meet_inputter(Process& self) { meet(self, output_attempt_); }
+    void meet_outputter(Process& self) { meet(self, input_attempt_); }
+    /// What the message that waits is on a wire.
+    const WireForm& form_that_waits() const { return waiting_form_; }
+    /// The process has copied a message of that form: it pays for this, and its partner goes on.
+    void part_from_partner(Process& self, const WireForm& form) {
+        message_ = slot_ = nullptr;
+        Process& partner = *waiting_;
+        charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
+        self.kernel().make_ready(partner);
+    }
+    void wait_to_output(Process& self, void* message, const WireForm& form, const SourceLocation& where) {
+        Stay stay(message_, message);
+        if (output_attempt_)
+            output_attempt_->entered();
+        if (carrier_)
+            return carrier_->output(*this, form, where);
+        waiting_ = &self;
+        waiting_form_ = form;
+        announce();
+        self.wait_for(Activity::outputting, this, where);
+    }
+    void wait_to_input(Process& self, void* slot, const SourceLocation& where) {
+        Stay stay(slot_, slot);
+        if (input_attempt_)
+            input_attempt_->entered();
+        if (carrier_)
+            return carrier_->input(*this, where);
+        waiting_ = &self;
+        self.wait_for(Activity::inputting, this, where);
+    }
 
 private:
+    /// A process is in the channel, for as long as this exists.
+    class Stay {
+    public:
+        Stay(void*& place, void* mine) : place_(place) { place_ = mine; }
+        ~Stay() { place_ = nullptr; }
+        Stay(const Stay&) = delete;
+        Stay& operator=(const Stay&) = delete;
+
+    private:
+        void*& place_;
+    };
+
     virtual void move_message(void* from, void* to) = 0;
     virtual std::optional<bool> are_same(const void* message, const void* other) const = 0;
-    void output_soft(Process&, const WireForm&, const SourceLocation&);
-    void input_soft(Process&, const SourceLocation&);
+
+    void own(User& end, const Process& process, const char* verb) {
+        if (end.process != &process || end.ordinal != process.ordinal())
+            change_owner(end, process, verb);
+    }
+    void change_owner(User& end, const Process&, const char* verb);
+    void meet(Process& self, Entrant* attempt) {
+        if (self.executive() != waiting_->executive())
+            require_carrier_between(self, *waiting_);
+        if (attempt)
+            attempt->entered();
+        note_communication(self.kernel());
+    }
+    void note_communication(Kernel& kernel) {
+        kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
+        kernel.fingerprint().mix(std::uint64_t{outputter_.ordinal} << 32 | inputter_.ordinal);
+        if (kernel.trace())
+            tell_trace(kernel);
+    }
+    void tell_trace(const Kernel&) const;
+    void require_carrier_between(const Process& self, const Process& other) const;
+    [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
     std::string name_;
     Carrier* carrier_ = nullptr; ///< null if the channel is soft
@@ -208,7 +292,7 @@ public:
     Input() = default;
     T input(const SourceLocation& where = SourceLocation::current()) const { return own().input(where); }
     /// For attempts: the slot stays empty when the message is given up.
-    void input_into(std::optional<T>& slot, const SourceLocation& where) const { own().input_any(&slot, where); }
+    void input_into(std::optional<T>& slot, const SourceLocation& where) const { own().input_into(slot, where); }
     AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
 
@@ -255,15 +339,38 @@ private:
     friend class Output<T>;
     friend class Input<T>;
 
-    void output(T message, const SourceLocation& where) { output_any(&message, wire_form(message), where); }
+    void output(T message, const SourceLocation& where) {
+        Process& self = Kernel::here().running();
+        begin_output(self);
+        const WireForm form = wire_form(message);
+        if (void* slot = slot_that_waits()) {
+            meet_inputter(self);
+            copy(&message, slot);
+            part_from_partner(self, form);
+        } else {
+            wait_to_output(self, &message, form, where);
+        }
+    }
+    void input_into(std::optional<T>& slot, const SourceLocation& where) {
+        Process& self = Kernel::here().running();
+        begin_input(self);
+        if (void* message = message_that_waits()) {
+            meet_outputter(self);
+            copy(message, &slot);
+            part_from_partner(self, form_that_waits());
+        } else {
+            wait_to_input(self, &slot, where);
+        }
+    }
     T input(const SourceLocation& where) {
         std::optional<T> slot;
-        input_any(&slot, where);
+        input_into(slot, where);
         return std::move(*slot);
     }
-    void move_message(void* from, void* to) override {
-        static_cast<std::optional<T>*>(to)->emplace(std::move(*static_cast<T*>(from)));
+    static void copy(void* message, void* slot) {
+        static_cast<std::optional<T>*>(slot)->emplace(std::move(*static_cast<T*>(message)));
     }
+    void move_message(void* from, void* to) override { copy(from, to); }
     std::optional<bool> are_same(const void* message, const void* other) const override {
         return SameMessage<T>::of(*static_cast<const T*>(message), *static_cast<const T*>(other));
     }

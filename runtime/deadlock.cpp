@@ -121,8 +121,8 @@ private:
 };
 
 /// Of one that could go on, if its executive had not halted, none.
-std::vector<const AnyChannel*> channels_of_wait(const Process& process) {
-    return process.activity() == Activity::ready ? std::vector<const AnyChannel*>{} : process.awaited_channels();
+std::span<const AnyChannel* const> channels_of_wait(const Process& process) {
+    return process.activity() == Activity::ready ? std::span<const AnyChannel* const>{} : process.awaited_channels();
 }
 
 StuckProcess describe(const Process& process) {
@@ -246,7 +246,7 @@ bool needs_partner(const Process* process) {
     case Activity::alternating: break;
     default: return false;
     }
-    const auto& channels = process->awaited_channels();
+    auto channels = process->awaited_channels();
     return !process->awaits_timer() && !channels.empty() &&
            std::ranges::all_of(channels, [&](const AnyChannel* each) { return lacks_partner(*process, *each); });
 }

@@ -23,7 +23,8 @@ namespace {
 
 /// Names the first process that computes or waits for its timer, as a hint: what comes too late is its own
 /// computation or delay, or follows from it.
-[[gnu::cold]] std::exception_ptr beyond_the_end_of_time(const std::vector<const Process*>& living) {
+[[gnu::cold, gnu::noinline]] std::exception_ptr beyond_the_end_of_time(const Kernel& kernel) {
+    const std::vector<const Process*> living = kernel.living();
     auto late = std::ranges::find_if(living, [](const Process* p) {
         return p->activity() == Activity::ready || p->activity() == Activity::delayed;
     });
@@ -52,7 +53,7 @@ const char* name_of(Ending ending) {
     return "";
 }
 
-thread_local Kernel* Kernel::current_ = nullptr;
+constinit thread_local Kernel* Kernel::current_ = nullptr;
 
 void Kernel::refuse_outside_a_run() {
     throw std::logic_error("only a process of a simulation that runs can communicate, compute or wait");
@@ -68,12 +69,8 @@ void Kernel::unwind_running() {
     throw Unwinding{};
 }
 
-void Kernel::takes_no_time(std::uint64_t operations_unheeded) {
-    throw_if_unwinding();
-    if (std::exchange(operations_at_, now_) != now_)
-        operations_at_once_ = 0;
-    if (++operations_at_once_ <= operations_unheeded)
-        return;
+/// The running process may have been doing such things for ever.
+void Kernel::heed_operations() {
     if (interrupted_.load(std::memory_order_relaxed))
         return give_way();
     if (operations_at_once_ > most_operations_at_once)
@@ -97,7 +94,7 @@ void Kernel::remove(Process& p) {
     processes_.pop_back();
 }
 
-void Kernel::make_ready(Process& p) {
+void Kernel::make_ready_later(Process& p) {
     if (trace_)
         trace_->made_ready(p, now_);
     if (p.executive_)
@@ -117,12 +114,12 @@ inline Process* Kernel::choose_ready() {
 }
 
 /// Lets the next event happen, unless the run ends before it.
-inline void Kernel::pass_to(Time next) {
+[[gnu::noinline]] void Kernel::pass_to(Time next) {
     limit_reached_ = next > limit_;
     if (limit_reached_) {
         now_ = limit_;
     } else if (next == Time::max()) {
-        failure_ = beyond_the_end_of_time(living());
+        failure_ = beyond_the_end_of_time(*this);
     } else {
         now_ = next;
         future_.happen_next();
@@ -146,7 +143,7 @@ Process* Kernel::choose_next() {
         if (Process* p = choose_ready()) {
             if (p->instruction_ && !execute_instruction(*p))
                 continue;
-            if (workers_.size() > stacks_in_a_cache) [[unlikely]]
+            if (stacks_exceed_cache_) [[unlikely]]
                 Worker::fetch_stack(running_, *p);
             return p;
         }
@@ -159,7 +156,7 @@ Process* Kernel::choose_next() {
 }
 
 /// Ends the work and wakes those that wait for this; returns whether there are any.
-bool Kernel::go_on_after_work() {
+[[gnu::cold, gnu::noinline]] bool Kernel::go_on_after_work() {
     if (after_work_.empty())
         return false;
     end_work();
@@ -223,6 +220,7 @@ bool Kernel::employ(Process& p) {
         if (idle_.empty()) {
             workers_.push_back(std::make_unique<Worker>(*this, stacks_.allocate()));
             idle_.push_back(workers_.back().get());
+            stacks_exceed_cache_ = workers_.size() > stacks_in_a_cache;
         }
     } catch (...) {
         failure_ = std::current_exception();
@@ -244,7 +242,8 @@ void Kernel::wait(Process* successor) {
 void Kernel::give_way() {
     Process& self = *running_;
     if (!unwinding_) {
-        require_own_stack(self);
+        if (!stacks_.all_guarded()) [[unlikely]]
+            require_own_stack(self);
         Process* next = next_with_worker();
         if (next != &self)
             switch_to(next);
@@ -284,7 +283,8 @@ void Kernel::fail(const Process& p) noexcept {
 
 /// The process that ran on the worker has ended. If it was the last component of a PAR, its parent can go on.
 void Kernel::finish(Process& p) noexcept {
-    require_own_stack(p);
+    if (!stacks_.all_guarded())
+        require_own_stack(p);
     p.activity_ = Activity::ended;
     p.stands_still();
     program_processes_ -= !p.serves_machine();

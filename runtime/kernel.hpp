@@ -90,7 +90,12 @@ public:
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
     /// Lets a process go on: at once if it is not placed, else when its executive gives it its turn.
-    void make_ready(Process&);
+    void make_ready(Process& p) {
+        if (trace_ || p.executive())
+            make_ready_later(p);
+        else
+            enqueue(p);
+    }
     /// Puts the process at the back of the ready queue. For executives; all others call make_ready.
     void enqueue(Process& p) { ready_.push_back(p); }
     /// Takes the running process off its executive and runs others until it is made ready. A successor, which needs an
@@ -152,7 +157,15 @@ private:
 
     [[noreturn]] static void refuse_outside_a_run();
     [[noreturn]] void unwind_running();
-    void takes_no_time(std::uint64_t operations_unheeded);
+    void takes_no_time(std::uint64_t operations_unheeded) {
+        throw_if_unwinding();
+        if (std::exchange(operations_at_, now_) != now_)
+            operations_at_once_ = 0;
+        if (++operations_at_once_ > operations_unheeded)
+            heed_operations();
+    }
+    void heed_operations();
+    void make_ready_later(Process&);
 
     void add(Process&);
     void remove(Process&);
@@ -176,7 +189,7 @@ private:
     Ending ending() const;
     void unwind_all();
 
-    static thread_local Kernel* current_;
+    static constinit thread_local Kernel* current_; // constinit: it is read without asking whether it exists
 
     Time now_{}, limit_{Time::max()};
     ProcessQueue ready_;
@@ -193,6 +206,7 @@ private:
     StackArena stacks_;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> idle_; ///< workers without a process
+    bool stacks_exceed_cache_ = false;
     FiberScheduler* scheduler_ = nullptr;
     Observer observer_;
     bool work_over_ = false;

@@ -54,6 +54,12 @@ struct Process::Standstill {
     Process& process;
 };
 
+/// Null: for no channel.
+inline void Process::awaits(const AnyChannel* channel) {
+    awaited_channel_ = channel;
+    awaited_ = {&awaited_channel_, channel ? std::size_t{1} : 0};
+}
+
 inline void Process::note_wait(Activity activity) {
     activity_ = activity;
     if (TraceSink* trace = kernel_.trace())
@@ -76,9 +82,7 @@ inline void Process::finish_wait(Process* successor) {
 }
 
 void Process::begin_wait(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
-    awaited_.clear();
-    if (channel)
-        awaited_.push_back(channel);
+    awaits(channel);
     awaits_timer_ = activity == Activity::delayed || may_give_up_;
     where_ = where;
     note_wait(activity);
@@ -93,11 +97,12 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
 
 void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where,
                        bool awaits_timer) {
-    awaited_.assign(channels.begin(), channels.end());
+    awaited_ = channels;
     awaits_timer_ = awaits_timer;
     where_ = where;
     note_wait(activity);
     finish_wait();
+    awaits(nullptr);
 }
 
 /// Off the executive, if the process waits.
@@ -134,7 +139,7 @@ void Process::compute_and_execute(Instruction& instruction, Cycles cycles) {
 }
 
 void Process::wait_for_components(Process& last, const SourceLocation& where) {
-    awaited_.clear();
+    awaits(nullptr);
     awaits_timer_ = false;
     where_ = where;
     note_wait(Activity::joining);
@@ -151,7 +156,7 @@ Time Process::time_waited() const {
 }
 
 void Process::was_delayed(Time since, const SourceLocation& where) {
-    awaited_.clear();
+    awaits(nullptr);
     awaits_timer_ = true;
     where_ = where;
     if (outermost_->going_on_ == 1)

@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace placedpar {
 
@@ -107,8 +106,8 @@ public:
 
     // For reports.
     Activity activity() const { return activity_; }
-    /// The channels of its last wait.
-    const std::vector<const AnyChannel*>& awaited_channels() const { return awaited_; }
+    /// The channels of its wait; of its last one if it does not wait and that was not for several at once.
+    std::span<const AnyChannel* const> awaited_channels() const { return awaited_; }
     /// Whether its last wait ends at a certain moment if nothing else ends it before.
     bool awaits_timer() const { return awaits_timer_; }
     /// From now on its waits end at a certain moment, or by another process, if their partner does not come; or not
@@ -144,6 +143,7 @@ private:
     friend class ProcessQueue;
 
     struct Standstill;
+    void awaits(const AnyChannel*);
     void note_wait(Activity);
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
@@ -161,7 +161,8 @@ private:
 
     bool machine_ = false; ///< it serves the machine
     Activity activity_ = Activity::ready;
-    std::vector<const AnyChannel*> awaited_; ///< the channels of its last wait
+    const AnyChannel* awaited_channel_ = nullptr;
+    std::span<const AnyChannel* const> awaited_; ///< see awaited_channels(): that one, or those of an alternation
     bool awaits_timer_ = false;
     bool may_give_up_ = false;
     SourceLocation where_; ///< where in its program it last waited

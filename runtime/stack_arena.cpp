@@ -50,6 +50,7 @@ Stack StackArena::allocate() {
         add_piece();
     std::byte* zone = pieces_.back() + allocated_ % stacks_in_a_piece * slice_bytes;
     bool guarded = guard_zone(zone, allocated_++);
+    all_guarded_ &= guarded;
     return {zone + Stack::zone_bytes, guarded};
 }
 

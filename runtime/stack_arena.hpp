@@ -35,12 +35,14 @@ public:
     /// It lasts as long as the arena. It is guarded from Linux 6.13 on; before, the first 16,000 are. Throws
     /// std::bad_alloc.
     Stack allocate();
+    bool all_guarded() const { return all_guarded_; }
 
 private:
     void add_piece();
 
     std::vector<std::byte*> pieces_;
     std::size_t allocated_ = 0;
+    bool all_guarded_ = true;
 };
 
 } // namespace placedpar

@@ -169,7 +169,7 @@ CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChann
 CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
     const Process& process = *lane.process;
     Activity activity = process.activity();
-    const std::vector<const AnyChannel*>& channels = process.awaited_channels();
+    const auto channels = process.awaited_channels();
     if (activity == Activity::outputting || activity == Activity::inputting)
         if (!channels.empty())
             return message_over(lane, *channels.front(), activity == Activity::outputting, now);
