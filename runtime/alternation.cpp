@@ -51,7 +51,7 @@ Cycles enabling(const Guard& guard, const OperationCosts& cost) {
 }
 
 /// The process begins the alternation and enables each guard, as ready as it is at the beginning.
-void charge_enabling(const Process& self, std::span<const Guard> guards) {
+void charge_enabling(Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_start;
         for (const Guard& guard : guards)
@@ -61,7 +61,7 @@ void charge_enabling(const Process& self, std::span<const Guard> guards) {
 }
 
 /// A guard is ready: the process disables each guard and ends the alternation.
-void charge_disabling(const Process& self, std::span<const Guard> guards) {
+void charge_disabling(Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_end;
         for (const Guard& guard : guards)

@@ -45,7 +45,8 @@ void AnyChannel::expect_outputter(const Process& process) { own(outputter_, proc
 void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 
 [[gnu::cold]] void AnyChannel::change_owner(User& end, const Process& process, const char* verb) {
-    if (end.process && !may_follow(end, process))
+    const void* inside = &end == &outputter_ ? message_ : slot_;
+    if (end.process && (inside || !may_follow(end, process)))
         throw std::logic_error(fmt::format("process {} {} channel {}, as {} does: a channel joins two processes only",
                                            process.path(), verb, name_,
                                            end.outermost == &process.outermost() ? "another component of a PAR"

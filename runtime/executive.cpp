@@ -6,8 +6,9 @@ namespace placedpar {
 
 void compute(Cycles cycles, const Grain& grain) {
     Kernel& kernel = Kernel::here();
-    if (Executive* executive = kernel.running().executive())
-        executive->compute(cycles, grain);
+    Process& self = kernel.running();
+    if (self.executive())
+        self.compute(cycles, grain);
     else
         kernel.takes_no_time();
 }

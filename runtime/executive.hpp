@@ -52,12 +52,14 @@ struct OperationCosts {
 /// A process without an executive is infinitely fast.
 ///
 /// What an implementation must keep to:
-/// 1. make_ready(p) tells it that p's program can go on. It answers with one Kernel::enqueue(p), at once or when p's
-///    turn comes. From that call on p has the executive; p's program runs at that same moment of virtual time.
+/// 1. make_ready(p) tells it that p can go on. It answers with one Kernel::enqueue(p), at once or when p's turn comes.
+///    From that call on p has the executive; p goes on at that same moment of virtual time.
 /// 2. p keeps the executive until it leaves it, to wait or because it has ended. While it has it, p may compute.
-/// 3. compute() begins with Kernel::throw_if_unwinding(), lets others run by Kernel::give_way() and calls
-///    Kernel::enqueue(p) when the work is done; it may take the executive from p in the meantime.
-/// 4. make_ready and leave neither wait nor throw: events call them, and processes that are ending.
+/// 3. begin_computing(p) is answered with one Kernel::enqueue(p), when the work is done; the executive may take itself
+///    from p in the meantime. Or it returns true: the work is done already, by Kernel::pass_time or because there was
+///    none.
+/// 4. make_ready and leave neither wait nor throw: events call them, and processes that are ending. begin_computing
+///    does not wait.
 /// 5. A program may poll, by SKIP guards or by waiting for a past time. The operations that it repeats must take
 ///    time, or virtual time stands still for as long as it polls.
 class Executive {
@@ -71,9 +73,9 @@ public:
     /// The period of the clock that processes of this priority read.
     virtual Time tick(Priority) const = 0;
 
-    /// The running process computes for so many cycles. REQUIRES: it has this executive. Throws std::logic_error when
-    /// cycles < 0 or one of the grain's < 1.
-    virtual void compute(Cycles, const Grain&) = 0;
+    /// The process, which is running, computes for so many cycles from now on; returns whether it has done so already.
+    /// REQUIRES: it has this executive. Throws std::logic_error when cycles < 0 or one of the grain's < 1.
+    virtual bool begin_computing(Process&, Cycles, const Grain&) = 0;
     /// Whether it has stopped for ever, by a fault, with all its processes.
     virtual bool halted() const { return false; }
 
@@ -110,16 +112,16 @@ void compute(Cycles, const Grain& = {});
 /// The running process pays for an operation: `cost`, called with its executive's costs, says how much. For example
 /// `charge(self, &OperationCosts::timer_read)`.
 template <class Cost>
-void charge(const Process& self, Cost cost) {
+void charge(Process& self, Cost cost) {
     if (Executive* executive = self.executive())
-        executive->compute(std::invoke(cost, executive->costs()), {});
+        self.compute(std::invoke(cost, executive->costs()), {});
 }
 
-/// The same, and then executes the instruction, and waits if that has begun to.
+/// The same, and then the process communicates.
 template <class Cost>
-void charge_and_execute(Instruction& instruction, Process& self, Cost cost) {
+void charge_and_communicate(Process& self, Cost cost, Communication& communication) {
     Executive* executive = self.executive();
-    self.compute_and_execute(instruction, executive ? std::invoke(cost, executive->costs()) : Cycles{});
+    self.compute_and_communicate(communication, executive ? std::invoke(cost, executive->costs()) : Cycles{});
 }
 
 } // namespace placedpar

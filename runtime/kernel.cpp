@@ -130,18 +130,10 @@ inline Process* Kernel::choose_ready() {
 /// half a Mbyte has 8,000 for everything.
 constexpr std::size_t stacks_in_a_cache = 500;
 
-/// On the stack of whoever runs.
-bool Kernel::execute_instruction(Process& p) {
-    Process* leaves = std::exchange(running_, &p);
-    bool goes_on = p.execute_instruction();
-    running_ = leaves;
-    return goes_on;
-}
-
 Process* Kernel::choose_next() {
     while (!over()) {
         if (Process* p = choose_ready()) {
-            if (p->instruction_ && !execute_instruction(*p))
+            if (p->communication_ && p->begin_communication())
                 continue;
             if (stacks_exceed_cache_) [[unlikely]]
                 Worker::fetch_stack(running_, *p);

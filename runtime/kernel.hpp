@@ -101,7 +101,7 @@ public:
     /// Takes the running process off its executive and runs others until it is made ready. A successor, which needs an
     /// executive, is made ready. Throws Unwinding when the simulation is over.
     void wait(Process* successor = nullptr);
-    /// The same, but the process keeps its executive. For executives, while the process computes.
+    /// The same, but the process keeps its executive, as while it computes, or has left it already.
     void give_way();
     /// Throws Unwinding when the simulation is over. Ends the program with a message when the running process has
     /// caught it many times.
@@ -173,7 +173,6 @@ private:
     std::vector<Process*> by_age() const;
     void introduce_to_trace();
     Process* choose_ready();
-    bool execute_instruction(Process&);
     Process* choose_next();
     void pass_to(Time next);
     bool go_on_after_work();

@@ -47,13 +47,6 @@ void Process::stands_still() {
         outermost_->still_since_ = kernel_.now();
 }
 
-/// Ends with the wait, also when that ends because the run does.
-struct Process::Standstill {
-    explicit Standstill(Process& p) : process(p) {}
-    ~Standstill() { process.goes_on(); }
-    Process& process;
-};
-
 /// Null: for no channel.
 inline void Process::awaits(const AnyChannel* channel) {
     awaited_channel_ = channel;
@@ -75,7 +68,11 @@ inline void Process::note_end_of_wait() {
 
 inline void Process::finish_wait(Process* successor) {
     {
-        Standstill standstill(*this);
+        // Also when the wait ends because the run does.
+        struct End {
+            ~End() { process.goes_on(); }
+            Process& process;
+        } end{*this};
         kernel_.wait(successor);
     }
     note_end_of_wait();
@@ -105,36 +102,40 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     awaits(nullptr);
 }
 
-/// Off the executive, if the process waits.
-bool Process::execute_instruction() {
-    Instruction& instruction = *std::exchange(instruction_, nullptr);
-    instruction.waits_ = !instruction.execute(*this);
-    if (instruction.waits_ && executive_)
-        executive_->leave(*this, nullptr);
-    return !instruction.waits_;
+[[gnu::flatten]] void Process::compute(Cycles cycles, const Grain& fineness) {
+    kernel_.throw_if_unwinding();
+    if (!executive_->begin_computing(*this, cycles, fineness))
+        kernel_.give_way();
 }
 
-void Process::compute_and_execute(Instruction& instruction, Cycles cycles) {
-    // The run may end during the computation, and during the wait.
-    struct End {
-        ~End() {
-            process.instruction_ = nullptr;
-            if (instruction.waits_)
-                process.goes_on();
-        }
-        Process& process;
-        Instruction& instruction;
-    };
+/// Off the executive, if the process waits.
+inline bool Process::begin_communication() {
+    communicates_ = std::exchange(communication_, nullptr)->begin(*this);
+    if (communicates_ && executive_)
+        executive_->leave(*this, nullptr);
+    return communicates_;
+}
+
+[[gnu::flatten]] void Process::compute_and_communicate(Communication& communication, Cycles cycles) {
+    kernel_.throw_if_unwinding();
+    bool has_waited = false;
     {
-        End end{*this, instruction};
-        instruction_ = &instruction;
-        instruction.waits_ = false;
-        if (executive_)
-            executive_->compute(cycles, {});
-        if (instruction_ && !execute_instruction())
+        // The run may end during the computation, and during the wait.
+        struct End {
+            ~End() {
+                process.communication_ = nullptr;
+                if (std::exchange(process.communicates_, false))
+                    process.goes_on();
+            }
+            Process& process;
+        } end{*this};
+        communication_ = &communication;
+        bool has_computed = !executive_ || executive_->begin_computing(*this, cycles, {});
+        if (!has_computed || begin_communication())
             kernel_.give_way();
+        has_waited = communicates_;
     }
-    if (instruction.waits_)
+    if (has_waited)
         note_end_of_wait();
 }
 

@@ -46,24 +46,23 @@ struct Join {
     std::uint32_t first_ordinal = 0; ///< of its components, which follow each other
 };
 
-/// What a process does at the end of a computation, in place of its program. So an operation that computes and then
-/// waits, as each communication on a link, takes one switch of contexts and not two.
-class Instruction {
+/// A communication for which a process first computes: what it does when that is over, in place of its program. So it
+/// takes one switch of contexts and not two.
+class Communication {
 public:
-    Instruction() = default;
-    Instruction(const Instruction&) = delete;
-    Instruction& operator=(const Instruction&) = delete;
+    Communication() = default;
+    Communication(const Communication&) = delete;
+    Communication& operator=(const Communication&) = delete;
 
 protected:
-    ~Instruction() = default;
+    ~Communication() = default;
 
 private:
     friend class Process;
-    /// At the process's turn. Returns whether its program goes on; else it has begun to wait (Process::begin_wait). The
-    /// stack of another process may be in use: it does not wait in any other way.
-    virtual bool execute(Process&) noexcept = 0;
-
-    bool waits_ = false;
+    /// At the process's turn. Returns whether the process waits, and has called Process::begin_wait then; else its
+    /// program goes on. It is called by the kernel, as an event is, on any stack: it does not wait in any other way,
+    /// and Kernel::running is somebody.
+    virtual bool begin(Process&) noexcept = 0;
 };
 
 /// One process of the simulation: a body that runs on a fiber, and, if it is placed, the executive that it
@@ -124,10 +123,13 @@ public:
     /// Waits until made ready, and notes for reports why and where. REQUIRES: this process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
-    /// Computes for so many cycles, if it is placed, then executes the instruction, and waits if that has begun to.
-    /// REQUIRES: this process is running.
-    void compute_and_execute(Instruction&, Cycles);
-    /// For an instruction: notes for reports that the process waits, why and where.
+    /// Computes on its executive. REQUIRES: this process is running, and is placed. Throws what
+    /// Executive::begin_computing does, and Unwinding when the simulation is over.
+    void compute(Cycles, const Grain&);
+    /// Computes for so many cycles, if it is placed, then begins the communication, and waits as long as that does. The
+    /// same is required and thrown.
+    void compute_and_communicate(Communication&, Cycles);
+    /// For a communication: the process waits from now on until it is made ready. Notes for reports why and where.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
     /// Waits for the components of its PAR. It runs the last one itself where it has an executive for this: that one is
     /// not ready yet then.
@@ -142,12 +144,11 @@ private:
     friend class Worker;
     friend class ProcessQueue;
 
-    struct Standstill;
     void awaits(const AnyChannel*);
     void note_wait(Activity);
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
-    bool execute_instruction();
+    bool begin_communication();
     void goes_on();
     void stands_still();
 
@@ -172,7 +173,8 @@ private:
     Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};
 
-    Instruction* instruction_ = nullptr; ///< what it does at its next turn; null: its program goes on
+    Communication* communication_ = nullptr; ///< which it begins at its next turn; null: its program goes on
+    bool communicates_ = false;              ///< it waits in one that it has begun
     Worker* worker_ = nullptr;           ///< the fiber that runs its body; null before its first turn
     Process* next_ = nullptr;            ///< the next in the queue in which it stands
     std::size_t slot_ = 0;               ///< where the kernel lists it

@@ -149,9 +149,9 @@ std::deque<Crossbar::Loss> Crossbar::losses() const {
     return losses;
 }
 
-void Crossbar::compute(Cycles, const Grain&) {
-    kernel_.throw_if_unwinding();
+bool Crossbar::begin_computing(Process&, Cycles, const Grain&) {
     kernel_.takes_no_time();
+    return true;
 }
 
 void Crossbar::make_ready(Process& process) { kernel_.enqueue(process); }

@@ -89,7 +89,7 @@ public:
     std::uint64_t connections() const { return connections_; }
 
     Time tick(Priority) const override { return std::chrono::microseconds{1}; }
-    void compute(Cycles, const Grain&) override;
+    bool begin_computing(Process&, Cycles, const Grain&) override;
     void make_ready(Process&) override;
     void leave(Process&, Process* successor) override;
 

@@ -87,19 +87,19 @@ void LinkDirection::serve(AnyChannel& channel) {
     channel_ = &channel;
 }
 
-bool LinkDirection::Out::execute(Process& self) noexcept {
+bool LinkDirection::Out::begin(Process& self) noexcept {
     if (direction.output_given_up_)
-        return true;
-    direction.send(self);
+        return false;
+    direction.send(self, bytes, last_part);
     self.begin_wait(Activity::outputting, direction.channel_, where);
-    return false;
+    return true;
 }
 
-bool LinkDirection::In::execute(Process& self) noexcept {
+bool LinkDirection::In::begin(Process& self) noexcept {
     if (direction.input_given_up_ || direction.receive(self))
-        return true;
+        return false;
     self.begin_wait(Activity::inputting, direction.channel_, where);
-    return false;
+    return true;
 }
 
 void LinkDirection::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
@@ -110,8 +110,8 @@ void LinkDirection::output(AnyChannel& channel, const WireForm& form, const Sour
     Process& self = kernel_.running();
     for (std::size_t part = 0; part <= last && !output_given_up_; ++part)
         if (form[part] > 0) {
-            out_instruction_.set(form[part], part == last, where);
-            charge_and_execute(out_instruction_, self, &OperationCosts::hard_communication);
+            output_.set(form[part], part == last, where);
+            charge_and_communicate(self, &OperationCosts::hard_communication, output_);
         }
 }
 
@@ -119,15 +119,15 @@ void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     begin_reading(channel);
     Process& self = kernel_.running();
     do {
-        in_instruction_.where = where;
-        charge_and_execute(in_instruction_, self, &OperationCosts::hard_communication);
+        input_.where = where;
+        charge_and_communicate(self, &OperationCosts::hard_communication, input_);
     } while (!took_last_part_ && !input_given_up_);
 }
 
-void LinkDirection::send(Process& sender) {
+void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
     sender_ = &sender;
-    enter_memories(out_instruction_.bytes);
-    last_part_ = out_instruction_.last_part;
+    enter_memories(bytes);
+    last_part_ = last_part;
     stalled_ = false;
     closed_form_.leave();
     if (kernel_.now() >= may_start_)

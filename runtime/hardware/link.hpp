@@ -184,27 +184,27 @@ public:
 
 private:
     void serve(AnyChannel&);
-    void send(Process&);
+    void send(Process&, std::uint32_t bytes, bool last_part);
     bool receive(Process&);
 
-    /// The transputer's instructions `out` and `in`, each for a part of a message. They are members of the direction,
+    /// What the transputer's instructions `out` and `in` do, each for a part of a message. They are members of the direction,
     /// not variables of its processes: the direction is needed next anyway, and their stacks are in no cache.
-    struct Out final : Instruction {
+    struct Out final : Communication {
         explicit Out(LinkDirection& d) : direction(d) {}
         void set(std::uint32_t part, bool last, const SourceLocation& place) {
             bytes = part;
             last_part = last;
             where = place;
         }
-        bool execute(Process&) noexcept override;
+        bool begin(Process&) noexcept override;
         LinkDirection& direction;
         std::uint32_t bytes = 0;
         bool last_part = false;
         SourceLocation where;
     };
-    struct In final : Instruction {
+    struct In final : Communication {
         explicit In(LinkDirection& d) : direction(d) {}
-        bool execute(Process&) noexcept override;
+        bool begin(Process&) noexcept override;
         LinkDirection& direction;
         SourceLocation where;
     };
@@ -275,8 +275,8 @@ private:
 
     Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
     Process* receiver_ = nullptr;
-    Out out_instruction_{*this};
-    In in_instruction_{*this};
+    Out output_{*this};
+    In input_{*this};
     Time may_start_{}; ///< no byte before this
 
     bool last_part_ = false;        ///< the part under way ends its message

@@ -130,9 +130,7 @@ void Processor::dispatch() {
         kernel_.enqueue(*current_);
 }
 
-void Processor::compute(Cycles cycles, const Grain& how_fine) {
-    Process& self = kernel_.running();
-    kernel_.throw_if_unwinding();
+bool Processor::begin_computing(Process& self, Cycles cycles, const Grain& how_fine) {
     assert(current_ == &self);
     require_sense(self, cycles, how_fine);
     Cycles all = cycles + how_fine.words_outside * costs().word_outside;
@@ -149,11 +147,11 @@ void Processor::compute(Cycles cycles, const Grain& how_fine) {
                kernel_.pass_time(later(kernel_.now(), work_left(self)))) {
             settle();
             if (work_left(self) == Time{0})
-                return account(self, kernel_.now() - turn_began_);
+                return account(self, kernel_.now() - turn_began_), true;
         }
         schedule_end();
     }
-    kernel_.give_way();
+    return false;
 }
 
 /// Of the first timeslice period that ends with the current process having run for a whole one.

@@ -72,7 +72,7 @@ public:
     Time memory_taken_by_links() const;
 
     Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
-    void compute(Cycles, const Grain&) override;
+    bool begin_computing(Process&, Cycles, const Grain&) override;
     void make_ready(Process&) override;
     /// A successor of the same priority goes on in the process's place, as after startp and by endp.
     void leave(Process&, Process* successor) override;

@@ -21,20 +21,19 @@ void Workstation::Work::happen() noexcept {
     workstation.kernel_.enqueue(*workstation.current_);
 }
 
-void Workstation::compute(Cycles cycles, const Grain&) {
-    kernel_.throw_if_unwinding();
+bool Workstation::begin_computing(Process& self, Cycles cycles, const Grain&) {
     if (cycles < Cycles{0})
-        throw std::logic_error("process " + kernel_.running().path() + " computes for a negative number of cycles");
+        throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (cycles == Cycles{0})
-        return kernel_.takes_no_time();
+        return kernel_.takes_no_time(), true;
     began_ = kernel_.now();
     Time end = later(began_, duration_of(static_cast<std::int64_t>(cycles), clock_hz_));
     if (TraceSink* trace = kernel_.trace())
         trace->computes(*current_, began_);
     if (kernel_.pass_time(end))
-        return end_work();
+        return end_work(), true;
     kernel_.future().schedule(work_, end, EventQueue::turn);
-    kernel_.give_way();
+    return false;
 }
 
 void Workstation::end_work() {

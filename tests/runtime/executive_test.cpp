@@ -29,11 +29,10 @@ public:
 
     Time tick(Priority) const override { return std::chrono::milliseconds{1}; }
 
-    void compute(Cycles cycles, const Grain&) override {
-        kernel_.throw_if_unwinding();
+    bool begin_computing(Process&, Cycles cycles, const Grain&) override {
         spent_.push_back(static_cast<std::int64_t>(cycles));
         kernel_.future().schedule(work_, kernel_.now() + spent_.back() * microseconds{1}, EventQueue::turn);
-        kernel_.give_way();
+        return false;
     }
     void make_ready(Process& p) override {
         waiting_.push_back(p);
