@@ -47,17 +47,16 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 [[gnu::cold]] void AnyChannel::change_owner(User& end, const Process& process, const char* verb) {
     const void* inside = &end == &outputter_ ? message_ : slot_;
     if (end.process && (inside || !may_follow(end, process)))
-        throw std::logic_error(fmt::format("process {} {} channel {}, as {} does: a channel joins two processes only",
-                                           process.path(), verb, name_,
-                                           end.outermost == &process.outermost() ? "another component of a PAR"
-                                                                                 : "process " + end.outermost->path()));
+        throw std::logic_error(fmt::format(
+            "process {} {} channel {}, as {} does: a channel joins two processes only", process.path(), verb, name_,
+            end.outermost == &process.outermost() ? "another component of a PAR" : "process " + end.outermost->path()));
     end = user(process);
 }
 
 /// The link was left in the middle of a message.
 void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
-    throw std::logic_error(
-        fmt::format("process {} {} channel {}, on which it gave up a message: reset it first", self.path(), verb, name_));
+    throw std::logic_error(fmt::format("process {} {} channel {}, on which it gave up a message: reset it first",
+                                       self.path(), verb, name_));
 }
 
 [[gnu::cold]] void AnyChannel::require_carrier_between(const Process& self, const Process& other) const {

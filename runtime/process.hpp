@@ -175,9 +175,9 @@ private:
 
     Communication* communication_ = nullptr; ///< which it begins at its next turn; null: its program goes on
     bool communicates_ = false;              ///< it waits in one that it has begun
-    Worker* worker_ = nullptr;           ///< the fiber that runs its body; null before its first turn
-    Process* next_ = nullptr;            ///< the next in the queue in which it stands
-    std::size_t slot_ = 0;               ///< where the kernel lists it
+    Worker* worker_ = nullptr;               ///< the fiber that runs its body; null before its first turn
+    Process* next_ = nullptr;                ///< the next in the queue in which it stands
+    std::size_t slot_ = 0;                   ///< where the kernel lists it
 
     unsigned times_unwound_ = 0;
     Time work_left_{};          ///< see Executive::work_left

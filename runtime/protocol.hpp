@@ -76,10 +76,11 @@ inline constexpr bool is_message<std::variant<Variants...>> = (is_message<Varian
 
 /// What a channel can carry: values of a fixed size, counted arrays of them, variants, and types that say what they are
 /// on a wire. Processes share no memory: pointers, references, spans and views are none, nor is what varies in size
-/// without saying so, such as std::string.
+/// without saying so, such as std::string. They are moved without throwing: often in an event, where no process would
+/// be told.
 template <class T>
-concept Protocol =
-    std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> && detail::is_message<T>;
+concept Protocol = std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> &&
+                   std::is_nothrow_move_constructible_v<T> && detail::is_message<T>;
 
 /// The protocol of a channel is the C++ type of its messages, and the type determines the form on the wire: a type of
 /// fixed size needs nothing; others have a member `WireForm wire_form() const`.

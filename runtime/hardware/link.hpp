@@ -187,8 +187,9 @@ private:
     void send(Process&, std::uint32_t bytes, bool last_part);
     bool receive(Process&);
 
-    /// What the transputer's instructions `out` and `in` do, each for a part of a message. They are members of the direction,
-    /// not variables of its processes: the direction is needed next anyway, and their stacks are in no cache.
+    /// What the transputer's instructions `out` and `in` do, each for a part of a message. They are members of the
+    /// direction, not variables of its processes: the direction is needed next anyway, and their stacks are in no
+    /// cache.
     struct Out final : Communication {
         explicit Out(LinkDirection& d) : direction(d) {}
         void set(std::uint32_t part, bool last, const SourceLocation& place) {

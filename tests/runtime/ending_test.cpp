@@ -12,8 +12,11 @@
 
 #include <boost/fiber/all.hpp>
 
+#include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 using namespace placedpar;
 using namespace placedpar::hardware;
@@ -189,6 +192,39 @@ TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
         },
         &t800);
     CHECK(simulation.run().ending == Ending::stuck);
+    CHECK(swallowed == 3);
+}
+
+TEST_CASE("a process that swallows its unwinding has no part in what links do any more") {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    int swallowed = 0;
+    auto thrice = [&swallowed](auto communicate) {
+        for (int i = 0; i < 3; ++i)
+            try {
+                communicate();
+            } catch (...) {
+                ++swallowed;
+            }
+    };
+    SUBCASE("it would take a message of which the sender is gone") {
+        Channel<std::uint8_t> c("c", link.from_a_to_b());
+        simulation.process("takes", [&] {
+            thrice([&, first = true]() mutable {
+                if (std::exchange(first, false))
+                    wait_for(std::chrono::milliseconds{2});
+                c.in().input();
+            });
+        });
+        simulation.process("sends", [&] { c.out().output(1); });
+        CHECK(simulation.run(std::chrono::milliseconds{1}).ending == Ending::time_limit);
+    }
+    SUBCASE("it would send while its last message is under way") {
+        Channel<std::array<std::uint8_t, 1000>> c("c", link.from_a_to_b());
+        simulation.process("takes", [&] { c.in().input(); });
+        simulation.process("sends", [&] { thrice([&] { c.out().output({}); }); });
+        CHECK(simulation.run(microseconds{100}).ending == Ending::time_limit);
+    }
     CHECK(swallowed == 3);
 }
 

@@ -203,6 +203,16 @@ TEST_CASE("each end of a channel has one owner") {
                              "two processes only",
                              std::logic_error);
     }
+    SUBCASE("a component of a PAR while one within another component is in it") {
+        simulation.process("p", [&] {
+            par([&] { wait_for(std::chrono::microseconds{20}), c.out().output(1); },
+                [&] { par([&] { c.out().output(2); }, [] {}); });
+        });
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "process p/0 outputs to channel c, as another component of a PAR does: a channel joins "
+                             "two processes only",
+                             std::logic_error);
+    }
     SUBCASE("a process and the components of its PARs, one after the other") {
         simulation.process("p", [&] {
             c.out().output(1);

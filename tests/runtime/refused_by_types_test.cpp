@@ -33,6 +33,10 @@ struct Counted {
     std::string text;
     WireForm wire_form() const { return WireForm(4u, text.size()); }
 };
+struct MayThrow {
+    MayThrow(MayThrow&&) {}
+    WireForm wire_form() const { return WireForm(4u); }
+};
 struct Stop {};
 using Measurements = std::variant<Stop, int, std::vector<Sample>>;
 
@@ -79,6 +83,7 @@ static_assert(!Protocol<int*> && !Protocol<int&> && !Protocol<const int> && !Pro
 static_assert(!Protocol<std::span<int>> && !Protocol<std::string_view> && !Protocol<std::vector<const char*>>);
 static_assert(!Protocol<std::shared_ptr<int>> && !Protocol<std::function<void()>>);
 static_assert(!Protocol<std::variant<Stop, int*>>);
+static_assert(!Protocol<MayThrow>);
 
 // A message is of its channel's protocol: of another type only where nothing is lost.
 static_assert(Outputs<Output<double>, int> && Outputs<Output<Counted>, Counted>);
