@@ -122,7 +122,9 @@ inline Process* Kernel::choose_ready() {
         failure_ = beyond_the_end_of_time(*this);
     } else {
         now_ = next;
+        between_programs_ = true;
         future_.happen_next();
+        between_programs_ = false;
     }
 }
 
@@ -130,10 +132,17 @@ inline Process* Kernel::choose_ready() {
 /// half a Mbyte has 8,000 for everything.
 constexpr std::size_t stacks_in_a_cache = 500;
 
+inline bool Kernel::begin_communication(Process& p) {
+    between_programs_ = true;
+    bool waits = p.begin_communication();
+    between_programs_ = false;
+    return waits;
+}
+
 Process* Kernel::choose_next() {
     while (!over()) {
         if (Process* p = choose_ready()) {
-            if (p->communication_ && p->begin_communication())
+            if (p->communication_ && begin_communication(*p))
                 continue;
             if (stacks_exceed_cache_) [[unlikely]]
                 Worker::fetch_stack(running_, *p);

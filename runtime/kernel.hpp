@@ -78,8 +78,8 @@ public:
     Time now() const { return now_; }
     /// The process whose program is being executed.
     Process& running() const { return *running_; }
-    /// The same; between two processes the one before. Null before the first.
-    const Process* last_to_run() const { return running_; }
+    /// The same; null outside of all programs, as while an event happens.
+    const Process* who_runs() const { return between_programs_ ? nullptr : running_; }
     EventQueue& future() { return future_; }
     Fingerprint& fingerprint() { return fingerprint_; }
     /// Null if no trace is wanted.
@@ -174,6 +174,7 @@ private:
     void introduce_to_trace();
     Process* choose_ready();
     Process* choose_next();
+    bool begin_communication(Process&);
     void pass_to(Time next);
     bool go_on_after_work();
     void end_work();
@@ -208,6 +209,7 @@ private:
     bool stacks_exceed_cache_ = false;
     FiberScheduler* scheduler_ = nullptr;
     Observer observer_;
+    bool between_programs_ = false;
     bool work_over_ = false;
     bool unwinding_ = false;
     bool limit_reached_ = false;

@@ -252,7 +252,7 @@ void add_search_size(CLI::App& command, OptimiseOptions& options) {
                "machines of a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
     add_time(command, "--until", options.until, "stops a run at this moment of the machine's time");
-    add_count(command, "--jobs", options.jobs, "so many runs at once; as many as there are cores if nothing is said");
+    add_jobs(command, options.jobs, "so many runs at once; as many as there are cores if nothing is said");
 }
 
 Action declare_optimise(CLI::App& command, const std::string&) {

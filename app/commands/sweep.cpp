@@ -202,12 +202,8 @@ void add_size(CLI::App& command, SweepOptions& options) {
         ->check(not_a_whole_number)
         ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
     add_time(command, "--until", options.until, "stops a run at this moment of the machine's time");
-    command
-        .add_option("--jobs", options.jobs,
-                    "so many runs at once; as many as there are cores if nothing is said, "
-                    "one in each rank of mpirun")
-        ->type_name("N")
-        ->check(not_a_whole_number);
+    add_jobs(command, options.jobs,
+             "so many runs at once; as many as there are cores if nothing is said, one in each rank of mpirun");
 }
 
 Action declare_sweep(CLI::App& command, const std::string&) {

@@ -31,6 +31,11 @@ CLI::Option* add_count(CLI::App& command, const std::string& option, std::size_t
     return command.add_option(option, count, about)->type_name(unit)->check(not_a_whole_number)->capture_default_str();
 }
 
+void add_jobs(CLI::App& command, std::size_t& jobs, const std::string& about) {
+    constexpr std::uint64_t most = 1000; // more threads than any machine has cores, and few enough to be started
+    add_number(command, "--jobs", jobs, 1, most, about);
+}
+
 CLI::Option* add_file(CLI::App& command, const std::string& option, std::string& path, const std::string& about,
                       const std::string& type) {
     return command.add_option(option, path, about)->type_name(type)->check(not_a_name);

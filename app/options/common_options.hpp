@@ -24,6 +24,9 @@ void add_seed(CLI::App&, std::uint64_t& seed,
 CLI::Option* add_count(CLI::App&, const std::string& option, std::size_t& count, const std::string& about,
                        const std::string& unit = "N");
 
+/// --jobs: so many at once, each in a thread; `jobs` stays as it is where nothing is said.
+void add_jobs(CLI::App&, std::size_t& jobs, const std::string& about);
+
 /// An option that takes digits only, and a number from least to most.
 template <class Number>
 CLI::Option* add_number(CLI::App& command, const std::string& option, Number& value, std::uint64_t least,

@@ -147,7 +147,7 @@ void CriticalPath::carries(const std::string& direction, const AnyChannel& chann
 
 /// Null while an event happens.
 const CriticalPath::Lane* CriticalPath::who_runs(const Process& any, Time now) {
-    const Process* process = any.kernel().last_to_run();
+    const Process* process = any.kernel().who_runs();
     const Lane* lane = process ? lane_of(*process) : nullptr;
     bool runs = lane && lane->does == Activeness::ready && !lane->cause && points_[lane->last].at == now;
     return runs ? lane : nullptr;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -80,6 +81,10 @@ void StudyValues::read_range(std::string_view text, std::size_t dots) {
     count_steps(text, from_, to);
 }
 
+double StudyValues::steps_to(double value) const {
+    return multiplies_ ? std::log(value / from_) / std::log(step_) : (value - from_) / step_;
+}
+
 void StudyValues::count_steps(std::string_view text, double from, double to) {
     if (to < from)
         refuse_range(text, fmt::format("the range is empty: it counts upwards, and {} is less than {}", to, from));
@@ -87,7 +92,7 @@ void StudyValues::count_steps(std::string_view text, double from, double to) {
         refuse_range(text, multiplies_ ? "a range is multiplied by more than 1, and begins above 0"
                                        : "the step of a range is more than 0");
     constexpr double rounding = 1e-9; // so that 0.1..0.9..0.1 has its last value
-    double steps = multiplies_ ? std::log(to / from) / std::log(step_) : (to - from) / step_;
+    double steps = steps_to(to);
     if (!(steps < most_values))
         refuse_range(text, "the range has too many values");
     count_ = static_cast<std::uint64_t>(std::floor(steps + rounding)) + 1;
@@ -99,6 +104,14 @@ std::string StudyValues::at(std::uint64_t index) const {
     auto i = static_cast<double>(index);
     double value = multiplies_ ? from_ * std::pow(step_, i) : from_ + step_ * i;
     return whole_ ? fmt::format("{:.0f}", value) : fmt::format("{:.12g}", value);
+}
+
+bool StudyValues::contain(const std::string& value) const {
+    std::optional<double> number = is_range_ ? number_of_setting(value) : std::nullopt;
+    if (!number)
+        return value == only_ && !is_range_;
+    double nearest = std::round(steps_to(*number));
+    return nearest >= 0 && nearest < static_cast<double>(count_) && at(static_cast<std::uint64_t>(nearest)) == value;
 }
 
 std::uint64_t StudyAxis::count() const {
@@ -120,6 +133,10 @@ std::string StudyAxis::at(std::uint64_t index) const {
         index -= part.count();
     }
     return "";
+}
+
+bool StudyAxis::has(const std::string& value) const {
+    return std::ranges::any_of(parts, [&](const StudyValues& part) { return part.contain(value); });
 }
 
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text) {

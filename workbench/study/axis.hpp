@@ -17,9 +17,12 @@ public:
     std::uint64_t count() const { return count_; }
     /// As --set takes it. REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
+    /// Whether it is one of them, written as at() writes it.
+    bool contain(const std::string& value) const;
 
 private:
     void read_range(std::string_view text, std::size_t dots);
+    double steps_to(double value) const;
     void count_steps(std::string_view text, double from, double to);
 
     std::string only_; ///< of no range
@@ -37,6 +40,7 @@ struct StudyAxis {
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
+    bool has(const std::string& value) const;
 };
 
 /// "slaves=0..7,10": parts with commas between them, but for those in quotes, parentheses or braces. Throws UserError.

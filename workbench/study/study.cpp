@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -59,6 +60,14 @@ Overrides StudyProduct::at(std::uint64_t index) const {
     return set;
 }
 
+bool StudyProduct::has(const Overrides& set) const {
+    auto agrees = [&](const StudyAxis& axis) {
+        auto found = set.find(axis.name);
+        return found != set.end() && axis.has(found->second);
+    };
+    return set.size() == axes.size() && std::ranges::all_of(axes, agrees) && where.holds(set);
+}
+
 std::uint64_t Study::count() const {
     require_seeds(first_seed, seeds);
     std::uint64_t sum = 0;
@@ -86,13 +95,8 @@ std::optional<StudyRun> Study::at(std::uint64_t index) const {
     return std::nullopt;
 }
 
-std::set<Overrides> Study::combinations() const {
-    std::set<Overrides> all;
-    for (const StudyProduct& product : products)
-        for (std::uint64_t i = 0, count = product.count(); i < count; ++i)
-            if (Overrides set = product.at(i); product.where.holds(set))
-                all.insert(std::move(set));
-    return all;
+bool Study::has(const Overrides& set) const {
+    return std::ranges::any_of(products, [&](const StudyProduct& product) { return product.has(set); });
 }
 
 } // namespace placedpar

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +21,8 @@ struct StudyProduct {
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     Overrides at(std::uint64_t index) const;
+    /// Whether it is one of these combinations.
+    bool has(const Overrides&) const;
 };
 
 /// A run of a study: what is set in the netlist, and the seed.
@@ -57,8 +58,8 @@ struct Study {
     std::uint64_t count() const;
     /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// What is set, each combination once. REQUIRES: memory for all.
-    std::set<Overrides> combinations() const;
+    /// Whether it has runs with these settings.
+    bool has(const Overrides&) const;
 };
 
 } // namespace placedpar

@@ -111,14 +111,13 @@ std::uint64_t StudySummary::runs() const {
 
 StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study) {
     const bool of_study = study && !study->search; // a search asks for what it has tried, of a space that may be vast
-    const std::set<Overrides> asked = of_study ? study->combinations() : std::set<Overrides>{};
     StudySummary summary{.netlist = results.netlist(), .version = results.version()};
     summary.measures = measures.empty() ? results.measures() : std::move(measures);
     summary.units.resize(summary.measures.size());
     std::vector<StudyMeasure> wanted(summary.measures.begin(), summary.measures.end());
     std::map<Overrides, Gathered> all;
     results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
-        if (!of_study || asked.contains(run.set))
+        if (!of_study || study->has(run.set))
             all[run.set].add(outcome, wanted, summary.units);
     });
     add_names(summary, all);
