@@ -9,6 +9,7 @@ build=${1:-$here/../../build/release}
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 
+g++ -std=c++20 -O2 "$here/commstime_fiber.cpp" -lboost_fiber -lboost_context -o "$made/fiber"
 [ -f /usr/include/systemc.h ] && g++ -O2 "$here/commstime_systemc.cpp" -lsystemc -o "$made/systemc"
 simgrid=${SIMGRID:-/usr/include}
 [ -f "$simgrid/simgrid/s4u.hpp" ] &&
@@ -17,6 +18,8 @@ command -v go >/dev/null && GOCACHE="$made/cache" go build -o "$made/go" "$here/
 for turn in 1 2 3; do
     echo "turn $turn"
     taskset -c 0 "$build/bench/commstime"
+    taskset -c 0 "$made/fiber"
+    taskset -c 0 "$made/fiber" 1000000 pauses
     if [ -x "$made/systemc" ]; then
         SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000
         SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000 pauses
