@@ -216,7 +216,7 @@ void Kernel::switch_to(Process* p) {
 }
 
 /// Gives a process that runs for the first time a fiber; returns whether there was memory for it. If not, the run ends.
-bool Kernel::employ(Process& p) {
+[[gnu::cold, gnu::noinline]] bool Kernel::employ(Process& p) {
     try {
         if (idle_.empty()) {
             workers_.push_back(std::make_unique<Worker>(*this, stacks_.allocate()));

@@ -47,12 +47,6 @@ void Process::stands_still() {
         outermost_->still_since_ = kernel_.now();
 }
 
-/// Null: for no channel.
-inline void Process::awaits(const AnyChannel* channel) {
-    awaited_channel_ = channel;
-    awaited_ = {&awaited_channel_, channel ? std::size_t{1} : 0};
-}
-
 inline void Process::note_wait(Activity activity) {
     activity_ = activity;
     if (TraceSink* trace = kernel_.trace())
@@ -79,7 +73,7 @@ inline void Process::finish_wait(Process* successor) {
 }
 
 void Process::begin_wait(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
-    awaits(channel);
+    awaited_channel_ = channel;
     awaits_timer_ = activity == Activity::delayed || may_give_up_;
     where_ = where;
     note_wait(activity);
@@ -94,12 +88,13 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
 
 void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where,
                        bool awaits_timer) {
-    awaited_ = channels;
+    awaited_channel_ = nullptr;
+    alternatives_ = channels;
     awaits_timer_ = awaits_timer;
     where_ = where;
     note_wait(activity);
     finish_wait();
-    awaits(nullptr);
+    alternatives_ = {};
 }
 
 [[gnu::flatten]] void Process::compute(Cycles cycles, const Grain& fineness) {
@@ -140,7 +135,7 @@ inline bool Process::begin_communication() {
 }
 
 void Process::wait_for_components(Process& last, const SourceLocation& where) {
-    awaits(nullptr);
+    awaited_channel_ = nullptr;
     awaits_timer_ = false;
     where_ = where;
     note_wait(Activity::joining);
@@ -157,7 +152,7 @@ Time Process::time_waited() const {
 }
 
 void Process::was_delayed(Time since, const SourceLocation& where) {
-    awaits(nullptr);
+    awaited_channel_ = nullptr;
     awaits_timer_ = true;
     where_ = where;
     if (outermost_->going_on_ == 1)

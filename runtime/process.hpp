@@ -106,7 +106,9 @@ public:
     // For reports.
     Activity activity() const { return activity_; }
     /// The channels of its wait; of its last one if it does not wait and that was not for several at once.
-    std::span<const AnyChannel* const> awaited_channels() const { return awaited_; }
+    std::span<const AnyChannel* const> awaited_channels() const {
+        return awaited_channel_ ? std::span(&awaited_channel_, 1) : alternatives_;
+    }
     /// Whether its last wait ends at a certain moment if nothing else ends it before.
     bool awaits_timer() const { return awaits_timer_; }
     /// From now on its waits end at a certain moment, or by another process, if their partner does not come; or not
@@ -144,7 +146,6 @@ private:
     friend class Worker;
     friend class ProcessQueue;
 
-    void awaits(const AnyChannel*);
     void note_wait(Activity);
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
@@ -162,8 +163,8 @@ private:
 
     bool machine_ = false; ///< it serves the machine
     Activity activity_ = Activity::ready;
-    const AnyChannel* awaited_channel_ = nullptr;
-    std::span<const AnyChannel* const> awaited_; ///< see awaited_channels(): that one, or those of an alternation
+    const AnyChannel* awaited_channel_ = nullptr;     ///< of its last wait, if that was for one
+    std::span<const AnyChannel* const> alternatives_; ///< while it waits for several
     bool awaits_timer_ = false;
     bool may_give_up_ = false;
     SourceLocation where_; ///< where in its program it last waited
