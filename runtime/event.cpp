@@ -9,6 +9,9 @@ namespace placedpar {
 /// together.
 constexpr std::size_t children = 4;
 
+/// A rough figure of ours: more than these do not fit a second-level cache of one Mbyte.
+constexpr std::size_t events_in_a_cache = 30'000;
+
 Event::~Event() {
     if (queue_)
         queue_->cancel(*this);
@@ -88,10 +91,22 @@ inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, st
     return found;
 }
 
+/// All children of some siblings, before it is known which of these is the earliest: else a step would wait for memory
+/// after the other.
+inline void EventQueue::fetch_children(const Entry* heap, std::size_t first) {
+    constexpr std::size_t line = 64, bytes = children * children * sizeof(Entry);
+    const char* begin = reinterpret_cast<const char*>(heap + children * first + 1);
+    for (std::size_t at = 0; at <= bytes; at += line)
+        __builtin_prefetch(begin + at);
+}
+
 void EventQueue::sift_down(Entry entry, std::size_t position) {
     Entry* const heap = heap_.data();
     const std::size_t size = heap_.size();
+    const bool in_no_cache = size > events_in_a_cache;
     for (std::size_t child; (child = children * position + 1) < size; position = child) {
+        if (in_no_cache) [[unlikely]]
+            fetch_children(heap, child);
         child = earliest(heap, child, std::min(child + children, size));
         if (!heap[child].before(entry))
             break;

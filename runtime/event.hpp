@@ -68,6 +68,7 @@ private:
         bool before(const Entry& other) const { return key() < other.key(); }
     };
     static std::size_t earliest(const Entry* heap, std::size_t first, std::size_t end);
+    static void fetch_children(const Entry* heap, std::size_t first);
     void put(Entry, std::size_t position);
     void sift_up(Entry, std::size_t position);
     void sift_down(Entry, std::size_t position);
