@@ -102,6 +102,29 @@ private:
     bool woken_ = false;
 };
 
+/// The process is at the ends of its guards' channels, for as long as this exists. Throws std::logic_error when it does
+/// not own one.
+class AtGuards {
+public:
+    AtGuards(Process& self, std::span<const Guard> guards) : guards_(guards) {
+        for (const Guard& guard : guards)
+            if (guard.kind == Guard::input)
+                guard.channel->own_input(self);
+        note(true);
+    }
+    ~AtGuards() { note(false); }
+    AtGuards(const AtGuards&) = delete;
+    AtGuards& operator=(const AtGuards&) = delete;
+
+private:
+    void note(bool there) const {
+        for (const Guard& guard : guards_)
+            if (guard.kind == Guard::input)
+                guard.channel->has_guard(there);
+    }
+    std::span<const Guard> guards_;
+};
+
 /// Waits until a guard is ready.
 void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     auto channels = awaited_channels(guards);
@@ -115,9 +138,7 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
 
 std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     Process& self = Kernel::here().running();
-    for (const Guard& guard : guards)
-        if (guard.kind == Guard::input)
-            guard.channel->own_input(self);
+    AtGuards at_guards(self, guards);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     bool has_to_sleep = !first_ready(guards);

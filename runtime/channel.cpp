@@ -1,7 +1,5 @@
 #include "runtime/channel.hpp"
 
-#include "runtime/executive.hpp"
-#include "runtime/kernel.hpp"
 #include "runtime/trace.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +43,7 @@ void AnyChannel::expect_outputter(const Process& process) { own(outputter_, proc
 void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 
 [[gnu::cold]] void AnyChannel::change_owner(User& end, const Process& process, const char* verb) {
-    const void* inside = &end == &outputter_ ? message_ : slot_;
+    const bool inside = &end == &outputter_ ? outputter_inside_ : inputter_inside_;
     if (end.process && (inside || !may_follow(end, process)))
         throw std::logic_error(fmt::format(
             "process {} {} channel {}, as {} does: a channel joins two processes only", process.path(), verb, name_,
@@ -59,12 +57,10 @@ void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
                                        self.path(), verb, name_));
 }
 
-[[gnu::cold]] void AnyChannel::require_carrier_between(const Process& self, const Process& other) const {
-    if (self.executive() && other.executive())
-        throw std::logic_error(fmt::format("channel {} joins process {} on {} and process {} on {}, and no link "
-                                           "carries it",
-                                           name_, other.path(), other.executive()->name(), self.path(),
-                                           self.executive()->name()));
+void AnyChannel::refuse_without_carrier(const Process& self, const Process& other) const {
+    throw std::logic_error(fmt::format("channel {} joins process {} on {} and process {} on {}, and no link carries it",
+                                       name_, other.path(), other.executive()->name(), self.path(),
+                                       self.executive()->name()));
 }
 
 void AnyChannel::tell_trace(const Kernel& kernel) const { kernel.trace()->communicated(*this, kernel.now()); }

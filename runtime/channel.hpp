@@ -46,7 +46,8 @@ protected:
 ///
 /// 1. It is put on a carrier, if at all, before it is used.
 /// 2. Each end has one owner: a process at the outermost level with the components of its PARs, one after the other.
-///    When another one uses the end, or two components of one PAR do, it throws std::logic_error.
+///    When another one uses the end, or two components of one PAR do, or one while another is at it, it throws
+///    std::logic_error.
 /// 3. Processes on two executives need a carrier between them; without one it throws std::logic_error.
 /// 4. It belongs to one simulation and outlives its run.
 class AnyChannel {
@@ -93,6 +94,8 @@ public:
         if (input_out_of_order_)
             refuse_unreset(process, "inputs from");
     }
+    /// Nobody else may use the end as long as it has.
+    void has_guard(bool has) { inputter_inside_ = has; }
     /// From now on a message is announced.
     void enable(Listener& listener) { listener_ = &listener; }
     void disable() { listener_ = nullptr; }
@@ -147,37 +150,32 @@ public:
     }
 
 protected:
-    // Of a communication, what stands here is inlined where a program communicates; what waits, or seldom happens, is
-    // not. A process begins to output (input); then it either meets its partner in a soft channel and copies the
-    // message, or waits.
+    // What a communication does is inlined where a program communicates, but for what waits or seldom happens. A
+    // process begins to output (input). Then it either finds its partner in a soft channel, copies the message and
+    // parts from it; or it waits, on a hard channel always, in whose carrier the partner may be there already.
+
     void begin_output(Process& self) {
-        if (!carrier_)
-            charge(self, &OperationCosts::soft_communication);
+        begin(self);
         own(outputter_, self, "outputs to");
         if (output_out_of_order_)
             refuse_unreset(self, "outputs to");
     }
     void begin_input(Process& self) {
-        if (!carrier_)
-            charge(self, &OperationCosts::soft_communication);
+        begin(self);
         own_input(self);
     }
-    /// The slot of the inputter that waits in a soft channel; null if none does.
-    void* slot_that_waits() const { return carrier_ ? nullptr : slot_; }
-    void* message_that_waits() const { return carrier_ ? nullptr : message_; }
+    /// Of the inputter (outputter) that waits in a soft channel; null if none does.
+    void* soft_slot() const { return carrier_ ? nullptr : slot_; }
+    void* soft_message() const { return carrier_ ? nullptr : message_; }
+    /// The second process has come to a soft channel to output (input): tells those that are to know.
     void meet_inputter(Process& self) { meet(self, output_attempt_); }
     void meet_outputter(Process& self) { meet(self, input_attempt_); }
-    /// What the message that waits is on a wire.
-    const WireForm& form_that_waits() const { return waiting_form_; }
-    /// The process has copied a message of that form: it pays for this, and its partner goes on.
-    void part_from_partner(Process& self, const WireForm& form) {
-        message_ = slot_ = nullptr;
-        Process& partner = *waiting_;
-        charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
-        self.kernel().make_ready(partner);
-    }
+    /// The second process has copied the message: it pays for this, during which nobody else may use its end, and its
+    /// partner goes on.
+    void part_from_inputter(Process& self, const WireForm& form) { part(self, form, outputter_inside_); }
+    void part_from_outputter(Process& self) { part(self, waiting_form_, inputter_inside_); }
     void wait_to_output(Process& self, void* message, const WireForm& form, const SourceLocation& where) {
-        Stay stay(message_, message);
+        Inside inside(outputter_inside_, message_, message);
         if (output_attempt_)
             output_attempt_->entered();
         if (carrier_)
@@ -188,7 +186,7 @@ protected:
         self.wait_for(Activity::outputting, this, where);
     }
     void wait_to_input(Process& self, void* slot, const SourceLocation& where) {
-        Stay stay(slot_, slot);
+        Inside inside(inputter_inside_, slot_, slot);
         if (input_attempt_)
             input_attempt_->entered();
         if (carrier_)
@@ -198,32 +196,49 @@ protected:
     }
 
 private:
-    /// A process is in the channel, for as long as this exists.
-    class Stay {
+    /// A process is at an end of the channel, with a message or a slot for one, for as long as this exists.
+    class Inside {
     public:
-        Stay(void*& place, void* mine) : place_(place) { place_ = mine; }
-        ~Stay() { place_ = nullptr; }
-        Stay(const Stay&) = delete;
-        Stay& operator=(const Stay&) = delete;
+        Inside(bool& flag, void*& place, void* mine) : flag_(flag), place_(place) { flag_ = true, place_ = mine; }
+        ~Inside() { flag_ = false, place_ = nullptr; }
+        Inside(const Inside&) = delete;
+        Inside& operator=(const Inside&) = delete;
 
     private:
+        bool& flag_;
         void*& place_;
     };
 
     virtual void move_message(void* from, void* to) = 0;
     virtual std::optional<bool> are_same(const void* message, const void* other) const = 0;
 
+    void begin(Process& self) {
+        self.kernel().throw_if_unwinding();
+        if (!carrier_)
+            charge(self, &OperationCosts::soft_communication);
+    }
     void own(User& end, const Process& process, const char* verb) {
         if (end.process != &process || end.ordinal != process.ordinal())
             change_owner(end, process, verb);
     }
     void change_owner(User& end, const Process&, const char* verb);
     void meet(Process& self, Entrant* attempt) {
-        if (self.executive() != waiting_->executive())
-            require_carrier_between(self, *waiting_);
+        const Executive *own = self.executive(), *other = waiting_->executive();
+        if (own != other && own && other)
+            refuse_without_carrier(self, *waiting_);
         if (attempt)
             attempt->entered();
         note_communication(self.kernel());
+    }
+    void part(Process& self, const WireForm& form, bool& inside) {
+        message_ = slot_ = nullptr;
+        Process& partner = *waiting_;
+        if (self.executive()) {
+            void* nothing = nullptr;
+            Inside still(inside, nothing, nullptr);
+            charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
+        }
+        self.kernel().make_ready(partner);
     }
     void note_communication(Kernel& kernel) {
         kernel.fingerprint().mix(static_cast<std::uint64_t>(kernel.now().count()));
@@ -232,7 +247,7 @@ private:
             tell_trace(kernel);
     }
     void tell_trace(const Kernel&) const;
-    void require_carrier_between(const Process& self, const Process& other) const;
+    [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
     std::string name_;
@@ -246,6 +261,8 @@ private:
     Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
     Entrant* input_attempt_ = nullptr;
     Cargo cargo_;
+    bool outputter_inside_ = false;    ///< a process outputs, until its program goes on
+    bool inputter_inside_ = false;     ///< the same, or has a guard on the channel
     bool output_out_of_order_ = false; ///< a message was given up at that end, which must be reset
     bool input_out_of_order_ = false;
 };
@@ -340,13 +357,13 @@ private:
     friend class Input<T>;
 
     void output(T message, const SourceLocation& where) {
+        const WireForm form = wire_form(message);
         Process& self = Kernel::here().running();
         begin_output(self);
-        const WireForm form = wire_form(message);
-        if (void* slot = slot_that_waits()) {
+        if (void* slot = soft_slot()) {
             meet_inputter(self);
             copy(&message, slot);
-            part_from_partner(self, form);
+            part_from_inputter(self, form);
         } else {
             wait_to_output(self, &message, form, where);
         }
@@ -354,10 +371,10 @@ private:
     void input_into(std::optional<T>& slot, const SourceLocation& where) {
         Process& self = Kernel::here().running();
         begin_input(self);
-        if (void* message = message_that_waits()) {
+        if (void* message = soft_message()) {
             meet_outputter(self);
             copy(message, &slot);
-            part_from_partner(self, form_that_waits());
+            part_from_outputter(self);
         } else {
             wait_to_input(self, &slot, where);
         }

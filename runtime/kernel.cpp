@@ -94,7 +94,7 @@ void Kernel::remove(Process& p) {
     processes_.pop_back();
 }
 
-void Kernel::make_ready_later(Process& p) {
+void Kernel::tell_and_make_ready(Process& p) {
     if (trace_)
         trace_->made_ready(p, now_);
     if (p.executive_)

@@ -78,7 +78,7 @@ public:
     Time now() const { return now_; }
     /// The process whose program is being executed.
     Process& running() const { return *running_; }
-    /// The same; null outside of all programs, as while an event happens.
+    /// The same; null while an event happens, or the kernel begins a communication for a process.
     const Process* who_runs() const { return between_programs_ ? nullptr : running_; }
     EventQueue& future() { return future_; }
     Fingerprint& fingerprint() { return fingerprint_; }
@@ -92,7 +92,7 @@ public:
     /// Lets a process go on: at once if it is not placed, else when its executive gives it its turn.
     void make_ready(Process& p) {
         if (trace_ || p.executive())
-            make_ready_later(p);
+            tell_and_make_ready(p);
         else
             enqueue(p);
     }
@@ -165,7 +165,7 @@ private:
             heed_operations();
     }
     void heed_operations();
-    void make_ready_later(Process&);
+    void tell_and_make_ready(Process&);
 
     void add(Process&);
     void remove(Process&);

@@ -88,23 +88,36 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
 
 void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where,
                        bool awaits_timer) {
+    struct End {
+        ~End() { process.alternatives_ = {}; }
+        Process& process;
+    } end{*this};
     awaited_channel_ = nullptr;
     alternatives_ = channels;
     awaits_timer_ = awaits_timer;
     where_ = where;
     note_wait(activity);
     finish_wait();
-    alternatives_ = {};
+}
+
+/// Returns whether it has to wait for the end.
+inline bool Process::begin_computing(Cycles cycles, const Grain& fineness) {
+    kernel_.throw_if_unwinding();
+    if (!executive_)
+        return false;
+    if (!executive_->begin_computing(*this, cycles, fineness))
+        return true;
+    kernel_.takes_no_time();
+    return false;
 }
 
 [[gnu::flatten]] void Process::compute(Cycles cycles, const Grain& fineness) {
-    kernel_.throw_if_unwinding();
-    if (!executive_->begin_computing(*this, cycles, fineness))
+    if (begin_computing(cycles, fineness))
         kernel_.give_way();
 }
 
 /// Off the executive, if the process waits.
-inline bool Process::begin_communication() {
+bool Process::begin_communication() {
     communicates_ = std::exchange(communication_, nullptr)->begin(*this);
     if (communicates_ && executive_)
         executive_->leave(*this, nullptr);
@@ -112,7 +125,6 @@ inline bool Process::begin_communication() {
 }
 
 [[gnu::flatten]] void Process::compute_and_communicate(Communication& communication, Cycles cycles) {
-    kernel_.throw_if_unwinding();
     bool has_waited = false;
     {
         // The run may end during the computation, and during the wait.
@@ -125,8 +137,7 @@ inline bool Process::begin_communication() {
             Process& process;
         } end{*this};
         communication_ = &communication;
-        bool has_computed = !executive_ || executive_->begin_computing(*this, cycles, {});
-        if (!has_computed || begin_communication())
+        if (begin_computing(cycles, {}) || begin_communication())
             kernel_.give_way();
         has_waited = communicates_;
     }

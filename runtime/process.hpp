@@ -128,8 +128,8 @@ public:
     /// Computes on its executive. REQUIRES: this process is running, and is placed. Throws what
     /// Executive::begin_computing does, and Unwinding when the simulation is over.
     void compute(Cycles, const Grain&);
-    /// Computes for so many cycles, if it is placed, then begins the communication, and waits as long as that does. The
-    /// same is required and thrown.
+    /// Computes for so many cycles, if it is placed, then begins the communication, and waits as long as that does.
+    /// Throws the same. REQUIRES: this process is running.
     void compute_and_communicate(Communication&, Cycles);
     /// For a communication: the process waits from now on until it is made ready. Notes for reports why and where.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
@@ -149,6 +149,7 @@ private:
     void note_wait(Activity);
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
+    bool begin_computing(Cycles, const Grain&);
     bool begin_communication();
     void goes_on();
     void stands_still();

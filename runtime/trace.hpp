@@ -34,7 +34,7 @@ public:
     virtual void moved(const Process&, const std::string& /* bus */, Time /* since */, Time /* now */) {}
     virtual void ended(const Process&, Time) = 0;
 
-    /// A message is handed over. Both processes are in the channel.
+    /// A message is handed over, from the channel's outputter to its inputter.
     virtual void communicated(const AnyChannel&, Time) = 0;
     /// A direction of a link, by its name, carries bytes from the moment `since`, which may be still to come. They
     /// follow each other without a break.

@@ -32,7 +32,7 @@ CLI::Option* add_count(CLI::App& command, const std::string& option, std::size_t
 }
 
 void add_jobs(CLI::App& command, std::size_t& jobs, const std::string& about) {
-    constexpr std::uint64_t most = 1000; // more threads than any machine has cores, and few enough to be started
+    constexpr std::uint64_t most = 1000; // few enough for their threads to be started
     add_number(command, "--jobs", jobs, 1, most, about);
 }
 

@@ -134,8 +134,6 @@ bool Processor::begin_computing(Process& self, Cycles cycles, const Grain& how_f
     assert(current_ == &self);
     require_sense(self, cycles, how_fine);
     Cycles all = cycles + how_fine.words_outside * costs().word_outside;
-    if (all == Cycles{0})
-        kernel_.takes_no_time();
     work_left(self) = later(work_left(self), duration(all));
     grain(self) = how_fine;
     if (self.priority() == Priority::low && !high_.empty()) {

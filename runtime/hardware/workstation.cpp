@@ -25,7 +25,7 @@ bool Workstation::begin_computing(Process& self, Cycles cycles, const Grain&) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (cycles == Cycles{0})
-        return kernel_.takes_no_time(), true;
+        return true;
     began_ = kernel_.now();
     Time end = later(began_, duration_of(static_cast<std::int64_t>(cycles), clock_hz_));
     if (TraceSink* trace = kernel_.trace())

@@ -126,7 +126,8 @@ class Ranks(InFolder):
 
     def test_ranks_that_read_other_files_are_refused(self):
         netlist = FIGURE_E2.read_text(encoding="utf-8").replace("../thesis/workload.inc", str(FIGURE_E2.parent / "../thesis/workload.inc"))
-        netlist = netlist.replace('"software.inc"', f'"{FIGURE_E2.parent / "software.inc"}"')
+        for part in ("software.inc", "mapping.inc"):
+            netlist = netlist.replace(f'"{part}"', f'"{FIGURE_E2.parent / part}"')
         for rank, text in ((0, netlist), (1, netlist.replace("val exchange_every 3", "val exchange_every 4"))):
             (self.folder / str(rank)).mkdir()
             (self.folder / str(rank) / "e2.cfs").write_text(text, encoding="utf-8")

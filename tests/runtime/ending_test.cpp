@@ -225,6 +225,18 @@ TEST_CASE("a process that swallows its unwinding has no part in what links do an
         simulation.process("sends", [&] { thrice([&] { c.out().output({}); }); });
         CHECK(simulation.run(microseconds{100}).ending == Ending::time_limit);
     }
+    SUBCASE("it would send to one that waits no more") {
+        Channel<int> c("c");
+        simulation.process("takes", [&] { c.in().input(); });
+        simulation.process("sends", [&] {
+            thrice([&, first = true]() mutable {
+                if (std::exchange(first, false))
+                    wait_for(std::chrono::milliseconds{2});
+                c.out().output(1);
+            });
+        });
+        CHECK(simulation.run(std::chrono::milliseconds{1}).ending == Ending::time_limit);
+    }
     CHECK(swallowed == 3);
 }
 

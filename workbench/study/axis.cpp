@@ -110,8 +110,11 @@ bool StudyValues::contain(const std::string& value) const {
     std::optional<double> number = is_range_ ? number_of_setting(value) : std::nullopt;
     if (!number)
         return value == only_ && !is_range_;
-    double nearest = std::round(steps_to(*number));
-    return nearest >= 0 && nearest < static_cast<double>(count_) && at(static_cast<std::uint64_t>(nearest)) == value;
+    double steps = steps_to(*number);
+    if (std::isnan(steps)) // of a multiplied range, below 0
+        return false;
+    double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() rounds
+    return at(static_cast<std::uint64_t>(nearest)) == value;
 }
 
 std::uint64_t StudyAxis::count() const {

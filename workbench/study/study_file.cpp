@@ -168,6 +168,8 @@ private:
         } else {
             values = value_text(node);
         }
+        if (std::ranges::find(axes, name, &StudyAxis::name) != axes.end())
+            return report(node.source().begin, fmt::format("\"{}\" is set twice", name), "each name once");
         attempt_at(node, [&] { axes.push_back({name, read_values(name, values)}); });
     }
 
