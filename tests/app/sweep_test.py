@@ -84,7 +84,7 @@ class Sweep(InFolder):
         with opened(self.folder / "figure-e2.sqlite") as database:
             texts = dict(database.execute("SELECT path, text FROM texts"))
         self.assertEqual(texts[str(FIGURE_E2)], FIGURE_E2.read_text(encoding="utf-8"))
-        self.assertEqual(len(texts), 3) # with what it includes
+        self.assertEqual(len(texts), 4) # with what it includes
 
     def test_it_makes_the_same_on_any_number_of_workers_and_after_any_number_of_deaths(self):
         dumps = []
@@ -194,7 +194,8 @@ class BadInput(InFolder):
                 ('netlist = "a.cfs"\n[set]\nslaves = "3..1"\n', "study.toml:3:10: error: slaves=3..1: the range is empty"),
                 ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: it cannot be understood: where:1:9: error: "),
                 ("netlist = \n", "study.toml:1:"), ("seeds = 3\n", "it names no netlist"),
-                ('netlist = "a.cfs"\n[set]\nslaves = []\n', 'study.toml:3:10: error: "slaves" has no values')):
+                ('netlist = "a.cfs"\n[set]\nslaves = []\n', 'study.toml:3:10: error: "slaves" has no values'),
+                ('netlist = "a.cfs"\n[set]\n"a.b" = 1\n[set.a]\nb = 2\n', 'study.toml:5:5: error: "a.b" is set twice')):
             with self.subTest(text):
                 self.assertIn(message, self.sweep(self.study(text), code=1))
         self.study(f'netlist = "{FIGURE_E2}"\nwhere = "slavs < 3"\n[set]\nslaves = [1, 2]\n')

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -75,6 +76,13 @@ TEST_CASE("a study knows its combinations without counting them up") {
     for (std::uint64_t i = 0; i < 12; ++i)
         if (std::optional<StudyRun> run = study.at(i))
             CHECK(study.has(run->set));
+    for (const char* range :
+         {"x=1000000000006..1000000000008..0.5", "x=1..2..x1.0000001", "x=-3..3..0.7", "x=5M..20M..5M"}) {
+        Study rounded;
+        rounded.products.push_back({.axes = {read_axis(range)}});
+        for (std::uint64_t i = 0; i < std::min<std::uint64_t>(rounded.count(), 1000); ++i)
+            CHECK(rounded.has(rounded.at(i)->set));
+    }
     CHECK(study.has({{"a", "1"}, {"b.c", "5M"}}));
     CHECK_FALSE(study.has({{"a", "0"}, {"b.c", "5M"}})); // the condition
     CHECK_FALSE(study.has({{"a", "3"}, {"b.c", "5M"}}));
