@@ -175,7 +175,7 @@ protected:
     void part_from_inputter(Process& self, const WireForm& form) { part(self, form, outputter_inside_); }
     void part_from_outputter(Process& self) { part(self, waiting_form_, inputter_inside_); }
     void wait_to_output(Process& self, void* message, const WireForm& form, const SourceLocation& where) {
-        Inside inside(outputter_inside_, message_, message);
+        Inside inside(outputter_inside_, &message_, message);
         if (output_attempt_)
             output_attempt_->entered();
         if (carrier_)
@@ -186,7 +186,7 @@ protected:
         self.wait_for(Activity::outputting, this, where);
     }
     void wait_to_input(Process& self, void* slot, const SourceLocation& where) {
-        Inside inside(inputter_inside_, slot_, slot);
+        Inside inside(inputter_inside_, &slot_, slot);
         if (input_attempt_)
             input_attempt_->entered();
         if (carrier_)
@@ -196,17 +196,25 @@ protected:
     }
 
 private:
-    /// A process is at an end of the channel, with a message or a slot for one, for as long as this exists.
+    /// A process is at an end of the channel for as long as this exists, and its message, or slot for one, in a place.
     class Inside {
     public:
-        Inside(bool& flag, void*& place, void* mine) : flag_(flag), place_(place) { flag_ = true, place_ = mine; }
-        ~Inside() { flag_ = false, place_ = nullptr; }
+        explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
+            flag_ = true;
+            if (place_)
+                *place_ = mine;
+        }
+        ~Inside() {
+            flag_ = false;
+            if (place_)
+                *place_ = nullptr;
+        }
         Inside(const Inside&) = delete;
         Inside& operator=(const Inside&) = delete;
 
     private:
         bool& flag_;
-        void*& place_;
+        void** place_;
     };
 
     virtual void move_message(void* from, void* to) = 0;
@@ -234,8 +242,7 @@ private:
         message_ = slot_ = nullptr;
         Process& partner = *waiting_;
         if (self.executive()) {
-            void* nothing = nullptr;
-            Inside still(inside, nothing, nullptr);
+            Inside still(inside);
             charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
         }
         self.kernel().make_ready(partner);
