@@ -120,7 +120,7 @@ private:
     void note(bool there) const {
         for (const Guard& guard : guards_)
             if (guard.kind == Guard::input)
-                guard.channel->has_guard(there);
+                guard.channel->note_guard(there);
     }
     std::span<const Guard> guards_;
 };

@@ -94,8 +94,8 @@ public:
         if (input_out_of_order_)
             refuse_unreset(process, "inputs from");
     }
-    /// Nobody else may use the end as long as it has.
-    void has_guard(bool has) { inputter_inside_ = has; }
+    /// It has one from now on, or not any more: as long as it has, nobody else may use the end.
+    void note_guard(bool there) { inputter_inside_ = there; }
     /// From now on a message is announced.
     void enable(Listener& listener) { listener_ = &listener; }
     void disable() { listener_ = nullptr; }

@@ -91,8 +91,8 @@ inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, st
     return found;
 }
 
-/// All children of some siblings, before it is known which of these is the earliest: else a step would wait for memory
-/// after the other.
+/// All children of some siblings, before it is known which of these is the earliest: else each step down would wait
+/// for memory anew.
 inline void EventQueue::fetch_children(const Entry* heap, std::size_t first) {
     constexpr std::size_t line = 64, bytes = children * children * sizeof(Entry);
     const char* begin = reinterpret_cast<const char*>(heap + children * first + 1);

@@ -100,19 +100,19 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Returns whether it has to wait for the end.
-inline bool Process::begin_computing(Cycles cycles, const Grain& fineness) {
+/// Returns whether it has done so; else it has begun to. Where it is not placed there is nothing to do.
+inline bool Process::computes_at_once(Cycles cycles, const Grain& fineness) {
     kernel_.throw_if_unwinding();
     if (!executive_)
-        return false;
-    if (!executive_->begin_computing(*this, cycles, fineness))
         return true;
-    kernel_.takes_no_time();
-    return false;
+    bool at_once = executive_->begin_computing(*this, cycles, fineness);
+    if (at_once)
+        kernel_.takes_no_time();
+    return at_once;
 }
 
 [[gnu::flatten]] void Process::compute(Cycles cycles, const Grain& fineness) {
-    if (begin_computing(cycles, fineness))
+    if (!computes_at_once(cycles, fineness))
         kernel_.give_way();
 }
 
@@ -137,7 +137,7 @@ bool Process::begin_communication() {
             Process& process;
         } end{*this};
         communication_ = &communication;
-        if (begin_computing(cycles, {}) || begin_communication())
+        if (!computes_at_once(cycles, {}) || begin_communication())
             kernel_.give_way();
         has_waited = communicates_;
     }

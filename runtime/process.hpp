@@ -60,8 +60,8 @@ protected:
 private:
     friend class Process;
     /// At the process's turn. Returns whether the process waits, and has called Process::begin_wait then; else its
-    /// program goes on. It is called by the kernel, as an event is, on any stack: it does not wait in any other way,
-    /// and Kernel::running is somebody.
+    /// program goes on. The kernel calls it as it does events, on the stack of any process, which is also
+    /// Kernel::running then: it does not wait in any other way.
     virtual bool begin(Process&) noexcept = 0;
 };
 
@@ -149,7 +149,7 @@ private:
     void note_wait(Activity);
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
-    bool begin_computing(Cycles, const Grain&);
+    bool computes_at_once(Cycles, const Grain&);
     bool begin_communication();
     void goes_on();
     void stands_still();

@@ -217,6 +217,12 @@ class BadInput(InFolder):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_no_runs_at_once_or_more_than_there_are_threads_are_refused(self):
+        for jobs in ("0", "1001", str(2 ** 63), "-1", "two"):
+            with self.subTest(jobs):
+                self.assertIn(f'"{jobs}" is no whole number from 1 to 1000', self.sweep(FIGURE_E2, "slaves=0..1", "--jobs", jobs, code=1))
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_what_a_condition_leaves_is_found_wherever_it_is(self):
         self.study(f'netlist = "{COMMSTIME}"\nwhere = "count == 7"\n[set]\ncount = "1..1000"\n')
         self.assertIn("count = 7", self.sweep("study.toml"))
