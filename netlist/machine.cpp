@@ -1,58 +1,10 @@
 #include "netlist/machine.hpp"
 
 #include "netlist/network/names.hpp"
-#include "netlist/runnable.hpp"
-#include "runtime/timer.hpp"
-#include "text/diagnostic.hpp"
-#include "text/user_error.hpp"
-
-#include <fmt/format.h>
-
-#include <new>
-#include <stdexcept>
-#include <system_error>
 
 namespace placedpar {
 
 namespace {
-
-/// REQUIRES: the network can be run.
-const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& catalogue) {
-    return *catalogue.find(process.kind);
-}
-
-/// Which process it was, and when if not at the start.
-std::string failing(const ProcessInstance& process) {
-    std::string when = now() == Time{0} ? "" : " at " + to_string(now());
-    return fmt::format("process {} ({}){}", process.name, process.kind, when);
-}
-
-/// The same, and where it was declared.
-std::string failure_of(const ProcessInstance& process, const char* why) {
-    std::string place = process.declared.text();
-    return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", failing(process), why);
-}
-
-/// Runs a process's program. What it refuses to work with, and what is wrong with the program itself, is reported with
-/// the process, after a file's own places; what the system refuses is not the process's fault.
-void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
-              ProcessEnvironment& environment) {
-    try {
-        body(environment);
-    } catch (const RefusedInput& refused) {
-        throw RefusedInput(refused.what() + render(SecondPlace{"read by " + failing(process), process.declared}));
-    } catch (const UserError& refused) {
-        throw UserError(failure_of(process, refused.what()));
-    } catch (const hardware::BusError& error) { // of a machine with a fault, which the program does not provide for
-        throw UserError(failure_of(process, error.what()));
-    } catch (const std::system_error&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& defect) {
-        throw std::logic_error(failure_of(process, defect.what()));
-    }
-}
 
 /// Hundredths of a bit time that a bit needs to cross the switches on its way.
 std::int64_t crossing_delay(const LinkConnection& connection, const std::vector<Node>& nodes) {
@@ -82,10 +34,6 @@ hardware::Link& add_link(Simulation& simulation, const LinkConnection& connectio
                                           link_name(nodes, connection.b));
 }
 
-const PortDescription& port_of(const ProcessInstance& process, std::string_view name, const Catalogue& catalogue) {
-    return *kind_of(process, catalogue).port(base_name(name));
-}
-
 bool travels_in_packets(const NetworkChannel& channel) {
     return channel.placement.kind == ChannelPlacement::Kind::link && channel.placement.in_packets;
 }
@@ -93,16 +41,14 @@ bool travels_in_packets(const NetworkChannel& channel) {
 } // namespace
 
 Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64_t seed)
-    : network_(network), seed_(seed) {
-    require_runnable(network, catalogue);
+    : network_(network), software_(network_, catalogue, seed) {
     make_executives();
     make_links();
     make_buses();
     make_faults();
     make_routers();
-    make_channels(catalogue);
-    make_processes(catalogue);
-    expect_partners();
+    place_channels();
+    start_processes();
 }
 
 void Machine::make_executives() {
@@ -175,23 +121,19 @@ hardware::Lane Machine::lane(std::size_t index, bool from_a_to_b) const {
                        : hardware::Lane{*both.from_b_to_a, b + " -> " + a};
 }
 
-void Machine::make_channels(const Catalogue& catalogue) {
-    for (const NetworkChannel& channel : network_.channels) {
-        const ProcessInstance& sender = network_.processes[channel.from.process];
-        channels_.push_back(port_of(sender, channel.from.port, catalogue).make_channel(channel.name));
-    }
-    routes_.resize(channels_.size());
-    for (std::size_t i = 0; i < channels_.size(); ++i)
+void Machine::place_channels() {
+    routes_.resize(network_.channels.size());
+    for (std::size_t i = 0; i < network_.channels.size(); ++i)
         if (const ChannelPlacement& at = network_.channels[i].placement;
             at.kind == ChannelPlacement::Kind::link && at.broadcast_on == nowhere)
             carry(i);
     for (const Broadcast& each : broadcasts_)
         for (std::size_t i = 0; i < each.channels.size(); ++i)
-            each.writer->carry(*channels_[each.channels[i]], i);
+            each.writer->carry(software_.channel(each.channels[i]), i);
 }
 
 void Machine::carry(std::size_t index) {
-    AnyChannel& channel = *channels_[index];
+    AnyChannel& channel = software_.channel(index);
     std::vector<hardware::Hop> hops;
     for (auto [connection, forth] : network_.channels[index].placement.route) {
         if (!router_links_[connection]) // then there is no other hop
@@ -203,31 +145,20 @@ void Machine::carry(std::size_t index) {
     routes_[index] = &route;
 }
 
-void Machine::make_processes(const Catalogue& catalogue) {
+void Machine::record(RecordedRun& record) {
+    record_ = &record;
+    for (Process* process : software_.processes())
+        process->keep(record.histories.emplace_back(record.course, record.histories.size()));
+}
+
+void Machine::start_processes() {
+    std::vector<Executive*> executives;
+    for (const NodeExecutive& each : executives_)
+        executives.push_back(each.executive);
+    software_.start(simulation_, executives);
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
-        processes_.push_back(&make_process(i, kind_of(network_.processes[i], catalogue)));
-}
-
-void Machine::expect_partners() {
-    for (std::size_t i = 0; i < channels_.size(); ++i) {
-        channels_[i]->expect_outputter(*processes_[network_.channels[i].from.process]);
-        channels_[i]->expect_inputter(*processes_[network_.channels[i].to.process]);
-    }
-}
-
-Process& Machine::make_process(std::size_t index, const ProcessKind& kind) {
-    const ProcessInstance& process = network_.processes[index];
-    std::vector<ProcessEnvironment::Port> ports;
-    for (const PortBinding& binding : process.ports)
-        ports.push_back({binding.port, channels_[binding.channel].get()});
-    ProcessEnvironment& environment =
-        environments_.emplace_back(network_, index, std::move(ports), seed_, measurements_);
-    Process& made = simulation_.process(
-        process.name, [&process, &environment, body = kind.body] { run_body(process, body, environment); },
-        executives_[process.node].executive, process.high_priority ? Priority::high : Priority::low);
-    if (network_.nodes[process.node].kind->is_set_by_link())
-        made.serve_machine(); // it is a part of the switch, and never ends
-    return made;
+        if (network_.nodes[network_.processes[i].node].kind->is_set_by_link())
+            software_.processes()[i]->serve_machine(); // it is a part of the switch, and never ends
 }
 
 } // namespace placedpar

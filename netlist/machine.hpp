@@ -1,9 +1,10 @@
 #pragma once
 
 #include "netlist/kinds/catalogue.hpp"
-#include "netlist/kinds/environment.hpp"
 #include "netlist/network/network.hpp"
+#include "netlist/repeated_run.hpp"
 #include "netlist/run_report.hpp"
+#include "netlist/software.hpp"
 #include "runtime/hardware/bus_memory.hpp"
 #include "runtime/hardware/crossbar.hpp"
 #include "runtime/hardware/link.hpp"
@@ -14,9 +15,7 @@
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
-#include <list>
 #include <map>
-#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -33,7 +32,10 @@ public:
     /// Throws UserError when a process refuses to work with what it was given, with its place, and when the run would
     /// pass the end of virtual time.
     RunReport run(Time limit = Time::max());
-    void interrupt() { simulation_.interrupt(); }
+    Simulation& simulation() { return simulation_; }
+    /// Notes what the processes do, so that the run can be repeated with other seeds. REQUIRES: before run(); the
+    /// record outlives it, is empty, and is not moved meanwhile.
+    void record(RecordedRun&);
     /// REQUIRES: before run(). See Kernel::shuffle.
     void shuffle(std::uint64_t seed) { simulation_.shuffle(seed); }
     /// REQUIRES: before run(); the sink outlives it.
@@ -67,11 +69,9 @@ private:
     void strike_link(std::size_t connection, const hardware::LinkFault&);
     void make_routers();
     hardware::RouterLink& make_router_link(std::size_t connection);
-    void make_channels(const Catalogue&);
+    void place_channels();
     void carry(std::size_t channel);
-    void make_processes(const Catalogue&);
-    void expect_partners();
-    Process& make_process(std::size_t process, const ProcessKind&);
+    void start_processes();
 
     std::vector<ProcessorUse> processor_uses() const;
     Time time_passing_on(std::size_t node) const;
@@ -86,8 +86,9 @@ private:
     std::vector<std::string> channels_stopped_by(const Fault&) const;
     bool is_stopped_by(const hardware::Route&, const Fault&) const;
 
+    RecordedRun* record_ = nullptr; ///< null: none is wanted
     Network network_;
-    std::uint64_t seed_;
+    Software software_;
     Simulation simulation_;
     std::vector<NodeExecutive> executives_;                                ///< by node
     std::vector<hardware::Link*> links_;                                   ///< by connection; null for ways over a bus
@@ -105,11 +106,7 @@ private:
     std::map<std::tuple<std::size_t, int, bool>, hardware::SharedEngine> engines_;
     std::vector<hardware::Router*> routers_;          ///< by node
     std::vector<hardware::RouterLink*> router_links_; ///< by connection; null where no channel travels in packets
-    std::vector<std::unique_ptr<AnyChannel>> channels_;
-    std::vector<const hardware::Route*> routes_; ///< by channel; null where it does not travel in packets
-    std::list<ProcessEnvironment> environments_;
-    std::vector<Process*> processes_;
-    std::vector<Measurement> measurements_;
+    std::vector<const hardware::Route*> routes_;      ///< by channel; null where it does not travel in packets
 };
 
 } // namespace placedpar

@@ -115,9 +115,9 @@ void Machine::make_faults() {
 
 std::vector<std::string> Machine::stopped_on(std::size_t node) const {
     std::vector<std::string> stopped;
-    for (std::size_t i = 0; i < processes_.size(); ++i)
-        if (network_.processes[i].node == node && !processes_[i]->ended() && processes_[i]->executive() &&
-            processes_[i]->executive()->halted())
+    for (std::size_t i = 0; i < network_.processes.size(); ++i)
+        if (network_.processes[i].node == node && !software_.processes()[i]->ended() &&
+            software_.processes()[i]->executive() && software_.processes()[i]->executive()->halted())
             stopped.push_back(network_.processes[i].name);
     return stopped;
 }
@@ -141,7 +141,7 @@ std::vector<std::string> Machine::channels_stopped_by(const Fault& fault) const 
     std::vector<std::string> stopped;
     for (std::size_t i = 0; i < routes_.size(); ++i)
         if (routes_[i] && is_stopped_by(*routes_[i], fault))
-            stopped.push_back(channels_[i]->name());
+            stopped.push_back(software_.channel(i).name());
     return stopped;
 }
 

@@ -84,8 +84,13 @@ RunReport Machine::run(Time limit) {
     forget_waits_that_end(report);
     if (report.result.deadlock)
         add_places(*report.result.deadlock, network_);
-    report.result.fingerprint = fingerprint_with(report.result.fingerprint, measurements_);
-    report.measurements = measurements_;
+    const std::uint64_t events = report.result.fingerprint;
+    report.result.fingerprint = fingerprint_with(events, software_.measurements());
+    report.measurements = software_.measurements();
+    if (record_) {
+        record_->report = report;
+        record_->events = events;
+    }
     return report;
 }
 
@@ -159,9 +164,9 @@ SwitchUse Machine::use_of(std::size_t node, const hardware::Crossbar& crossbar) 
 
 std::vector<ProcessUse> Machine::process_uses() const {
     std::vector<ProcessUse> uses;
-    for (std::size_t i = 0; i < processes_.size(); ++i)
+    for (std::size_t i = 0; i < network_.processes.size(); ++i)
         uses.push_back({network_.processes[i].name, network_.nodes[network_.processes[i].node].name,
-                        processes_[i]->time_waited(), processes_[i]->waits_since()});
+                        software_.processes()[i]->time_waited(), software_.processes()[i]->waits_since()});
     return uses;
 }
 

@@ -1,6 +1,7 @@
 #include "runtime/alternation.hpp"
 
 #include "runtime/executive.hpp"
+#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
@@ -136,8 +137,8 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
     self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where, timeout.has_value());
 }
 
-std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
-    Process& self = Kernel::here().running();
+/// The same as select(), which notes it.
+std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     AtGuards at_guards(self, guards);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
@@ -150,6 +151,33 @@ std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     if (!has_to_sleep && !self.executive() && guards[chosen].kind != Guard::input)
         wait_until(now(), where);
     return chosen;
+}
+
+std::uint64_t what_guard_awaits(const Guard& guard) {
+    switch (guard.kind) {
+    case Guard::input: return guard.channel->identity();
+    case Guard::timeout: return static_cast<std::uint64_t>(guard.due.count());
+    case Guard::skip:
+    case Guard::never: break;
+    }
+    return 0;
+}
+
+void note(std::span<const Guard> guards, History& history) {
+    for (const Guard& guard : guards)
+        history.does(History::Action::alternation, guards.size(),
+                     {std::uint64_t{guard.kind}, what_guard_awaits(guard)});
+}
+
+std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
+    Process& self = Kernel::here().running();
+    History* history = self.history();
+    if (!history)
+        return choose(self, guards, where);
+    self.kernel().heed_interruption();
+    note(guards, *history);
+    return static_cast<std::size_t>(
+        history->chooses([&] { return static_cast<std::int64_t>(choose(self, guards, where)); }));
 }
 
 } // namespace placedpar

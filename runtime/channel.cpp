@@ -1,9 +1,11 @@
 #include "runtime/channel.hpp"
 
+#include "runtime/history.hpp"
 #include "runtime/trace.hpp"
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <stdexcept>
 
 namespace placedpar {
@@ -31,6 +33,16 @@ void require_nobody_in(const void* end, const AnyChannel& channel) {
 }
 
 } // namespace
+
+/// Of the process that makes it; outside of a run by its name.
+std::uint64_t AnyChannel::new_identity(const std::string& name) {
+    const Kernel* kernel = Kernel::current();
+    if (!kernel || !kernel->is_attentive())
+        return std::hash<std::string>()(name);
+    const Process* maker = kernel->who_runs();
+    History* history = maker ? maker->history() : nullptr;
+    return history ? history->next_channel() : 0;
+}
 
 void AnyChannel::put_on(Carrier& carrier) {
     if (message_ || slot_ || listener_)
@@ -111,6 +123,28 @@ std::uint64_t AnyChannel::reset_input() {
     require_nobody_in(slot_, *this);
     input_out_of_order_ = false;
     return carrier_ ? carrier_->reset_input(*this) : 0;
+}
+
+namespace {
+
+/// The lengths of two parts of a message.
+std::uint64_t two_parts(const WireForm& form, std::size_t first) {
+    return std::uint64_t{form[first]} << 32 | form[first + 1];
+}
+
+} // namespace
+
+/// Or throws, while the process is unwound.
+void AnyChannel::note_output(Process& self, const WireForm& form) {
+    self.kernel().throw_if_unwinding();
+    if (History* history = self.history())
+        history->does(History::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
+}
+
+void AnyChannel::note_input(Process& self) {
+    self.kernel().throw_if_unwinding();
+    if (History* history = self.history())
+        history->does(History::Action::input, identity());
 }
 
 void AnyChannel::hand_over() {

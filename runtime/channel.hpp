@@ -60,7 +60,7 @@ public:
         std::uint32_t ordinal = 0; ///< of the process, by which to find out whether it still lives
     };
 
-    explicit AnyChannel(std::string name) : name_(std::move(name)) {}
+    explicit AnyChannel(std::string name) : name_(std::move(name)), identity_(new_identity(name_)) {}
     /// A hard channel: occam's PLACE ... AT. `Channel<int> there("there", link.from_a_to_b())`. The carrier outlives
     /// it.
     AnyChannel(std::string name, Carrier& on) : AnyChannel(std::move(name)) { put_on(on); }
@@ -69,6 +69,9 @@ public:
     AnyChannel& operator=(const AnyChannel&) = delete;
 
     const std::string& name() const { return name_; }
+    /// For histories: another for each channel, and the same in each run. REQUIRES: those that are made before the run
+    /// have names of their own.
+    std::uint64_t identity() const { return identity_; }
     virtual std::type_index protocol() const = 0;
     /// Makes the channel hard. Throws std::logic_error while a process is in it. REQUIRES: no process has used it
     /// yet; the carrier outlives it.
@@ -154,13 +157,17 @@ protected:
     // process begins to output (input). Then it either finds its partner in a soft channel, copies the message and
     // parts from it; or it waits, on a hard channel always, in whose carrier the partner may be there already.
 
-    void begin_output(Process& self) {
+    void begin_output(Process& self, const WireForm& form) {
+        if (self.kernel().is_attentive()) [[unlikely]]
+            note_output(self, form);
         begin(self);
         own(outputter_, self, "outputs to");
         if (output_out_of_order_)
             refuse_unreset(self, "outputs to");
     }
     void begin_input(Process& self) {
+        if (self.kernel().is_attentive()) [[unlikely]]
+            note_input(self);
         begin(self);
         own_input(self);
     }
@@ -196,6 +203,7 @@ protected:
     }
 
 private:
+    static std::uint64_t new_identity(const std::string& name);
     /// A process is at an end of the channel for as long as this exists, and its message, or slot for one, in a place.
     class Inside {
     public:
@@ -220,8 +228,9 @@ private:
     virtual void move_message(void* from, void* to) = 0;
     virtual std::optional<bool> are_same(const void* message, const void* other) const = 0;
 
+    void note_output(Process& self, const WireForm&);
+    void note_input(Process& self);
     void begin(Process& self) {
-        self.kernel().throw_if_unwinding();
         if (!carrier_)
             charge(self, &OperationCosts::soft_communication);
     }
@@ -258,6 +267,7 @@ private:
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
     std::string name_;
+    std::uint64_t identity_;
     Carrier* carrier_ = nullptr; ///< null if the channel is soft
     User outputter_, inputter_;
     void* message_ = nullptr;           ///< set while an outputter is in the channel
@@ -366,7 +376,7 @@ private:
     void output(T message, const SourceLocation& where) {
         const WireForm form = wire_form(message);
         Process& self = Kernel::here().running();
-        begin_output(self);
+        begin_output(self, form);
         if (void* slot = soft_slot()) {
             meet_inputter(self);
             copy(&message, slot);

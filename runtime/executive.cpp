@@ -1,12 +1,30 @@
 #include "runtime/executive.hpp"
 
+#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 
 namespace placedpar {
 
+namespace {
+
+/// Notes it, if the process keeps a history. Not inlined: few do, and the frames of those that compute are to be small.
+[[gnu::noinline]] bool only_repeats(const Process& self, Cycles cycles, const Grain& grain) {
+    auto word = [](Cycles number) { return static_cast<std::uint64_t>(number); };
+    History* history = self.history();
+    if (history)
+        history->does(History::Action::computation, word(cycles),
+                      {word(grain.between_points) << 32 ^ word(grain.instruction),
+                       static_cast<std::uint64_t>(grain.words_outside)});
+    return history && history->repeats();
+}
+
+} // namespace
+
 void compute(Cycles cycles, const Grain& grain) {
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
+    if (kernel.is_attentive() && only_repeats(self, cycles, grain)) [[unlikely]]
+        return kernel.heed_interruption();
     if (self.executive())
         self.compute(cycles, grain);
     else

@@ -353,10 +353,11 @@ void Kernel::introduce_to_trace() {
 
 /// The youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
-    unwinding_ = true;
+    unwinding_ = attentive_ = true;
     std::vector<Process*> left = by_age();
     std::ranges::reverse(left);
     for (Process* p : left) {
+        p->history_ = nullptr;
         if (p->worker_)
             switch_to(p);
         p->activity_ = Activity::ended;

@@ -109,6 +109,13 @@ public:
         if (unwinding_)
             unwind_running();
     }
+    /// Whether processes are unwound, or keep histories.
+    bool is_attentive() const { return attentive_; }
+    /// Lets the run be interrupted, and processes be unwound, where the running process repeats what it did.
+    void heed_interruption() {
+        if (unwinding_ || interrupted_.load(std::memory_order_relaxed)) [[unlikely]]
+            give_way();
+    }
     /// The running process does something that takes no time. Lets the run be interrupted; throws std::logic_error when
     /// it has done so `most_operations_at_once` times since time last passed: nothing else would ever happen.
     void takes_no_time() { takes_no_time(0); }
@@ -212,6 +219,7 @@ private:
     bool between_programs_ = false;
     bool work_over_ = false;
     bool unwinding_ = false;
+    bool attentive_ = false; ///< unwinding_, or a process keeps a history: so that one question does for both
     bool limit_reached_ = false;
     std::atomic<bool> interrupted_{false};
     std::exception_ptr failure_; ///< what a process threw

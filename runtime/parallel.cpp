@@ -1,6 +1,7 @@
 #include "runtime/parallel.hpp"
 
 #include "runtime/executive.hpp"
+#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 
 #include <list>
@@ -20,6 +21,11 @@ Cycles cost_of_starting(const std::vector<Component>& components, Priority own, 
     return all;
 }
 
+void note_beginning(const std::vector<Component>& components, History& history) {
+    for (const Component& component : components)
+        history.does(History::Action::parallel, components.size(), {static_cast<std::uint64_t>(component.priority)});
+}
+
 /// The component pays for its end.
 Process::Body with_end(const Process& parent, Process::Body body) {
     if (!parent.executive())
@@ -37,17 +43,25 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
         return;
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
+    History* history = self.history();
+    if (history)
+        note_beginning(components, *history);
     charge(self, [&](const OperationCosts& cost) { return cost_of_starting(components, self.priority(), cost); });
     Join join{components.size(), self};
     std::list<Process> processes;
-    for (std::size_t i = 0; i < components.size(); ++i)
+    for (std::size_t i = 0; i < components.size(); ++i) {
         processes.emplace_back(self, i, with_end(self, std::move(components[i].body)), components[i].priority, join);
+        if (history)
+            processes.back().keep(history->component());
+    }
     join.first_ordinal = processes.front().ordinal();
     Process& last = processes.back();
     for (Process& process : processes)
         if (&process != &last || !self.executive())
             kernel.make_ready(process);
     self.wait_for_components(last, where);
+    if (history)
+        history->components_have_ended();
 }
 
 } // namespace placedpar

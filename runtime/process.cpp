@@ -26,6 +26,11 @@ Process::Process(Process& parent, std::size_t index, Body body, Priority priorit
 
 Process::~Process() { kernel_.remove(*this); }
 
+void Process::keep(History& history) {
+    history_ = &history;
+    kernel_.attentive_ = true;
+}
+
 void Process::serve_machine() { kernel_.program_processes_ -= !std::exchange(machine_, true); }
 
 std::string Process::path() const { return join_ ? fmt::format("{}/{}", join_->parent.path(), index_) : name_; }

@@ -14,6 +14,7 @@ namespace placedpar {
 
 class AnyChannel;
 class Executive;
+class History;
 class Kernel;
 class Process;
 class Worker;
@@ -102,6 +103,11 @@ public:
     /// Makes it a part of the machine instead of the program: a run does not wait for it to end.
     void serve_machine();
     bool serves_machine() const { return machine_; }
+    /// Notes in it from now on what it does, or does what it says. REQUIRES: it has not begun; the history outlives the
+    /// run.
+    void keep(History&);
+    /// Null where it keeps none, and while it is unwound.
+    History* history() const { return history_; }
 
     // For reports.
     Activity activity() const { return activity_; }
@@ -174,6 +180,8 @@ private:
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended
     Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};
+
+    History* history_ = nullptr;
 
     Communication* communication_ = nullptr; ///< which it begins at its next turn; null: its program goes on
     bool communicates_ = false;              ///< it waits in one that it has begun

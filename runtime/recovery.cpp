@@ -1,13 +1,25 @@
 #include "runtime/recovery.hpp"
 
 #include "runtime/executive.hpp"
+#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
 
 namespace placedpar {
 
+namespace {
+
+/// Whether a message comes in time is nothing that a history knows.
+void tell_history(const Process& self) {
+    if (History* history = self.history())
+        history->does_what_is_not_noted();
+}
+
+} // namespace
+
 Attempt::Attempt(AnyChannel& channel, End end) : channel_(channel), end_(end), process_(Kernel::here().running()) {
+    tell_history(process_);
     charge(process_, &OperationCosts::attempt);
     end_ == End::output ? channel_.attempt_output(this) : channel_.attempt_input(this);
     process_.may_give_up(true);
@@ -48,6 +60,7 @@ void Attempt::happen() noexcept {
 }
 
 std::uint64_t reset(AnyChannel& channel, Attempt::End end) {
+    tell_history(Kernel::here().running());
     charge(Kernel::here().running(), &OperationCosts::reset_channel);
     return end == Attempt::End::output ? channel.reset_output() : channel.reset_input();
 }

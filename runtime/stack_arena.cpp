@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace placedpar {
 
@@ -40,29 +41,55 @@ bool Stack::was_left_for(const void* address) const {
 
 bool Stack::has_overflowed() const { return is_written(bottom - 64, bottom); }
 
+/// A thread's piece that no arena has; null memory: none.
+struct StackArena::Kept {
+    ~Kept() {
+        if (piece.memory)
+            munmap(piece.memory, piece_bytes);
+    }
+    Piece piece;
+};
+
+StackArena::Kept& StackArena::kept() {
+    thread_local Kept kept;
+    return kept;
+}
+
 StackArena::~StackArena() {
-    for (std::byte* piece : pieces_)
-        munmap(piece, piece_bytes);
+    if (!pieces_.empty() && all_guarded_ && !kept().piece.memory)
+        std::swap(kept().piece, pieces_.front());
+    for (const Piece& piece : pieces_)
+        if (piece.memory)
+            munmap(piece.memory, piece_bytes);
 }
 
 Stack StackArena::allocate() {
-    if (allocated_ % stacks_in_a_piece == 0)
+    const std::size_t in_piece = allocated_ % stacks_in_a_piece;
+    if (in_piece == 0)
         add_piece();
-    std::byte* zone = pieces_.back() + allocated_ % stacks_in_a_piece * slice_bytes;
-    bool guarded = guard_zone(zone, allocated_++);
+    Piece& piece = pieces_.back();
+    std::byte* zone = piece.memory + in_piece * slice_bytes;
+    bool guarded = in_piece < piece.guarded || guard_zone(zone, allocated_);
+    ++allocated_;
     all_guarded_ &= guarded;
+    if (guarded)
+        piece.guarded = std::max(piece.guarded, in_piece + 1);
     return {zone + Stack::zone_bytes, guarded};
 }
 
 /// Without huge pages, of which each would be several stacks in full.
 void StackArena::add_piece() {
     pieces_.reserve(pieces_.size() + 1);
+    if (kept().piece.memory) {
+        pieces_.push_back(std::exchange(kept().piece, {}));
+        return;
+    }
     void* piece = mmap(nullptr, piece_bytes, PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
     if (piece == MAP_FAILED)
         throw std::bad_alloc();
     madvise(piece, piece_bytes, MADV_NOHUGEPAGE);
-    pieces_.push_back(static_cast<std::byte*>(piece));
+    pieces_.push_back({static_cast<std::byte*>(piece)});
 }
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #include "runtime/timer.hpp"
 
 #include "runtime/executive.hpp"
+#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
@@ -16,6 +17,34 @@ struct Alarm final : Event {
     Process& process;
 };
 
+/// What the process is shown: what it saw then, if it does something once more.
+template <class Look>
+std::int64_t seen_by(const Process& self, History::Action what, Look look) {
+    History* history = self.history();
+    return history ? history->sees(what, look) : look();
+}
+
+// Not inlined: few processes keep histories, and the frames of those that wait are to be small.
+
+[[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
+    return Time{seen_by(kernel.running(), History::Action::now, [&] {
+        kernel.reads_clock();
+        return kernel.now().count();
+    })};
+}
+
+/// A delay.
+[[gnu::noinline]] bool only_repeats(const Process& self, Time due) {
+    History* history = self.history();
+    if (history)
+        history->does(History::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
+    return history && history->repeats();
+}
+
+Time tick_of(const Process& self) {
+    return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
+}
+
 /// The lowest bits of a number, the highest of them its sign.
 std::int32_t as_word(std::int64_t number, int bits) {
     int above = 64 - bits;
@@ -26,6 +55,8 @@ std::int32_t as_word(std::int64_t number, int bits) {
 
 Time now() {
     Kernel& kernel = Kernel::here();
+    if (kernel.is_attentive()) [[unlikely]]
+        return now_as_seen(kernel);
     kernel.reads_clock();
     return kernel.now();
 }
@@ -33,6 +64,8 @@ Time now() {
 void wait_until(Time due, const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
+    if (kernel.is_attentive() && only_repeats(self, due)) [[unlikely]]
+        return kernel.heed_interruption();
     if (self.executive() && due <= kernel.now())
         return charge(self, &OperationCosts::timer_wait_past);
     Time since = kernel.now();
@@ -48,23 +81,33 @@ void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now
 
 void wait_until_work_is_over(const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
+    if (History* history = kernel.running().history()) {
+        history->does(History::Action::after_work, 0);
+        if (history->repeats())
+            return kernel.heed_interruption();
+    }
     kernel.after_work(kernel.running());
     kernel.running().wait_for(Activity::after_work, nullptr, where);
 }
 
 Time Timer::tick() const {
     const Process& self = Kernel::here().running();
-    return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
+    return Time{seen_by(self, History::Action::tick, [&] { return tick_of(self).count(); })};
 }
 
 int Timer::bits() const {
     const Process& self = Kernel::here().running();
-    return self.executive() ? static_cast<int>(8 * self.executive()->costs().bytes_in_a_word) : 32;
+    return static_cast<int>(seen_by(self, History::Action::bits, [&] {
+        return self.executive() ? 8 * self.executive()->costs().bytes_in_a_word : 32;
+    }));
 }
 
 std::int32_t Timer::read() const {
-    charge(Kernel::here().running(), &OperationCosts::timer_read);
-    return as_word(now() / tick(), bits());
+    Process& self = Kernel::here().running();
+    return static_cast<std::int32_t>(seen_by(self, History::Action::timer, [&] {
+        charge(self, &OperationCosts::timer_read);
+        return as_word(now() / tick(), bits());
+    }));
 }
 
 std::int32_t Timer::plus(std::int32_t a, std::int32_t b) const { return as_word(std::int64_t{a} + b, bits()); }
@@ -82,6 +125,8 @@ Time Timer::moment_after(std::int32_t ticks) const {
 }
 
 void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {
+    if (History* history = Kernel::here().running().history())
+        history->does(History::Action::timer_wait, static_cast<std::uint32_t>(ticks));
     Time moment = moment_after(ticks);
     bool has_to_wait = moment > now();
     if (has_to_wait)

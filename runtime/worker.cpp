@@ -1,6 +1,7 @@
 #include "runtime/worker.hpp"
 
 #include "runtime/fiber_scheduler.hpp"
+#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 
 #include <boost/fiber/fiber.hpp>
@@ -54,6 +55,8 @@ void Worker::work(Kernel& kernel) {
         Process& self = *process;
         try {
             self.body_();
+            if (History* history = self.history())
+                history->end();
         } catch (const Unwinding&) {
         } catch (...) {
             kernel.fail(self);

@@ -4,26 +4,31 @@
 
 namespace placedpar {
 
-/// While it exists, the interruption knows the machine.
-class InterruptibleMachine {
+/// While it exists, the interruption knows the simulation.
+class InterruptibleSimulation {
 public:
-    InterruptibleMachine(Machine& machine, Interruption& interruption) : interruption_(interruption) {
-        interruption_.machine_ = &machine;
-        if (interruption_.requested()) // before it knew the machine
-            machine.interrupt();
+    InterruptibleSimulation(Simulation& simulation, Interruption* interruption) : interruption_(interruption) {
+        if (!interruption_)
+            return;
+        interruption_->simulation_ = &simulation;
+        if (interruption_->requested()) // before it knew the simulation
+            simulation.interrupt();
     }
-    ~InterruptibleMachine() { interruption_.machine_ = nullptr; }
-    InterruptibleMachine(const InterruptibleMachine&) = delete;
-    InterruptibleMachine& operator=(const InterruptibleMachine&) = delete;
+    ~InterruptibleSimulation() {
+        if (interruption_)
+            interruption_->simulation_ = nullptr;
+    }
+    InterruptibleSimulation(const InterruptibleSimulation&) = delete;
+    InterruptibleSimulation& operator=(const InterruptibleSimulation&) = delete;
 
 private:
-    Interruption& interruption_;
+    Interruption* interruption_;
 };
 
 void Interruption::request() noexcept {
     requested_ = true;
-    if (Machine* machine = machine_.load())
-        machine->interrupt();
+    if (Simulation* simulation = simulation_.load())
+        simulation->interrupt();
 }
 
 RunReport run_netlist(const Network& network, const ProblemRegistry& problems, const RunSettings& settings) {
@@ -36,9 +41,17 @@ RunReport run_netlist(const Network& network, const Catalogue& catalogue, const 
         machine.shuffle(*settings.shuffle);
     if (settings.trace)
         machine.trace_to(*settings.trace);
-    Interruption never;
-    InterruptibleMachine interruptible(machine, settings.interruption ? *settings.interruption : never);
+    if (settings.record)
+        machine.record(*settings.record);
+    InterruptibleSimulation interruptible(machine.simulation(), settings.interruption);
     return machine.run(settings.until);
+}
+
+std::optional<RunReport> repeat_netlist(const Network& network, const Catalogue& catalogue, const RecordedRun& record,
+                                        const RunSettings& settings) {
+    RepeatedRun run(network, catalogue, settings.seed, record);
+    InterruptibleSimulation interruptible(run.simulation(), settings.interruption);
+    return run.run();
 }
 
 } // namespace placedpar

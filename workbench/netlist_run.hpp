@@ -18,10 +18,10 @@ public:
     bool requested() const noexcept { return requested_; }
 
 private:
-    friend class InterruptibleMachine;
+    friend class InterruptibleSimulation;
 
     std::atomic<bool> requested_{false};
-    std::atomic<Machine*> machine_{nullptr}; ///< the one that runs
+    std::atomic<Simulation*> simulation_{nullptr}; ///< the one that runs
 };
 
 /// How a network is run.
@@ -32,11 +32,16 @@ struct RunSettings {
     TraceSink* trace = nullptr;                ///< none: no trace
     SearchObserver* observer = nullptr;        ///< none: nobody observes the searches
     Interruption* interruption = nullptr;      ///< none: nothing ends the run early. Of one run at a time
+    RecordedRun* record = nullptr;             ///< none: it is not to be repeated. Empty before
 };
 
 /// Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
 /// The same with kinds that are known already, to those who observe, too: the settings' observer is not told.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
+/// The same run, where it takes the course of the recorded one: without the machine, several times as fast. Of an
+/// interrupted one the report says only that it is. None where it does not, or could not. REQUIRES: the record is of
+/// this network, and that is determinate; neither trace nor shuffle nor another record are asked for.
+std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);
 
 } // namespace placedpar

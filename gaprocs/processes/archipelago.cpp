@@ -20,6 +20,8 @@ const std::string& text_of(const ProcessInstance& process, const char* parameter
 /// As the topology orders them, where it has the same; else as they are connected.
 std::vector<std::size_t> ordered(const std::vector<std::size_t>& connected, const Topology& topology,
                                  std::size_t island, std::size_t islands) {
+    if (topology.is_given())
+        return connected;
     try {
         auto named = topology.neighbours(islands)[island];
         if (std::ranges::is_permutation(named, connected))

@@ -44,7 +44,7 @@ void measure_individual(ProcessEnvironment& environment, const SearchProblem& pr
 
 Estimates::Estimates(ProcessEnvironment& environment, const ProblemRegistry& problems)
     : environment_(environment), problems_(problems), inputs_(environment.inputs<EstimateMessage>("from_masters")),
-      last_(inputs_.size()), accuracy_(environment.real("accuracy")) {
+      last_(inputs_.size()), answers_(inputs_.size()), accuracy_(environment.real("accuracy")) {
     if (accuracy_ > 0 && problems.find(environment.text("problem")).problem()->true_parameters().empty())
         throw UserError(fmt::format("accuracy = {}, but nobody knows the true parameters of \"{}\": they are known of "
                                     "a record that is simulated",
@@ -57,7 +57,7 @@ void Estimates::note_taken(std::size_t process) { taken_[process].push_back(now(
 
 void Estimates::receive(std::size_t search) {
     for (EstimateMessage estimate = inputs_[search].input(); !estimate.end; estimate = inputs_[search].input()) {
-        note(processes_[search], estimate);
+        answers_[search].push_back({estimate.samples, now()});
         last_[search] = std::move(estimate);
         if (accuracy_ > 0)
             judge_fittest();
@@ -76,24 +76,33 @@ void Estimates::judge_fittest() {
         accurate_since_ = now();
 }
 
-/// A search that is on no processor answers at the very time at which it takes a sample: perhaps before that is noted.
-void Estimates::note(std::size_t process, const EstimateMessage& estimate) {
-    const std::vector<Time>& taken = taken_[process];
-    Time response = estimate.samples <= taken.size() ? now() - taken[estimate.samples - 1] : Time{};
-    response_ += response;
-    longest_ = std::max(longest_, response);
-    ++received_;
+/// A search that is on no processor answers at the very time at which it takes a sample.
+Time Estimates::response(std::size_t search, const Answer& answer) const {
+    return std::max(answer.came - taken_.at(processes_[search]).at(answer.samples - 1), Time{});
 }
 
 void Estimates::report() const {
     if (searches() == 0)
         return;
-    environment_.measure("estimates", static_cast<double>(received_));
-    if (received_ == 0)
+    std::size_t received = 0;
+    for (const std::vector<Answer>& answers : answers_)
+        received += answers.size();
+    environment_.measure("estimates", static_cast<double>(received));
+    if (received == 0)
         return;
-    environment_.measure("response", in_milliseconds(response_) / static_cast<double>(received_), "ms");
-    environment_.measure("longest_response", in_milliseconds(longest_), "ms");
+    report_responses(received);
     report_fittest();
+}
+
+void Estimates::report_responses(std::size_t received) const {
+    Time all{}, longest{};
+    for (std::size_t search = 0; search < searches(); ++search)
+        for (const Answer& answer : answers_[search]) {
+            all += response(search, answer);
+            longest = std::max(longest, response(search, answer));
+        }
+    environment_.measure("response", in_milliseconds(all) / static_cast<double>(received), "ms");
+    environment_.measure("longest_response", in_milliseconds(longest), "ms");
 }
 
 std::size_t Estimates::fittest() const {

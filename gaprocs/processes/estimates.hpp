@@ -34,7 +34,13 @@ public:
     void report() const;
 
 private:
-    void note(std::size_t process, const EstimateMessage&);
+    /// When the estimate of so many samples came.
+    struct Answer {
+        std::size_t samples;
+        Time came;
+    };
+    Time response(std::size_t search, const Answer&) const;
+    void report_responses(std::size_t received) const;
     /// The last estimate that is the fittest; searches() where none has come.
     std::size_t fittest() const;
     std::shared_ptr<const SearchProblem> problem_of(std::size_t search) const;
@@ -44,12 +50,12 @@ private:
 
     ProcessEnvironment& environment_;
     const ProblemRegistry& problems_;
-    std::vector<std::size_t> processes_;               ///< by search: where in the network it is
-    std::vector<Input<EstimateMessage>> inputs_;       ///< by search
-    std::vector<EstimateMessage> last_;                ///< by search; of generation 0 where none has come
+    std::vector<std::size_t> processes_;         ///< by search: where in the network it is
+    std::vector<Input<EstimateMessage>> inputs_; ///< by search
+    std::vector<EstimateMessage> last_;          ///< by search; of generation 0 where none has come
+    // Compared only at the end, since each is another component's: so it makes no difference who notes first.
     std::map<std::size_t, std::vector<Time>> taken_{}; ///< by process: when it had taken each sample
-    std::size_t received_ = 0;
-    Time response_{}, longest_{};
+    std::vector<std::vector<Answer>> answers_;         ///< by search
     double accuracy_; ///< how far the fittest may be from the truth, as a part of it; 0: not judged
     std::optional<Time> accurate_since_{}; ///< has been that near
 };

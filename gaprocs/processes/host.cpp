@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace placedpar {
 
@@ -116,7 +117,10 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
         .measurements = host_measurements(),
         .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
         .check = [&problems](const Network& network,
-                             std::size_t process) { return check_host(network, process, problems); }};
+                             std::size_t process) { return check_host(network, process, problems); },
+        .is_determinate = [](const Network& network, std::size_t process) { // else components look at others' estimates
+            return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0;
+        }};
 }
 
 } // namespace placedpar

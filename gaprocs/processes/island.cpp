@@ -4,6 +4,7 @@
 #include "gaprocs/policies/emigration.hpp"
 #include "gaprocs/policies/schedule.hpp"
 #include "gaprocs/policies/topology.hpp"
+#include "gaprocs/processes/archipelago.hpp"
 #include "gaprocs/processes/island_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/search_description.hpp"
@@ -60,6 +61,10 @@ ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems
         auto complaints = check_search(network, process), of_island = check_island(network, process, problems);
         complaints.insert(complaints.end(), of_island.begin(), of_island.end());
         return complaints;
+    };
+    searching.is_determinate = [](const Network& network,
+                                  std::size_t process) { // else by mail, which lies where others put it
+        return schedule_of(network.processes[process]).in_step();
     };
     return searching;
 }

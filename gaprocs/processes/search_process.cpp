@@ -248,6 +248,7 @@ ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, Se
     described.body = [&problems, observer](ProcessEnvironment& environment) {
         run_search(environment, problems, observer);
     };
+    described.is_determinate = always;
     described.check = [&problems](const Network& network, std::size_t process) {
         return check_search(network, process, problems);
     };

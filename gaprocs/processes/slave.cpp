@@ -211,7 +211,8 @@ ProcessKind slave_kind(const ProblemRegistry& problems) {
             .body = [&problems](ProcessEnvironment& environment) { run_slave(environment, problems); },
             .together = {{"to_slaves", "from_slaves"}},
             .check = [&problems](const Network& network,
-                                 std::size_t process) { return check_slave(network, process, problems); }};
+                                 std::size_t process) { return check_slave(network, process, problems); },
+            .is_determinate = always};
 }
 
 } // namespace placedpar

@@ -148,6 +148,7 @@ ProcessKind producer_kind() {
             .ports = {packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(), packet_words()},
             .body = produce,
+            .is_determinate = always,
             .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
 
@@ -158,6 +159,7 @@ ProcessKind relay_kind(std::string name, std::string about, std::function<void(P
             .ports = {packets_in(), packets_out()},
             .parameters = {packet_count(), packet_cycles(), packet_words()},
             .body = std::move(body),
+            .is_determinate = always,
             .promela = relayed(handed_on)};
 }
 
@@ -171,6 +173,7 @@ ProcessKind prefix_kind() {
             .ports = {packets_in(), packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(), packet_words()},
             .body = prefix,
+            .is_determinate = always,
             .promela = [](const PromelaProcess& self) {
                 return self.channel("out") + " ! m;\n" + relayed(handed_on_but_the_last)(self);
             }};
@@ -204,6 +207,7 @@ ProcessKind consumer_kind() {
                              {"time_per_packet", "us", "mean"},
                              {"rate", "Kbyte/s", "of the packets' bytes; 1000 bytes a Kbyte"}},
             .body = consume,
+            .is_determinate = always,
             .promela = relayed(nothing)};
 }
 

@@ -1,6 +1,8 @@
 #include "netlist/kinds/environment.hpp"
 
 #include "netlist/network/network.hpp"
+#include "runtime/history.hpp"
+#include "runtime/kernel.hpp"
 #include "text/user_error.hpp"
 
 namespace placedpar {
@@ -10,6 +12,25 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
     : network_(network), index_(index), process_(network.processes[index].name),
       parameters_(network.processes[index].parameters), ports_(std::move(ports)), seed_(seed),
       measurements_(measurements) {}
+
+namespace {
+
+/// In which order components measure, their histories do not say.
+void note(const Process& self, const Measurement& measurement, History& history) {
+    if (self.parent())
+        history.does_what_is_not_noted();
+    else
+        history.does_quietly(History::Action::measurement, std::hash<std::string>()(measurement.name));
+}
+
+} // namespace
+
+void ProcessEnvironment::add(Measurement measurement) {
+    const Process* self = Kernel::current() ? Kernel::current()->who_runs() : nullptr;
+    if (History* history = self ? self->history() : nullptr)
+        note(*self, measurement, *history);
+    measurements_.push_back(std::move(measurement));
+}
 
 AnyChannel* ProcessEnvironment::find(std::string_view port) const {
     for (const Port& candidate : ports_)

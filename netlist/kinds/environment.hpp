@@ -80,11 +80,9 @@ public:
     std::uint64_t seed() const { return seed_; }
 
     void measure(std::string name, double value, std::string unit = "") {
-        measurements_.push_back({process_, std::move(name), value, std::move(unit)});
+        add({process_, std::move(name), value, std::move(unit)});
     }
-    void measure(std::string name, std::string value) {
-        measurements_.push_back({process_, std::move(name), std::move(value), ""});
-    }
+    void measure(std::string name, std::string value) { add({process_, std::move(name), std::move(value), ""}); }
 
 private:
     template <class T>
@@ -107,6 +105,7 @@ private:
             result.push_back(end_of(*each));
         return result;
     }
+    void add(Measurement);
     AnyChannel* find(std::string_view port) const;
     AnyChannel& require(std::string_view port) const;
     std::vector<AnyChannel*> all(std::string_view port) const;
@@ -114,7 +113,7 @@ private:
     const Network& network_;
     std::size_t index_;
     std::string process_;
-    std::map<std::string, Value> parameters_;
+    const std::map<std::string, Value>& parameters_;
     std::vector<Port> ports_;
     std::uint64_t seed_;
     std::vector<Measurement>& measurements_;

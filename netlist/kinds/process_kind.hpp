@@ -57,6 +57,10 @@ struct ProcessKind {
     std::vector<std::vector<std::string>> together = {};
     /// May be empty. Called for each process of the kind, with a network in which everything else is right.
     std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
+    /// Whether what a process of the kind does and sends follows from its messages, its parameters, its random streams,
+    /// the choices of its ALTs and the readings of its clock, and from nothing else, such as what components of its
+    /// PARs share. Then runs with other seeds need not be simulated on the machine (repeated_run.hpp). Empty: no.
+    std::function<bool(const Network&, std::size_t process)> is_determinate = {};
     /// What a process of the kind communicates, for Spin. May be empty: such networks have no model.
     PromelaStatements promela = {};
 
@@ -67,5 +71,8 @@ struct ProcessKind {
     /// none is near.
     std::string hint_at_port(std::string_view wanted) const;
 };
+
+/// For ProcessKind::is_determinate.
+inline bool always(const Network&, std::size_t) { return true; }
 
 } // namespace placedpar

@@ -2,6 +2,7 @@
 
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/hardware/bus_programs.hpp"
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ void MemoryLane::move_over_bus(std::int64_t bytes, Cycles word) {
     std::uint64_t words = words_in(bytes), at_once = master_.program().in_blocks ? words : 1;
     for (std::uint64_t moved = 0; moved < words; moved += at_once) {
         if (word > Cycles{0})
-            compute(word);
+            bus_programs::spend(kernel_, word);
         master_.move_words(memory_, at_once);
     }
 }
@@ -78,7 +79,7 @@ void MemoryLane::wait_until(bool full, Activity activity, AnyChannel& channel, c
     waiting_ = &kernel_.running();
     waiting_->wait_for(activity, &channel, where);
     if (master && master_.program().interrupt > Cycles{0})
-        compute(master_.program().interrupt);
+        bus_programs::spend(kernel_, master_.program().interrupt);
 }
 
 void MemoryLane::turn(bool full) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "runtime/executive.hpp"
 #include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/vme_bus.hpp"
+#include "runtime/kernel.hpp"
 
 /// What the programs of the thesis's masters spend on input and output over a VMEbus.
 namespace placedpar::hardware::bus_programs {
@@ -15,12 +17,15 @@ constexpr BusProgram sun_3_280{
 /// A BBK-V2's T800. Derived from the cycles of its instructions: a turn of the loop that tests a status register, or
 /// moves a byte (lb, sb, cj, lend ...), and a block move, whose words go as fast as the bus takes them. An interrupt
 /// is a high-priority process that becomes ready.
-constexpr BusProgram bbk_v2{
+constexpr BusProgram bbk_v2{.byte_access = Cycles{20},
+                            .read_word = instructions::block_move_start,
+                            .write_word = instructions::block_move_start,
+                            .in_blocks = true};
 
-    .byte_access = Cycles{20},
-    .read_word = instructions::block_move_start,
-    .write_word = instructions::block_move_start,
-    .in_blocks = true};
+/// The running process spends that on the program: it is a part of its communication, and no computation of its own.
+inline void spend(const Kernel& kernel, Cycles cycles) {
+    charge(kernel.running(), [cycles](const OperationCosts&) { return cycles; });
+}
 
 /// Ours: of a bus master, to exchange the bytes of a word for a host of the other byte order.
 constexpr Cycles conversion{4};

@@ -2,6 +2,7 @@
 
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/hardware/bus_programs.hpp"
 #include "runtime/kernel.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ AdapterProgram::AdapterProgram(Kernel& kernel, VmeMaster& master, LinkAdapter& a
     : kernel_(kernel), master_(master), adapter_(adapter) {}
 
 void AdapterProgram::access() {
-    compute(master_.program().byte_access);
+    bus_programs::spend(kernel_, master_.program().byte_access);
     master_.access_byte(adapter_);
 }
 
@@ -72,7 +73,7 @@ void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyCha
         if (polls % master_.program().most_polls == 0) {
             data.sleeper = &kernel_.running();
             kernel_.running().wait_for(activity, &channel, where);
-            compute(master_.program().interrupt);
+            bus_programs::spend(kernel_, master_.program().interrupt);
         }
     }
 }

@@ -48,6 +48,16 @@ class OwnProcess(unittest.TestCase):
         self.assertIn("own.thinner", own("kinds").stdout)
         self.assertIn("Passes on every n-th packet.", own("kinds", "own").stdout)
 
+    def test_it_makes_studies_and_says_where_the_time_goes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            results = pathlib.Path(folder) / "thin.sqlite"
+            sweep = own("sweep", NETLIST, "every=5,10", "--measure", "thinner.passed", "--results", results)
+            self.assertEqual(sweep.returncode, 0, sweep.stderr)
+            self.assertRegex(sweep.stdout, r"\n +5 +1 +200\n +10 +1 +100\n")
+            report = own("report", results)
+            self.assertRegex(report.stdout, r"\n +5 +1 +200\n +10 +1 +100\n")
+        self.assertEqual(own("explain", NETLIST).returncode, 0)
+
     def test_a_signal_ends_a_run_with_its_report(self):
         with subprocess.Popen([OWN, "run", NETLIST, "--set", "packets=1000000000"], stdout=subprocess.PIPE, text=True) as run:
             time.sleep(1)

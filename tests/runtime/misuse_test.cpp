@@ -328,6 +328,30 @@ TEST_CASE("a process that catches everything does not hang the end") {
     CHECK(death.errors == "process p catches every exception, also the one that ends it: let Unwinding pass\n");
 }
 
+TEST_CASE("a stack that the thread has kept of an earlier run is as any other, and guarded") {
+    if (SwitchedStack::watched)
+        return; // nothing is kept then
+    std::byte* kept = StackArena().allocate().bottom;
+    StackArena next;
+    if (Stack stack = next.allocate(); stack.guarded) {
+        CHECK(stack.bottom == kept);
+        CHECK(next.allocate().bottom != kept);
+        CHECK(StackArena().allocate().bottom != kept);
+    }
+    Death death = die([] {
+        for (bool last : {false, true}) {
+            Simulation simulation;
+            simulation.process("recursive", [last] {
+                if (last)
+                    recurse(0);
+            });
+            simulation.run();
+        }
+    });
+    CHECK(death.signal == SIGSEGV);
+    CHECK(death.errors.starts_with("process recursive has used up its stack"));
+}
+
 TEST_CASE("who overflows the stack is named") {
     constexpr const char* why =
         " has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, "

@@ -8,7 +8,9 @@
 #include "tests/sanitized.hpp"
 #include "tests/seeds.hpp"
 #include "text/user_error.hpp"
+#include "workbench/netlist_run.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/study/measure.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -157,7 +159,36 @@ std::vector<IslandNetlist> machines(IslandNetlist netlist, Dice& dice) {
     return all;
 }
 
-void check_combination(std::uint64_t seed) {
+struct Counts {
+    std::size_t repeated = 0, departed = 0;
+};
+
+std::string all_figures(const RunReport& report, const Network& network) {
+    return fmt::format("{} {:016x} {} {}", name_of(report.result.ending), report.result.fingerprint,
+                       to_string(report.result.time), figures_text(figures_of(report, network)));
+}
+
+/// The run may be repeated with another seed, and then that one's run on the machine has the same report.
+void check_repeated(const Network& network, std::uint64_t seed, const RunReport& report, Counts& counts) {
+    ProblemRegistry problems = known_problems(seed), of_another = known_problems(seed + 1);
+    Catalogue kinds = known_kinds(problems), kinds_of_another = known_kinds(of_another);
+    if (!is_determinate(network, kinds))
+        return;
+    RecordedRun record;
+    RunReport recorded = run_netlist(network, kinds, {.seed = seed, .record = &record});
+    CHECK(all_figures(recorded, network) == all_figures(report, network));
+    REQUIRE(record.can_be_repeated());
+    auto again = repeat_netlist(network, kinds, record, {.seed = seed});
+    REQUIRE(again);
+    CHECK(all_figures(*again, network) == all_figures(report, network));
+    auto another = repeat_netlist(network, kinds_of_another, record, {.seed = seed + 1});
+    ++(another ? counts.repeated : counts.departed);
+    if (another)
+        CHECK(all_figures(*another, network) ==
+              all_figures(run_netlist(network, kinds_of_another, {.seed = seed + 1}), network));
+}
+
+void check_combination(std::uint64_t seed, Counts& counts) {
     Dice dice(seed);
     Combination all;
     draw_operators(all, dice);
@@ -180,12 +211,17 @@ void check_combination(std::uint64_t seed) {
         REQUIRE(report.result.ending == Ending::completed);
         for (std::size_t i = 0; i < library.populations.size(); ++i)
             CHECK(report.measured_text(fmt::format("island[{}]", i), "populations") == library.populations[i]);
+        check_repeated(*read.network, seed, report, counts);
     }
 }
 
 } // namespace
 
 TEST_CASE("random combinations of all policies: the same generations without a machine and on any") {
+    Counts counts;
     for (std::uint64_t seed : test::seeds(test::sanitized ? 4 : 30, 1))
-        check_combination(seed);
+        check_combination(seed, counts);
+    CAPTURE(counts.departed);
+    if (test::all_seeds())
+        CHECK(counts.repeated > 10);
 }

@@ -69,37 +69,73 @@ void on_exception(Then then, Work work) {
 
 } // namespace
 
-const StudyWorker::Seeded& StudyWorker::seeded(std::uint64_t seed) {
+/// Their place stays the same: the kinds know it.
+void StudyWorker::go_to_seed(std::uint64_t seed) {
     constexpr std::size_t most = 100;
-    if (auto found = seeded_.find(seed); found != seeded_.end())
-        return found->second;
-    if (seeded_.size() == most)
-        seeded_.clear();
-    return seeded_.try_emplace(seed, seed).first->second;
+    if (seed == seed_)
+        return;
+    if (of_others_.size() == most)
+        of_others_.clear();
+    auto next = of_others_.extract(seed);
+    of_others_.emplace(std::exchange(seed_, seed), std::move(problems_));
+    problems_ = next ? std::move(next.mapped()) : known_problems(seed);
 }
 
-const Network& StudyWorker::network_of(const Overrides& set) {
-    if (!set_ || *set_ != set) {
-        set_.reset();
-        network_ = load_network(
-            study_.netlist, set, seeded(0).kinds, [](const std::string&) {}, study_.read);
-        set_ = set;
-    }
-    return network_;
+void StudyWorker::go_to_network(const Overrides& set) {
+    if (set_ && *set_ == set)
+        return;
+    set_.reset();
+    go_to_seed(0); // of all netlists
+    network_ = load_network(
+        study_.netlist, set, kinds_, [](const std::string&) {}, study_.read);
+    set_ = set;
+    record_.reset();
+    departed_ = 0;
+}
+
+/// Where courses depend on the seed more often than not, repeating them is given up.
+bool StudyWorker::is_worth_recording() const {
+    constexpr std::uint64_t departures_at_most = 3;
+    return study_.seeds > 1 && departed_ < departures_at_most && is_determinate(network_, kinds_);
+}
+
+std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
+    std::optional<RunReport> report = repeat_netlist(network_, kinds_, *record_, settings);
+    if (!report)
+        ++departed_;
+    else if (report->result.ending == Ending::completed)
+        ++repeated_;
+    return report;
+}
+
+/// A run that departs is recorded in place of the one before: the next ones may be as this one.
+RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
+    RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
+    if (record_)
+        if (auto report = repeat(settings))
+            return *report;
+    record_.reset();
+    if (!is_worth_recording())
+        return run_netlist(network_, kinds_, settings);
+    settings.record = &record_.emplace();
+    RunReport report = run_netlist(network_, kinds_, settings);
+    if (!record_->can_be_repeated())
+        record_.reset();
+    return report;
 }
 
 std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interruption& interruption) {
     try {
-        const Network& network = network_of(run.set);
-        RunReport report = run_netlist(network, seeded(run.seed).kinds,
-                                       {.seed = run.seed, .until = study_.until, .interruption = &interruption});
+        go_to_network(run.set);
+        go_to_seed(run.seed);
+        RunReport report = report_of(run, interruption);
         if (report.result.ending == Ending::interrupted)
             return std::nullopt;
         return StudyOutcome{.ended = name_of(report.result.ending),
                             .time = report.result.time,
                             .fingerprint = report.result.fingerprint,
-                            .netlist_hash = network.hash,
-                            .figures = figures_of(report, network)};
+                            .netlist_hash = network_.hash,
+                            .figures = figures_of(report, network_)};
     } catch (const UserError& refused) {
         return StudyOutcome{.ended = "refused", .refused = refused.what()};
     }
@@ -141,10 +177,13 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
 
 /// Makes it, keeps it, and notes how long it took. None when it was interrupted.
 std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Interruption& interruption) {
+    if (!trier_)
+        trier_.emplace(study_);
     auto begun = std::chrono::steady_clock::now();
-    std::optional<StudyOutcome> outcome = StudyWorker(study_).outcome_of(run, interruption);
+    std::optional<StudyOutcome> outcome = trier_->outcome_of(run, interruption);
     if (outcome) {
         seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        tried_ = run;
         results_.keep(run, *outcome);
     }
     return outcome;
@@ -198,7 +237,18 @@ std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     for (std::uint64_t i = 0; !seconds_ && i < study_.count() && !interruption.requested(); ++i)
         if (std::optional<StudyRun> run = study_.at(i))
             timed_outcome(*run, interruption);
+    if (seconds_ && study_.seeds > 1 && !interruption.requested())
+        time_another_seed(interruption);
     return seconds_;
+}
+
+/// The first of a combination may take longer than the others, which repeat it.
+void StudySweep::time_another_seed(Interruption& interruption) {
+    const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
+    StudyRun another = *tried_;
+    another.seed += another.seed == study_.first_seed ? 1 : -1;
+    timed_outcome(another, interruption);
+    seconds_ = (first + others * *seconds_) / (others + 1);
 }
 
 std::optional<StudyRun> StudySweep::next() {
@@ -231,6 +281,7 @@ void StudySweep::work(Interruption& interruption) {
 void StudySweep::run(std::size_t workers, Interruption& interruption,
                      const std::function<void(std::uint64_t ended)>& show,
                      const std::function<bool(bool stopped)>& others) {
+    trier_.reset();
     std::vector<Interruption> each(workers); // of one run at a time
     auto stop = [&] {
         stop_ = true;

@@ -24,30 +24,38 @@ Network readable_network(const Study&);
 /// many none of some that are drawn. The network is one of the study's.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. What they have in common is made once: the network of those of one
-/// combination; the kinds, and the records that are searched over, of those of one seed.
+/// Makes runs of a study, one after the other. What they have in common is made once: the kinds; the network of those
+/// of one combination, and where that does not depend on the seed what happens on its machine (RepeatedRun); the
+/// records that are searched over, of those of one seed.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives it.
     explicit StudyWorker(const Study& study) : study_(study) {}
+    StudyWorker(const StudyWorker&) = delete; // the kinds know the problems
+    StudyWorker& operator=(const StudyWorker&) = delete;
 
     /// None when it was interrupted.
     std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
+    /// How many of them it needed no machine for.
+    std::uint64_t repeated() const { return repeated_; }
 
 private:
-    /// What a seed decides. The kinds know the problems.
-    struct Seeded {
-        explicit Seeded(std::uint64_t seed) : problems(known_problems(seed)), kinds(known_kinds(problems)) {}
-        ProblemRegistry problems;
-        Catalogue kinds;
-    };
-    const Seeded& seeded(std::uint64_t seed);
-    const Network& network_of(const Overrides&);
+    void go_to_seed(std::uint64_t seed);
+    void go_to_network(const Overrides&);
+    RunReport report_of(const StudyRun&, Interruption&);
+    std::optional<RunReport> repeat(const RunSettings&);
+    bool is_worth_recording() const;
 
     const Study& study_;
-    std::map<std::uint64_t, Seeded> seeded_; ///< by seed: not of very many
-    std::optional<Overrides> set_;           ///< of the network
+    std::uint64_t seed_ = 0;
+    ProblemRegistry problems_ = known_problems(seed_);   ///< of the seed
+    std::map<std::uint64_t, ProblemRegistry> of_others_; ///< of seeds that have been, but not of very many
+    const Catalogue kinds_ = known_kinds(problems_);
+    std::optional<Overrides> set_; ///< of the network
     Network network_;
+    std::optional<RecordedRun> record_; ///< of the network, if runs of it may be repeated
+    std::uint64_t departed_ = 0;        ///< runs of the network that took another course
+    std::uint64_t repeated_ = 0;
 };
 
 /// Makes the runs of a study that its results do not have yet. What comes of a run does not depend on when it is made
@@ -67,7 +75,8 @@ public:
         bool exact = true;
     };
     Missing missing();
-    /// How long a run takes, by the wall's clock; makes one of them where none was made. None when interrupted.
+    /// How long a run takes in the mean, by the wall's clock; makes one of them where none was made, and one with
+    /// another seed. None when interrupted. REQUIRES: called once.
     std::optional<double> seconds_a_run(Interruption&);
 
     /// Makes all that are missing, so many at once. `show` is told now and then how many have ended. `others`, if any,
@@ -81,6 +90,7 @@ public:
 private:
     void work(Interruption&);
     std::optional<StudyOutcome> timed_outcome(const StudyRun&, Interruption&);
+    void time_another_seed(Interruption&);
     std::optional<StudyFigures> figures_near(std::uint64_t index, bool forwards, Interruption&);
 
     const Study& study_;
@@ -89,7 +99,9 @@ private:
     std::uint64_t next_ = 0;
     std::atomic<std::uint64_t> ended_ = 0;
     std::atomic<bool> stop_ = false;
-    std::optional<double> seconds_;
+    std::optional<StudyWorker> trier_; ///< of single runs, to see what they are like
+    std::optional<StudyRun> tried_;    ///< the last of these
+    std::optional<double> seconds_;    ///< that it took
 };
 
 } // namespace placedpar

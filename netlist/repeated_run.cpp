@@ -1,0 +1,69 @@
+#include "netlist/repeated_run.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <new>
+#include <string>
+
+namespace placedpar {
+
+bool RecordedRun::can_be_repeated() const {
+    return report.result.ending == Ending::completed && course.can_be_repeated;
+}
+
+bool is_determinate(const Network& network, const Catalogue& catalogue) {
+    auto is_broadcast = [](const NetworkChannel& channel) { return channel.placement.broadcast_on != nowhere; };
+    if (std::ranges::any_of(network.channels, is_broadcast))
+        return false;
+    for (std::size_t i = 0; i < network.processes.size(); ++i)
+        if (const auto& says = catalogue.find(network.processes[i].kind)->is_determinate; !says || !says(network, i))
+            return false;
+    return true;
+}
+
+RepeatedRun::RepeatedRun(const Network& network, const Catalogue& catalogue, std::uint64_t seed,
+                         const RecordedRun& recorded)
+    : recorded_(recorded), software_(network, catalogue, seed) {
+    software_.start(simulation_, std::vector<Executive*>(network.nodes.size()));
+    auto original = recorded.histories.begin();
+    for (Process* process : software_.processes())
+        process->keep(histories_.emplace_back(course_, *original++));
+}
+
+std::optional<RunReport> RepeatedRun::run() {
+    RunReport report;
+    try {
+        report.result = simulation_.run();
+    } catch (const Departure&) {
+        return std::nullopt;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) { // on the machine it may come to pass at another moment, or be preceded by another
+        return std::nullopt;
+    }
+    if (report.result.ending == Ending::interrupted)
+        return report;
+    if (report.result.ending != Ending::completed || course_.departed)
+        return std::nullopt;
+    report = recorded_.report;
+    report.measurements = in_recorded_order(software_.measurements());
+    report.result.fingerprint = fingerprint_with(recorded_.events, report.measurements);
+    return report;
+}
+
+/// Each process makes its own in the order in which it made them then.
+std::vector<Measurement> RepeatedRun::in_recorded_order(const std::vector<Measurement>& measured) const {
+    std::map<std::string, std::list<Measurement>> of_process;
+    for (const Measurement& each : measured)
+        of_process[each.process].push_back(each);
+    std::vector<Measurement> ordered;
+    for (const Measurement& then : recorded_.report.measurements) {
+        std::list<Measurement>& own = of_process[then.process];
+        ordered.push_back(std::move(own.front()));
+        own.pop_front();
+    }
+    return ordered;
+}
+
+} // namespace placedpar

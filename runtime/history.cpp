@@ -1,0 +1,90 @@
+#include "runtime/history.hpp"
+
+namespace placedpar {
+
+namespace {
+
+/// Of the so-manieth that somebody makes.
+std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
+    Fingerprint both;
+    both.mix(maker);
+    both.mix(number);
+    return both.value();
+}
+
+} // namespace
+
+void History::depart() {
+    course_.departed = true;
+    throw Departure{};
+}
+
+void History::does_quietly(Action action, std::uint64_t what) {
+    if (is_silent_)
+        return;
+    if (original_ && actions_ == original_->actions_)
+        course_.departed = true;
+    note(action, what);
+}
+
+void History::does_what_is_not_noted() {
+    course_.can_be_repeated = false;
+    course_.departed |= repeats();
+}
+
+History& History::component() {
+    std::uint64_t name = name_of(name_, ++begun_);
+    if (!original_) {
+        constexpr std::size_t readings = 20; // as much as a history takes
+        take_room(readings);
+        return components_.emplace_back(course_, name);
+    }
+    if (next_component_ == original_->components_.end())
+        depart();
+    return components_.emplace_back(course_, *next_component_++);
+}
+
+void History::components_have_ended() {
+    if (original_ || !course_.can_be_repeated)
+        components_.clear();
+}
+
+std::uint64_t History::next_channel() { return name_of(~name_, ++channels_); }
+
+void History::end() {
+    if (original_ && (actions_ != original_->actions_ || fingerprint_.value() != original_->fingerprint_.value()))
+        depart();
+}
+
+/// Where there is no room left, nothing is kept any more.
+void History::take_room(std::size_t readings) {
+    if (course_.room < readings)
+        course_.can_be_repeated = false;
+    if (!course_.can_be_repeated)
+        seen_ = {};
+    else
+        course_.room -= readings;
+}
+
+void History::note_seen(Action what, std::int64_t seen) {
+    take_room(1);
+    if (course_.can_be_repeated)
+        seen_.push_back({when_and_what(what), seen});
+    note(what, 0);
+}
+
+std::int64_t History::saw_then(Action what) {
+    const bool asked_then =
+        seen_again_ < original_->seen_.size() && original_->seen_[seen_again_].when_and_what == when_and_what(what);
+    if (asked_then && !course_.departed) {
+        note(what, 0);
+        return original_->seen_[seen_again_++].value;
+    }
+    course_.departed = true;
+    constexpr std::uint64_t very_often = 100'000; // as Kernel::reads_clock
+    if (++asked_in_vain_ > very_often)
+        throw Departure{};
+    return 0;
+}
+
+} // namespace placedpar

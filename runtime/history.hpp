@@ -1,0 +1,151 @@
+#pragma once
+
+#include "runtime/fingerprint.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <list>
+#include <vector>
+
+namespace placedpar {
+
+/// Thrown through a process that does something else than its history says. A process that catches everything must let
+/// it pass.
+class Departure {};
+
+/// What the histories of one run have in common.
+struct Course {
+    /// Readings that they may still note, 16 bytes each. A run that has more is not repeated.
+    std::size_t room = 4'000'000;
+    bool can_be_repeated = true; ///< by what processes did so far
+    bool departed = false;       ///< a process that does it once more has done something else
+};
+
+/// What a process did in a run, and what it saw there that no message told it: which guards its alternations chose, and
+/// what clocks showed.
+///
+/// By it the process can do the same once more with other messages, on no machine: its alternations choose, and its
+/// clocks show, what they did. If all processes of a program do just what their histories say, a run on the machine
+/// with these messages would have taken the same course, event for event, since of a program the machine and the kernel
+/// know only what stands here: by induction over the events, each process would have seen what it saw then. If a
+/// process does something else, the course has departed. (T. LeBlanc and J. Mellor-Crummey, Debugging parallel programs
+/// with Instant Replay, IEEE Transactions on Computers C-36(4), 1987; that messages come in the same order on each
+/// channel however processes take turns is G. Kahn's, The semantics of a simple language for parallel programming,
+/// 1974.)
+///
+/// REQUIRES of the program: what a process does, and what it sends, follows from its messages and from what is noted
+/// here. No two processes share what one of them changes, not even components of one PAR.
+class History {
+public:
+    enum class Action : std::uint64_t {
+        output,
+        input,
+        computation,
+        alternation,
+        delay,
+        timer_wait,
+        after_work,
+        parallel,
+        measurement,
+        now,
+        timer,
+        tick,
+        bits
+    };
+
+    /// To note what a process does. `name`: another for each process of the course, which outlives it.
+    History(Course& course, std::uint64_t name) : course_(course), name_(name) {}
+    /// To do it once more. REQUIRES: the original outlives it, and does not change meanwhile.
+    History(Course& course, const History& original) : course_(course), name_(original.name_), original_(&original) {
+        next_component_ = original.components_.begin();
+    }
+    History(const History&) = delete;
+    History& operator=(const History&) = delete;
+
+    /// Whether it is done once more: computations and delays take no time then.
+    bool repeats() const { return original_ != nullptr; }
+
+    // What the process does, in its order.
+
+    /// `what`: less than 2^56, or a hash of which so many bits will do. `how`: always as many words for one action.
+    /// Throws Departure when it did not do that then, or something else before: now, or when the process has ended.
+    void does(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
+        if (is_silent_)
+            return;
+        require_another_action();
+        note(action, what);
+        for (std::uint64_t word : how)
+            fingerprint_.mix(word);
+    }
+    /// The same, for what destructors may do: the course departs, but nothing is thrown.
+    void does_quietly(Action, std::uint64_t what);
+    /// The process asks for something that messages do not tell: what it sees by `look`, or saw then. What it does
+    /// while it looks is a part of that. Destructors may: where it asked for nothing then, the course departs, but
+    /// nothing is thrown before it has asked very often; the value is 0.
+    template <std::invocable Look>
+    std::int64_t sees(Action what, Look look) {
+        if (is_silent_)
+            return look();
+        if (original_)
+            return saw_then(what);
+        is_silent_ = true;
+        std::int64_t seen = look();
+        is_silent_ = false;
+        note_seen(what, seen);
+        return seen;
+    }
+    /// The same, but it throws Departure at once.
+    template <std::invocable Look>
+    std::int64_t chooses(Look look) {
+        std::int64_t chosen = sees(Action::alternation, look);
+        if (course_.departed)
+            throw Departure{};
+        return chosen;
+    }
+    /// Something that cannot be repeated.
+    void does_what_is_not_noted();
+    /// The next component of a PAR begins; all that have begun have ended, and their histories are not used any more.
+    History& component();
+    void components_have_ended();
+    /// The name of a channel that the process makes.
+    std::uint64_t next_channel();
+    /// The process has ended. Throws Departure.
+    void end();
+
+private:
+    struct Seen {
+        std::uint64_t when_and_what; ///< how many actions were before it, and what it asked for
+        std::int64_t value;
+    };
+    std::uint64_t when_and_what(Action what) const { return actions_ << 8 | static_cast<std::uint64_t>(what); }
+    void note(Action action, std::uint64_t what) {
+        ++actions_;
+        fingerprint_.mix(static_cast<std::uint64_t>(action) << 56 ^ what);
+    }
+    void require_another_action() {
+        if (original_ && actions_ == original_->actions_)
+            depart();
+    }
+    void note_seen(Action what, std::int64_t seen);
+    void take_room(std::size_t readings);
+    std::int64_t saw_then(Action what);
+    [[noreturn]] void depart();
+
+    Course& course_;
+    std::uint64_t name_;
+    const History* original_ = nullptr; ///< null while it is noted
+    Fingerprint fingerprint_;           ///< of the actions
+    std::uint64_t actions_ = 0;         ///< what it saw included
+    std::vector<Seen> seen_;            ///< of the original
+    std::size_t seen_again_ = 0;        ///< how many of its original's
+    std::uint64_t asked_in_vain_ = 0;
+    std::uint64_t channels_ = 0; ///< that it has made
+    std::uint64_t begun_ = 0;    ///< components
+    std::list<History> components_;
+    std::list<History>::const_iterator next_component_; ///< of its original
+    bool is_silent_ = false;                            ///< what it does is a part of something that is noted
+};
+
+} // namespace placedpar

@@ -1,0 +1,482 @@
+// What processes did in a run, and the same once more with other messages and no machine.
+
+#include "runtime/alternation.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/hardware/processor.hpp"
+#include "runtime/history.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/recovery.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "tests/seeds.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using std::chrono::microseconds;
+using std::chrono::nanoseconds;
+
+namespace {
+
+struct Letter {
+    std::uint64_t says = 0;
+    std::uint32_t bytes = 1;
+    WireForm wire_form() const { return WireForm(4u, bytes); }
+};
+
+std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
+    Fingerprint both;
+    both.mix(a), both.mix(b);
+    return both.value();
+}
+
+struct Histories {
+    Course course;
+    std::list<History> histories;
+};
+
+/// Sources, mergers that alternate between theirs, and a sink that alternates between these, each on a processor of its
+/// own, with links between them; or all on none. What they do is drawn from one seed, what their messages say from
+/// another; perhaps what one of them does depends on what a message says.
+class Program {
+public:
+    Program(std::uint64_t seed, std::uint64_t says, bool on_machine, bool depends)
+        : says_(says), depends_(depends), random_(seed, "program") {
+        std::size_t mergers = 1 + random_.below(3);
+        std::vector<Node> merging;
+        for (std::size_t i = 0; i < mergers; ++i)
+            merging.push_back(node(on_machine));
+        Node sink = node(on_machine);
+        std::vector<Channel<Letter>*> merged;
+        for (Node& merger : merging) {
+            std::vector<Channel<Letter>*> sent;
+            std::size_t letters = 0;
+            for (std::size_t i = 0, sources = 1 + random_.below(3); i < sources; ++i) {
+                Node source = node(on_machine);
+                sent.push_back(&channel(source, merger));
+                std::size_t count = 1 + random_.below(8);
+                letters += count;
+                add(source, [this, to = sent.back(), count](RandomStream& random) { send(*to, count, random); });
+            }
+            merged.push_back(&channel(merger, sink));
+            letters_ += letters;
+            add(merger, [this, sent, to = merged.back(), letters](RandomStream& random) {
+                merge(
+                    sent, letters, [to](Letter letter) { to->out().output(letter); }, random);
+            });
+        }
+        add(sink, [this, merged](RandomStream& random) {
+            merge(
+                merged, letters_, [](Letter) {}, random);
+        });
+    }
+
+    /// What each process has computed from what it was sent and what it saw, and the fingerprint.
+    struct Result {
+        std::vector<std::uint64_t> computed;
+        std::uint64_t fingerprint = 0;
+    };
+    Result record(Histories& all) {
+        for (Process* process : processes_)
+            process->keep(all.histories.emplace_back(all.course, all.histories.size()));
+        return run();
+    }
+    std::optional<Result> repeat(const Histories& originals) {
+        auto original = originals.histories.begin();
+        for (Process* process : processes_)
+            process->keep(again_.histories.emplace_back(again_.course, *original++));
+        try {
+            Result result = run();
+            return again_.course.departed ? std::nullopt : std::optional(result);
+        } catch (const Departure&) {
+            return std::nullopt;
+        }
+    }
+    Result run() {
+        RunResult run = simulation_.run();
+        result_.fingerprint = run.fingerprint;
+        if (run.ending != Ending::completed)
+            result_.computed.clear();
+        return result_;
+    }
+
+private:
+    struct Node {
+        Processor* processor;
+    };
+    Node node(bool on_machine) {
+        return {on_machine ? &simulation_.add<Processor>(fmt::format("t{}", ++nodes_)) : nullptr};
+    }
+    Channel<Letter>& channel(Node& from, Node& to) {
+        auto& made = channels_.emplace_back(fmt::format("c{}", channels_.size()));
+        if (from.processor) {
+            Link& link = simulation_.add<Link>();
+            from.processor->has_link(link), to.processor->has_link(link);
+            made.put_on(link.from_a_to_b());
+        }
+        return made;
+    }
+    void add(Node node, const std::function<void(RandomStream&)>& body) {
+        std::size_t number = processes_.size();
+        std::uint32_t seed = random_.below(1'000'000);
+        result_.computed.push_back(0);
+        processes_.push_back(&simulation_.process(
+            fmt::format("p{}", number),
+            [this, number, seed, body] {
+                RandomStream random(seed, "process");
+                computed_ = &result_.computed[number];
+                body(random);
+            },
+            node.processor, random_.chance(0.3) ? Priority::high : Priority::low));
+    }
+
+    /// Of the process that runs: what it knows enters what it computes.
+    static void learn(std::uint64_t& knows, std::uint64_t what) { knows = mixed(knows, what); }
+
+    void send(Channel<Letter>& to, std::size_t count, RandomStream& random) {
+        std::uint64_t& knows = *computed_;
+        for (std::size_t i = 0; i < count; ++i) {
+            do_something(knows, random);
+            learn(knows, mixed(says_, i));
+            to.out().output({knows, 1 + random.below(60)});
+        }
+    }
+    void merge(const std::vector<Channel<Letter>*>& from, std::size_t letters, const std::function<void(Letter)>& then,
+               RandomStream& random) {
+        std::uint64_t& knows = *computed_;
+        while (letters > 0) {
+            std::vector<Guard> guards;
+            for (Channel<Letter>* each : from)
+                guards.push_back({Guard::input, each});
+            if (random.chance(0.4))
+                guards.push_back({Guard::timeout, nullptr, later(now(), nanoseconds{random.below(30'000)})});
+            std::size_t chosen = select(guards);
+            learn(knows, chosen);
+            if (chosen == from.size())
+                continue;
+            Letter letter = from[chosen]->in().input();
+            learn(knows, letter.says);
+            if (depends_ && letter.says % 64 == 0)
+                do_something(knows, random);
+            do_something(knows, random);
+            then({knows, letter.bytes});
+            --letters;
+        }
+    }
+    static void do_something(std::uint64_t& knows, RandomStream& random) {
+        switch (random.below(6)) {
+        case 0: compute(Cycles{random.below(400)}); break;
+        case 1: wait_for(nanoseconds{random.below(20'000)}); break;
+        case 2: learn(knows, static_cast<std::uint64_t>(now().count())); break;
+        case 3: learn(knows, static_cast<std::uint64_t>(Timer().read())); break;
+        case 4: learn(knows, in_parallel(knows, random)); break;
+        default: break;
+        }
+    }
+    static std::uint64_t in_parallel(std::uint64_t knows, RandomStream& random) {
+        Channel<std::uint64_t> inner("inner");
+        std::uint64_t sum = 0;
+        Cycles first{random.below(200)}, second{random.below(200)};
+        auto tell = [&] { compute(first), inner.out().output(knows + 1); };
+        auto hear = [&] { compute(second), sum = inner.in().input() + static_cast<std::uint64_t>(now().count()); };
+        random.chance(0.5) ? par(tell, hear) : pri_par(hear, tell);
+        return sum;
+    }
+
+    std::uint64_t says_;
+    bool depends_;
+    RandomStream random_;
+    std::deque<Channel<Letter>> channels_;
+    Histories again_;
+    Simulation simulation_;
+    std::vector<Process*> processes_;
+    std::size_t nodes_ = 0, letters_ = 0;
+    std::uint64_t* computed_ = nullptr; ///< of the process that begins
+    Result result_;
+};
+
+/// A process that does one thing after another, on a processor or on none.
+struct Recorded {
+    template <class Body>
+    explicit Recorded(Body body) {
+        Simulation simulation;
+        auto& t800 = simulation.add<Processor>("t800");
+        simulation
+            .process(
+                "p", [&] { body(); }, &t800)
+            .keep(history);
+        CHECK(simulation.run().ending == Ending::completed);
+    }
+    /// False where it departs.
+    template <class Body>
+    bool repeats(Body body) const {
+        Course again;
+        History history_again(again, history);
+        Simulation simulation;
+        simulation.process("p", [&] { body(); }).keep(history_again);
+        try {
+            return simulation.run().ending == Ending::completed && !again.departed;
+        } catch (const Departure&) {
+            CHECK(again.departed);
+            return false;
+        }
+    }
+    Course course;
+    History history{course, 0};
+};
+
+/// A PAR of one that outputs so many bytes and one that inputs.
+void communicate(std::uint32_t bytes) {
+    Channel<Letter> channel("c");
+    par([&] { channel.out().output({0, bytes}); }, [&] { channel.in().input(); });
+}
+
+} // namespace
+
+TEST_CASE("what a program does once more with other messages is what it would have done on the machine") {
+    std::size_t repeated = 0, departed = 0;
+    for (std::uint64_t seed : test::seeds(400, 1))
+        for (bool depends : {false, true}) {
+            INFO(test::replay(seed));
+            Histories histories;
+            Program::Result first = Program(seed, 1, true, depends).record(histories);
+            REQUIRE(!first.computed.empty());
+            std::optional<Program::Result> again = Program(seed, 2, false, depends).repeat(histories);
+            Program::Result on_machine = Program(seed, 2, true, depends).run();
+            if (!depends) {
+                REQUIRE(again);
+                CHECK(on_machine.fingerprint == first.fingerprint);
+            }
+            ++(again ? repeated : departed);
+            if (again) {
+                CHECK(again->computed == on_machine.computed);
+                CHECK(on_machine.fingerprint == first.fingerprint);
+                CHECK(again->computed != first.computed);
+            }
+        }
+    CHECK(repeated > departed);
+    CHECK(departed > 50);
+}
+
+TEST_CASE("keeping a history changes nothing") {
+    for (std::uint64_t seed : test::seeds(100, 1)) {
+        Histories histories;
+        Program::Result recorded = Program(seed, 1, true, true).record(histories);
+        Program::Result run = Program(seed, 1, true, true).run();
+        CHECK(recorded.fingerprint == run.fingerprint);
+        CHECK(recorded.computed == run.computed);
+    }
+}
+
+TEST_CASE("who does something else than he did departs") {
+    auto work = [](Cycles cycles, Time delay, std::uint32_t bytes) {
+        compute(cycles, {.between_points = Cycles{5}});
+        wait_for(delay);
+        communicate(bytes);
+    };
+    Recorded recorded([&] { work(Cycles{7}, microseconds{3}, 2); });
+    CHECK(recorded.course.can_be_repeated);
+    CHECK(recorded.repeats([&] { work(Cycles{7}, microseconds{3}, 2); }));
+    CHECK_FALSE(recorded.repeats([&] { work(Cycles{8}, microseconds{3}, 2); }));
+    CHECK_FALSE(recorded.repeats([&] { work(Cycles{7}, microseconds{4}, 2); }));
+    CHECK_FALSE(recorded.repeats([&] { work(Cycles{7}, microseconds{3}, 3); }));
+    SUBCASE("at the end") {
+        CHECK_FALSE(
+            recorded.repeats([&] { compute(Cycles{7}, {.between_points = Cycles{5}}), wait_for(microseconds{3}); }));
+        CHECK_FALSE(recorded.repeats([&] { work(Cycles{7}, microseconds{3}, 2), compute(Cycles{1}); }));
+        CHECK_FALSE(recorded.repeats([&] { work(Cycles{7}, microseconds{3}, 2), now(); }));
+    }
+    SUBCASE("where it can be left") {
+        CHECK_FALSE(recorded.repeats([&] { compute(Cycles{7}), wait_for(microseconds{3}), communicate(2); }));
+    }
+}
+
+TEST_CASE("who alternates between other guards departs, and who does not chooses as he did") {
+    Channel<int> never("never"), other("other");
+    auto alternate = [](Channel<int>& channel, Time due) {
+        return select(std::vector<Guard>{{Guard::input, &channel}, {Guard::timeout, nullptr, due}, {Guard::skip}});
+    };
+    std::optional<std::size_t> chosen;
+    Recorded recorded([&] { wait_for(microseconds{5}), chosen = alternate(never, microseconds{4}); });
+    CHECK(chosen == 1);
+    chosen.reset();
+    CHECK(recorded.repeats([&] { wait_for(microseconds{5}), chosen = alternate(never, microseconds{4}); }));
+    CHECK(chosen == 1);
+    CHECK_FALSE(recorded.repeats([&] { wait_for(microseconds{5}), alternate(never, microseconds{6}); }));
+    CHECK_FALSE(recorded.repeats([&] { wait_for(microseconds{5}), alternate(other, microseconds{4}); }));
+    CHECK_FALSE(recorded.repeats([&] {
+        wait_for(microseconds{5});
+        select(std::vector<Guard>{{Guard::input, &never}, {Guard::timeout, nullptr, microseconds{4}}});
+    }));
+}
+
+TEST_CASE("who has other components departs") {
+    auto nothing = [] {};
+    auto computes = [] { compute(Cycles{3}); };
+    Recorded recorded([&] { pri_par(computes, nothing); });
+    CHECK(recorded.repeats([&] { pri_par(computes, nothing); }));
+    CHECK_FALSE(recorded.repeats([&] { pri_par(nothing, computes); }));
+    CHECK_FALSE(recorded.repeats([&] { par(computes, nothing); }));
+    CHECK_FALSE(recorded.repeats([&] { par(computes, nothing, nothing); }));
+    CHECK_FALSE(recorded.repeats([&] { pri_par(computes, nothing), pri_par(computes, nothing); }));
+}
+
+TEST_CASE("clocks show what they showed") {
+    std::vector<std::int64_t> readings;
+    auto read = [&] {
+        compute(Cycles{3'000});
+        Timer timer;
+        wait_for(microseconds{100});
+        timer.wait_after(timer.plus(timer.read(), 2));
+        readings = {now().count(), timer.read(), timer.tick().count(), timer.bits()};
+    };
+    Recorded recorded(read);
+    std::vector<std::int64_t> then = std::exchange(readings, {});
+    CHECK(then[0] > 250'000'000);
+    CHECK(recorded.repeats(read));
+    CHECK(readings == then);
+}
+
+TEST_CASE("who asks for something else than he did departs: at another moment, another thing, once more, not at all") {
+    auto ask = [](int before, int between, bool again) {
+        compute(Cycles{before});
+        Time first = now();
+        compute(Cycles{between});
+        return first + (again ? now() : Time{0});
+    };
+    Recorded once([&] { ask(5, 7, false); }), twice([&] { ask(5, 7, true); });
+    CHECK(once.repeats([&] { ask(5, 7, false); }));
+    CHECK_FALSE(once.repeats([&] { ask(5, 7, true); }));
+    CHECK_FALSE(twice.repeats([&] { ask(5, 7, false); }));
+    CHECK_FALSE(twice.repeats([&] { compute(Cycles{5}), compute(Cycles{7}), now(), now(); }));
+    CHECK_FALSE(once.repeats([&] { compute(Cycles{5}), Timer().tick(), compute(Cycles{7}); }));
+    CHECK_FALSE(once.repeats([&] { compute(Cycles{5}), Timer().read(), compute(Cycles{7}); }));
+    CHECK_FALSE(once.repeats([&] { compute(Cycles{5}), compute(Cycles{7}); }));
+}
+
+TEST_CASE("an alternation is told no choice but one that it made") {
+    std::vector<Guard> guards{{Guard::skip}, {Guard::skip}};
+    Recorded recorded([&] { now(), select(guards); });
+    std::size_t chosen = 0;
+    CHECK_FALSE(recorded.repeats([&] { chosen = select(guards); }));
+    CHECK(chosen == 0);
+    CHECK_FALSE(recorded.repeats([&] { now(), now(), chosen = select(guards); }));
+    CHECK(chosen == 0);
+}
+
+TEST_CASE("channels of one name are told apart") {
+    auto use_two = [](bool swapped) {
+        Channel<int> a("c"), b("c");
+        auto outputs = [&] { (swapped ? b : a).out().output(1), (swapped ? a : b).out().output(2); };
+        par(
+            outputs, [&] { a.in().input(); }, [&] { b.in().input(); });
+    };
+    Recorded recorded([&] { use_two(false); });
+    CHECK(recorded.repeats([&] { use_two(false); }));
+    CHECK_FALSE(recorded.repeats([&] { use_two(true); }));
+}
+
+TEST_CASE("a departure that the program swallows is one all the same") {
+    Recorded recorded([] { compute(Cycles{5}); });
+    CHECK_FALSE(recorded.repeats([] {
+        try {
+            compute(Cycles{5}), compute(Cycles{6});
+        } catch (...) {
+        }
+    }));
+}
+
+TEST_CASE("destructors may read the clock where they did not") {
+    struct ReadsClock {
+        ~ReadsClock() { now(); }
+    };
+    Recorded recorded([] { compute(Cycles{5}); });
+    CHECK_FALSE(recorded.repeats([] {
+        ReadsClock here;
+        compute(Cycles{5});
+    }));
+}
+
+TEST_CASE("who waits for the clock by asking departs in the end") {
+    Recorded recorded([] {
+        while (now() < microseconds{5})
+            compute(Cycles{20});
+    });
+    CHECK_FALSE(recorded.repeats([] {
+        while (now() < microseconds{6}) {
+        }
+    }));
+}
+
+TEST_CASE("what is noted has an end: then it is not repeated") {
+    Recorded recorded([] {
+        for (std::size_t i = 0; i <= Course{}.room; ++i) {
+            now();
+            if (i % 1000 == 0)
+                compute(Cycles{1});
+        }
+    });
+    CHECK_FALSE(recorded.course.can_be_repeated);
+}
+
+TEST_CASE("what may be given up cannot be repeated") {
+    Channel<int> c("c");
+    Recorded recorded([&] {
+        int message = 0;
+        CHECK_FALSE(input_or_fail(c.in(), message, microseconds{5}));
+    });
+    CHECK_FALSE(recorded.course.can_be_repeated);
+    Recorded in_component([&] { par([&] { reset(c.in()); }, [] {}); });
+    CHECK_FALSE(in_component.course.can_be_repeated);
+    Recorded idle([] {});
+    CHECK_FALSE(idle.repeats([&] { reset(c.in()); }));
+}
+
+TEST_CASE("a process that departs may read the clock as it goes") {
+    struct ReadsClock {
+        ~ReadsClock() { read = now(); }
+        Time& read;
+    };
+    Recorded recorded([] {});
+    Time read = Time::max();
+    CHECK_FALSE(recorded.repeats([&] {
+        ReadsClock reader{read};
+        communicate(1);
+    }));
+    CHECK(read == Time{0});
+}
+
+TEST_CASE("a process that still waits when another departs may read the clock as it is unwound") {
+    Channel<int> never("never");
+    struct ReadsClock {
+        ~ReadsClock() { read = now(); }
+        Time& read;
+    };
+    Recorded recorded([] {
+        Channel<int> c("never");
+        par([&] { c.in().input(); }, [&] { c.out().output(1); });
+    });
+    Time read = Time::max();
+    CHECK_FALSE(recorded.repeats([&] {
+        auto waits = [&] {
+            ReadsClock reader{read};
+            never.in().input();
+        };
+        par(waits, [] { compute(Cycles{1}); });
+    }));
+    CHECK(read == Time{0});
+}

@@ -1,0 +1,100 @@
+// What a worker makes of a study's runs, one after the other, is what each comes to by itself.
+
+#include "tests/sanitized.hpp"
+#include "workbench/study/sweep.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+Study study_of(const std::string& netlist, const std::vector<std::string>& settings, std::uint64_t seeds) {
+    Study study;
+    study.netlist = fmt::format("{}/{}", PLACEDPAR_SOURCE_DIR, netlist);
+    study.products.emplace_back();
+    for (const std::string& setting : settings)
+        study.products.back().axes.push_back(read_axis(setting));
+    study.seeds = seeds;
+    return study;
+}
+
+std::string all_of(const std::optional<StudyOutcome>& outcome) {
+    REQUIRE(outcome);
+    return fmt::format("{} {} {:016x} {:016x} {} {}", outcome->ended, to_string(outcome->time), outcome->fingerprint,
+                       outcome->netlist_hash, outcome->refused, figures_text(outcome->figures));
+}
+
+/// Makes each run by one worker, and by a worker of its own, which has no other to repeat. Returns how many were
+/// repeated.
+std::uint64_t check_worker(const Study& study) {
+    Interruption never;
+    StudyWorker worker(study);
+    for (std::uint64_t i = 0; i < study.count(); ++i) {
+        StudyRun run = *study.at(i);
+        CAPTURE(study.netlist);
+        CAPTURE(i);
+        CHECK(all_of(worker.outcome_of(run, never)) == all_of(StudyWorker(study).outcome_of(run, never)));
+    }
+    return worker.repeated();
+}
+
+} // namespace
+
+TEST_CASE("the runs of one combination come to what each comes to alone, and take the machine once") {
+    const std::uint64_t seeds = test::sanitized ? 2 : 3;
+    for (const auto& [netlist, settings] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"04-figure-e2/figure-e2.cfs", {"slaves=0,2", "host.samples=12"}},
+             {"36-farms/farm.cfs",
+              {"split=individuals,demand,evaluations", "sending=in turn,at once", "results=chain,ready", "links=2",
+               "samples=6"}},
+             {"35-islands/islands.cfs", {"schedule=broadcast,sequential", "host.samples=10"}},
+             {"39-through-routing/islands.cfs", {"host.samples=10"}},
+             {"22-plant-on-transputers/islands.cfs", {"host.samples=40"}},
+             {"62-coarse-fine/pair.cfs", {"host.samples=33"}},
+             {"42-figure-d1/figure-e2-on-d1.cfs", {"slaves=1", "host.samples=6"}},
+             {"43-busy-bus/busy-bus.cfs", {"messages=5"}},
+             {"01-commstime/commstime.cfs", {"count=9"}}}) {
+        Study study = study_of("examples/" + netlist, settings, seeds);
+        CAPTURE(netlist);
+        CHECK(check_worker(study) == study.count() / seeds * (seeds - 1));
+    }
+}
+
+TEST_CASE("what depends on how processes take turns is not repeated") {
+    CHECK(check_worker(study_of("examples/35-islands/islands.cfs", {"schedule=asynchronous", "host.samples=10"}, 2)) ==
+          0);
+    CHECK(check_worker(study_of("examples/42-figure-d1/figure-e2-on-d1.cfs",
+                                {"slaves=1", "host.samples=6", "host.accuracy=0.1"}, 2)) == 0);
+    CHECK(check_worker(study_of("examples/42-figure-d1/figure-e2-on-d1.cfs",
+                                {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // messages are compared
+    CHECK(check_worker(study_of("examples/30-philosophers/philosophers.cfs", {"meals=2"}, 2)) == 0);
+}
+
+TEST_CASE("a run that ends early is not repeated, and one with a single seed is not recorded") {
+    Study study = study_of("examples/01-commstime/commstime.cfs", {}, 3);
+    study.until = std::chrono::microseconds{50};
+    CHECK(check_worker(study) == 0);
+    CHECK(check_worker(study_of("examples/02-deadlock/ring.cfs", {}, 3)) == 0);
+    CHECK(check_worker(study_of("examples/01-commstime/commstime.cfs", {"count=5,6"}, 1)) == 0);
+}
+
+TEST_CASE("an interruption ends a run that is repeated") {
+    Interruption never, at_once;
+    at_once.request();
+    Study study = study_of("examples/01-commstime/commstime.cfs", {}, 2);
+    StudyWorker worker(study);
+    REQUIRE(worker.outcome_of(*study.at(0), never));
+    CHECK_FALSE(worker.outcome_of(*study.at(1), at_once));
+    CHECK(worker.repeated() == 0);
+    CHECK(worker.outcome_of(*study.at(1), never));
+    CHECK(worker.repeated() == 1);
+}
