@@ -18,7 +18,7 @@ namespace placedpar {
 struct RecordedRun {
     RunReport report;
     std::uint64_t events = 0; ///< their fingerprint
-    Course course;
+    RunHistory course;
     std::list<History> histories; ///< by process of the network
 
     /// It has completed, and its processes did only what can be repeated.
@@ -48,7 +48,7 @@ private:
     std::vector<Measurement> in_recorded_order(const std::vector<Measurement>&) const;
 
     const RecordedRun& recorded_;
-    Course course_;
+    RunHistory course_;
     std::list<History> histories_;
     Software software_;
     Simulation simulation_;

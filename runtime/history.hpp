@@ -15,8 +15,8 @@ namespace placedpar {
 /// it pass.
 class Departure {};
 
-/// What the histories of one run have in common.
-struct Course {
+/// What the histories of the processes of one run have in common: the course that it takes.
+struct RunHistory {
     /// Readings that they may still note, 16 bytes each. A run that has more is not repeated.
     std::size_t room = 4'000'000;
     bool can_be_repeated = true; ///< by what processes did so far
@@ -56,9 +56,10 @@ public:
     };
 
     /// To note what a process does. `name`: another for each process of the course, which outlives it.
-    History(Course& course, std::uint64_t name) : course_(course), name_(name) {}
+    History(RunHistory& course, std::uint64_t name) : course_(course), name_(name) {}
     /// To do it once more. REQUIRES: the original outlives it, and does not change meanwhile.
-    History(Course& course, const History& original) : course_(course), name_(original.name_), original_(&original) {
+    History(RunHistory& course, const History& original)
+        : course_(course), name_(original.name_), original_(&original) {
         next_component_ = original.components_.begin();
     }
     History(const History&) = delete;
@@ -133,7 +134,7 @@ private:
     std::int64_t saw_then(Action what);
     [[noreturn]] void depart();
 
-    Course& course_;
+    RunHistory& course_;
     std::uint64_t name_;
     const History* original_ = nullptr; ///< null while it is noted
     Fingerprint fingerprint_;           ///< of the actions

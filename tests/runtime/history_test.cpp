@@ -45,7 +45,7 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 }
 
 struct Histories {
-    Course course;
+    RunHistory course;
     std::list<History> histories;
 };
 
@@ -224,7 +224,7 @@ struct Recorded {
     /// False where it departs.
     template <class Body>
     bool repeats(Body body) const {
-        Course again;
+        RunHistory again;
         History history_again(again, history);
         Simulation simulation;
         simulation.process("p", [&] { body(); }).keep(history_again);
@@ -235,7 +235,7 @@ struct Recorded {
             return false;
         }
     }
-    Course course;
+    RunHistory course;
     History history{course, 0};
 };
 
@@ -424,7 +424,7 @@ TEST_CASE("who waits for the clock by asking departs in the end") {
 
 TEST_CASE("what is noted has an end: then it is not repeated") {
     Recorded recorded([] {
-        for (std::size_t i = 0; i <= Course{}.room; ++i) {
+        for (std::size_t i = 0; i <= RunHistory{}.room; ++i) {
             now();
             if (i % 1000 == 0)
                 compute(Cycles{1});
