@@ -9,7 +9,7 @@
 namespace placedpar {
 
 bool RecordedRun::can_be_repeated() const {
-    return report.result.ending == Ending::completed && course.can_be_repeated;
+    return report && report->result.ending == Ending::completed && course.can_be_repeated;
 }
 
 bool is_determinate(const Network& network, const Catalogue& catalogue) {
@@ -46,7 +46,7 @@ std::optional<RunReport> RepeatedRun::run() {
         return report;
     if (report.result.ending != Ending::completed || course_.departed)
         return std::nullopt;
-    report = recorded_.report;
+    report = *recorded_.report;
     report.measurements = in_recorded_order(software_.measurements());
     report.result.fingerprint = fingerprint_with(recorded_.events, report.measurements);
     return report;
@@ -58,7 +58,7 @@ std::vector<Measurement> RepeatedRun::in_recorded_order(const std::vector<Measur
     for (const Measurement& each : measured)
         of_process[each.process].push_back(each);
     std::vector<Measurement> ordered;
-    for (const Measurement& then : recorded_.report.measurements) {
+    for (const Measurement& then : recorded_.report->measurements) {
         std::list<Measurement>& own = of_process[then.process];
         ordered.push_back(std::move(own.front()));
         own.pop_front();

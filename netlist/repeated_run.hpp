@@ -16,8 +16,8 @@ namespace placedpar {
 
 /// A run of a network on its machine, and what its processes did in it (Machine::record).
 struct RecordedRun {
-    RunReport report;
-    std::uint64_t events = 0; ///< their fingerprint
+    std::optional<RunReport> report; ///< none where it has not ended, but was refused
+    std::uint64_t events = 0;        ///< their fingerprint
     RunHistory course;
     std::list<History> histories; ///< by process of the network
 

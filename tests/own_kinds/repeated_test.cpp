@@ -7,6 +7,7 @@
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
+#include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/study/sweep.hpp"
 
@@ -142,6 +143,15 @@ void swallow_everything(ProcessEnvironment& environment, RandomStream& random) {
     }
 }
 
+/// When all is done.
+void refuse_what_came_out(ProcessEnvironment& environment, RandomStream& random) {
+    std::uint32_t eyes = 1 + random.below(6);
+    compute(Cycles{1000});
+    if (eyes == 6 || environment.seed() == 1)
+        throw UserError("not a six again");
+    environment.measure("eyes", eyes);
+}
+
 void compute_very_often(ProcessEnvironment& environment, RandomStream&) {
     for (int i = 0; i < 2'000'000; ++i)
         compute(Cycles{1});
@@ -160,6 +170,7 @@ const std::map<std::string, Body>& bodies() {
         {"laps", read_the_clock_in_destructors},
         {"swapped", swap_channels_of_one_name},
         {"swallows", swallow_everything},
+        {"refuses", refuse_what_came_out},
         {"often", compute_very_often},
     };
     return all;
@@ -234,6 +245,12 @@ TEST_CASE("odd programs come to what they come to alone") {
     for (const auto& [does, body] : bodies())
         if (does != "often")
             check(does);
+}
+
+TEST_CASE("a run that was refused is not repeated") {
+    std::uint64_t repeated = check("refuses");
+    CHECK(repeated > 0);
+    CHECK(repeated < 10);
 }
 
 TEST_CASE("who measures in components is not repeated") { CHECK(check("components") == 0); }

@@ -111,17 +111,14 @@ std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
 /// A run that departs is recorded in place of the one before: the next ones may be as this one.
 RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
     RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
-    if (record_)
+    if (record_ && record_->can_be_repeated())
         if (auto report = repeat(settings))
             return *report;
     record_.reset();
     if (!is_worth_recording())
         return run_netlist(network_, kinds_, settings);
     settings.record = &record_.emplace();
-    RunReport report = run_netlist(network_, kinds_, settings);
-    if (!record_->can_be_repeated())
-        record_.reset();
-    return report;
+    return run_netlist(network_, kinds_, settings);
 }
 
 std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interruption& interruption) {
