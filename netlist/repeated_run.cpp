@@ -14,7 +14,7 @@ bool RecordedRun::can_be_repeated() const {
 
 bool is_determinate(const Network& network, const Catalogue& catalogue) {
     auto is_broadcast = [](const NetworkChannel& channel) { return channel.placement.broadcast_on != nowhere; };
-    if (std::ranges::any_of(network.channels, is_broadcast))
+    if (std::ranges::any_of(network.channels, is_broadcast) || !network.faults.empty())
         return false;
     for (std::size_t i = 0; i < network.processes.size(); ++i)
         if (const auto& says = catalogue.find(network.processes[i].kind)->is_determinate; !says || !says(network, i))
@@ -33,18 +33,21 @@ RepeatedRun::RepeatedRun(const Network& network, const Catalogue& catalogue, std
 
 std::optional<RunReport> RepeatedRun::run() {
     RunReport report;
+    course_.on_departure = [this] { simulation_.interrupt(); };
     try {
         report.result = simulation_.run();
-    } catch (const Departure&) {
-        return std::nullopt;
     } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception&) { // on the machine it may come to pass at another moment, or be preceded by another
+        if (!course_.departed)
+            throw;
+        return std::nullopt;
+    } catch (...) { // a departure; or what on the machine may come to pass at another moment, if it does
         return std::nullopt;
     }
+    if (course_.departed)
+        return std::nullopt;
     if (report.result.ending == Ending::interrupted)
         return report;
-    if (report.result.ending != Ending::completed || course_.departed)
+    if (report.result.ending != Ending::completed)
         return std::nullopt;
     report = *recorded_.report;
     report.measurements = in_recorded_order(software_.measurements());

@@ -26,8 +26,8 @@ struct RecordedRun {
 };
 
 /// Whether what happens in the network follows from what histories note: of all processes
-/// (ProcessKind::is_determinate), and none outputs to several on a bus at once, which looks whether these messages are
-/// one.
+/// (ProcessKind::is_determinate); none outputs to several on a bus at once, which looks whether these messages are one;
+/// and the machine has no faults, of which programs may be told by exceptions.
 bool is_determinate(const Network&, const Catalogue&);
 
 /// A run with another seed that takes the same course as one on the machine: its processes compute, with their own

@@ -176,8 +176,8 @@ std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
         return choose(self, guards, where);
     self.kernel().heed_interruption();
     note(guards, *history);
-    return static_cast<std::size_t>(
-        history->chooses([&] { return static_cast<std::int64_t>(choose(self, guards, where)); }));
+    return static_cast<std::size_t>(history->sees(
+        History::Action::alternation, [&] { return static_cast<std::int64_t>(choose(self, guards, where)); }));
 }
 
 } // namespace placedpar

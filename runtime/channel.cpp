@@ -136,13 +136,16 @@ std::uint64_t two_parts(const WireForm& form, std::size_t first) {
 
 /// Or throws, while the process is unwound.
 void AnyChannel::note_output(Process& self, const WireForm& form) {
-    self.kernel().throw_if_unwinding();
-    if (History* history = self.history())
+    self.kernel().heed_interruption();
+    History* history = self.history();
+    if (history && form.total() == 0)
+        history->does_what_is_not_noted(); // a link refuses it
+    if (history)
         history->does(History::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
 }
 
 void AnyChannel::note_input(Process& self) {
-    self.kernel().throw_if_unwinding();
+    self.kernel().heed_interruption();
     if (History* history = self.history())
         history->does(History::Action::input, identity());
 }

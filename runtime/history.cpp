@@ -15,21 +15,27 @@ std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
 } // namespace
 
 void History::depart() {
-    course_.departed = true;
+    departs_quietly();
     throw Departure{};
+}
+
+void History::departs_quietly() {
+    course_.departed = true;
+    course_.on_departure();
 }
 
 void History::does_quietly(Action action, std::uint64_t what) {
     if (is_silent_)
         return;
     if (original_ && actions_ == original_->actions_)
-        course_.departed = true;
+        departs_quietly();
     note(action, what);
 }
 
 void History::does_what_is_not_noted() {
     course_.can_be_repeated = false;
-    course_.departed |= repeats();
+    if (repeats())
+        departs_quietly();
 }
 
 History& History::component() {
@@ -80,10 +86,10 @@ std::int64_t History::saw_then(Action what) {
         note(what, 0);
         return original_->seen_[seen_again_++].value;
     }
-    course_.departed = true;
     constexpr std::uint64_t very_often = 100'000; // as Kernel::reads_clock
-    if (++asked_in_vain_ > very_often)
-        throw Departure{};
+    if (what != Action::now || ++asked_in_vain_ > very_often)
+        depart();
+    departs_quietly();
     return 0;
 }
 

@@ -5,22 +5,24 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <list>
 #include <vector>
 
 namespace placedpar {
 
-/// Thrown through a process that does something else than its history says. A process that catches everything must let
-/// it pass.
+/// Thrown through a process that does something else than its history says. One that catches it all the same is unwound
+/// when it next does anything.
 class Departure {};
 
 /// What the histories of the processes of one run have in common: the course that it takes.
 struct RunHistory {
     /// Readings that they may still note, 16 bytes each. A run that has more is not repeated.
     std::size_t room = 4'000'000;
-    bool can_be_repeated = true; ///< by what processes did so far
-    bool departed = false;       ///< a process that does it once more has done something else
+    bool can_be_repeated = true;                ///< by what processes did so far
+    bool departed = false;                      ///< a process that does it once more has done something else
+    std::function<void()> on_departure = [] {}; ///< ends the run; called perhaps more than once
 };
 
 /// What a process did in a run, and what it saw there that no message told it: which guards its alternations chose, and
@@ -71,11 +73,13 @@ public:
     // What the process does, in its order.
 
     /// `what`: less than 2^56, or a hash of which so many bits will do. `how`: always as many words for one action.
-    /// Throws Departure when it did not do that then, or something else before: now, or when the process has ended.
+    /// Throws Departure when it did more than it did then, or any process has done something else. That it did another
+    /// thing then is found when it next asks for something, or has ended.
     void does(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;
-        require_another_action();
+        if (original_)
+            require_another_action();
         note(action, what);
         for (std::uint64_t word : how)
             fingerprint_.mix(word);
@@ -83,8 +87,9 @@ public:
     /// The same, for what destructors may do: the course departs, but nothing is thrown.
     void does_quietly(Action, std::uint64_t what);
     /// The process asks for something that messages do not tell: what it sees by `look`, or saw then. What it does
-    /// while it looks is a part of that. Destructors may: where it asked for nothing then, the course departs, but
-    /// nothing is thrown before it has asked very often; the value is 0.
+    /// while it looks is a part of that. Throws Departure where it did not ask for that then, or any process has done
+    /// something else; but not of the time, for which destructors may ask: that is 0 then, and only who asks for it
+    /// very often is told.
     template <std::invocable Look>
     std::int64_t sees(Action what, Look look) {
         if (is_silent_)
@@ -97,15 +102,7 @@ public:
         note_seen(what, seen);
         return seen;
     }
-    /// The same, but it throws Departure at once.
-    template <std::invocable Look>
-    std::int64_t chooses(Look look) {
-        std::int64_t chosen = sees(Action::alternation, look);
-        if (course_.departed)
-            throw Departure{};
-        return chosen;
-    }
-    /// Something that cannot be repeated.
+    /// Something that cannot be repeated, or that on the machine would be refused.
     void does_what_is_not_noted();
     /// The next component of a PAR begins; all that have begun have ended, and their histories are not used any more.
     History& component();
@@ -126,13 +123,14 @@ private:
         fingerprint_.mix(static_cast<std::uint64_t>(action) << 56 ^ what);
     }
     void require_another_action() {
-        if (original_ && actions_ == original_->actions_)
+        if (course_.departed || actions_ == original_->actions_)
             depart();
     }
     void note_seen(Action what, std::int64_t seen);
     void take_room(std::size_t readings);
     std::int64_t saw_then(Action what);
     [[noreturn]] void depart();
+    void departs_quietly();
 
     RunHistory& course_;
     std::uint64_t name_;

@@ -35,6 +35,7 @@ std::int64_t seen_by(const Process& self, History::Action what, Look look) {
 
 /// A delay.
 [[gnu::noinline]] bool only_repeats(const Process& self, Time due) {
+    self.kernel().heed_interruption();
     History* history = self.history();
     if (history)
         history->does(History::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
@@ -65,7 +66,7 @@ void wait_until(Time due, const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
     if (kernel.is_attentive() && only_repeats(self, due)) [[unlikely]]
-        return kernel.heed_interruption();
+        return;
     if (self.executive() && due <= kernel.now())
         return charge(self, &OperationCosts::timer_wait_past);
     Time since = kernel.now();
@@ -82,9 +83,10 @@ void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now
 void wait_until_work_is_over(const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
     if (History* history = kernel.running().history()) {
+        kernel.heed_interruption();
         history->does(History::Action::after_work, 0);
         if (history->repeats())
-            return kernel.heed_interruption();
+            return;
     }
     kernel.after_work(kernel.running());
     kernel.running().wait_for(Activity::after_work, nullptr, where);

@@ -22,6 +22,8 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -143,6 +145,58 @@ void swallow_everything(ProcessEnvironment& environment, RandomStream& random) {
     }
 }
 
+/// Asks for the time where it is lucky, and then works with the timer.
+void wait_for_the_timer(ProcessEnvironment& environment, RandomStream& random) {
+    Timer timer;
+    for (int i = 0; i < 5; ++i) {
+        compute(Cycles{100});
+        if (random.chance(0.1))
+            now();
+        timer.wait_after(timer.plus(timer.read(), 2));
+    }
+    environment.measure("read", timer.read());
+}
+
+/// As no program should.
+void try_again_for_ever(ProcessEnvironment& environment, RandomStream& random) {
+    std::uint32_t done = 0;
+    for (std::uint32_t n = 1 + random.below(3); done < n;)
+        try {
+            compute(Cycles{100});
+            ++done;
+        } catch (const Unwinding&) {
+            throw;
+        } catch (...) {
+        }
+    environment.measure("done", done);
+}
+
+/// A computation that an executive refuses.
+void compute_backwards(ProcessEnvironment& environment, RandomStream& random) {
+    double failed = 0;
+    try {
+        compute(Cycles{-1});
+    } catch (const std::logic_error&) {
+        failed = 1 + random.below(100);
+    }
+    environment.measure("failed", failed);
+}
+
+/// Where it departs, what it works with makes no sense.
+void throw_what_it_likes(ProcessEnvironment& environment, RandomStream& random) {
+    Time first = now();
+    compute(Cycles{100});
+    if (random.chance(0.3))
+        now();
+    Time second = now();
+    if (second <= first)
+        throw std::bad_alloc();
+    compute(Cycles{100});
+    if (now() <= second)
+        throw 5;
+    environment.measure("eyes", random.below(6));
+}
+
 /// When all is done.
 void refuse_what_came_out(ProcessEnvironment& environment, RandomStream& random) {
     std::uint32_t eyes = 1 + random.below(6);
@@ -171,6 +225,10 @@ const std::map<std::string, Body>& bodies() {
         {"swapped", swap_channels_of_one_name},
         {"swallows", swallow_everything},
         {"refuses", refuse_what_came_out},
+        {"waits", wait_for_the_timer},
+        {"tries again", try_again_for_ever},
+        {"backwards", compute_backwards},
+        {"senseless", throw_what_it_likes},
         {"often", compute_very_often},
     };
     return all;

@@ -32,7 +32,7 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-struct Letter {
+struct Saying {
     std::uint64_t says = 0;
     std::uint32_t bytes = 1;
     WireForm wire_form() const { return WireForm(4u, bytes); }
@@ -52,21 +52,21 @@ struct Histories {
 /// Sources, mergers that alternate between theirs, and a sink that alternates between these, each on a processor of its
 /// own, with links between them; or all on none. What they do is drawn from one seed, what their messages say from
 /// another; perhaps what one of them does depends on what a message says.
-class Program {
+class MergingProgram {
 public:
-    Program(std::uint64_t seed, std::uint64_t says, bool on_machine, bool depends)
+    MergingProgram(std::uint64_t seed, std::uint64_t says, bool on_machine, bool depends)
         : says_(says), depends_(depends), random_(seed, "program") {
         std::size_t mergers = 1 + random_.below(3);
-        std::vector<Node> merging;
+        std::vector<PlacedNode> merging;
         for (std::size_t i = 0; i < mergers; ++i)
             merging.push_back(node(on_machine));
-        Node sink = node(on_machine);
-        std::vector<Channel<Letter>*> merged;
-        for (Node& merger : merging) {
-            std::vector<Channel<Letter>*> sent;
+        PlacedNode sink = node(on_machine);
+        std::vector<Channel<Saying>*> merged;
+        for (PlacedNode& merger : merging) {
+            std::vector<Channel<Saying>*> sent;
             std::size_t letters = 0;
             for (std::size_t i = 0, sources = 1 + random_.below(3); i < sources; ++i) {
-                Node source = node(on_machine);
+                PlacedNode source = node(on_machine);
                 sent.push_back(&channel(source, merger));
                 std::size_t count = 1 + random_.below(8);
                 letters += count;
@@ -76,12 +76,12 @@ public:
             letters_ += letters;
             add(merger, [this, sent, to = merged.back(), letters](RandomStream& random) {
                 merge(
-                    sent, letters, [to](Letter letter) { to->out().output(letter); }, random);
+                    sent, letters, [to](Saying letter) { to->out().output(letter); }, random);
             });
         }
         add(sink, [this, merged](RandomStream& random) {
             merge(
-                merged, letters_, [](Letter) {}, random);
+                merged, letters_, [](Saying) {}, random);
         });
     }
 
@@ -115,13 +115,13 @@ public:
     }
 
 private:
-    struct Node {
+    struct PlacedNode {
         Processor* processor;
     };
-    Node node(bool on_machine) {
+    PlacedNode node(bool on_machine) {
         return {on_machine ? &simulation_.add<Processor>(fmt::format("t{}", ++nodes_)) : nullptr};
     }
-    Channel<Letter>& channel(Node& from, Node& to) {
+    Channel<Saying>& channel(PlacedNode& from, PlacedNode& to) {
         auto& made = channels_.emplace_back(fmt::format("c{}", channels_.size()));
         if (from.processor) {
             Link& link = simulation_.add<Link>();
@@ -130,7 +130,7 @@ private:
         }
         return made;
     }
-    void add(Node node, const std::function<void(RandomStream&)>& body) {
+    void add(PlacedNode node, const std::function<void(RandomStream&)>& body) {
         std::size_t number = processes_.size();
         std::uint32_t seed = random_.below(1'000'000);
         result_.computed.push_back(0);
@@ -147,7 +147,7 @@ private:
     /// Of the process that runs: what it knows enters what it computes.
     static void learn(std::uint64_t& knows, std::uint64_t what) { knows = mixed(knows, what); }
 
-    void send(Channel<Letter>& to, std::size_t count, RandomStream& random) {
+    void send(Channel<Saying>& to, std::size_t count, RandomStream& random) {
         std::uint64_t& knows = *computed_;
         for (std::size_t i = 0; i < count; ++i) {
             do_something(knows, random);
@@ -155,12 +155,12 @@ private:
             to.out().output({knows, 1 + random.below(60)});
         }
     }
-    void merge(const std::vector<Channel<Letter>*>& from, std::size_t letters, const std::function<void(Letter)>& then,
+    void merge(const std::vector<Channel<Saying>*>& from, std::size_t letters, const std::function<void(Saying)>& then,
                RandomStream& random) {
         std::uint64_t& knows = *computed_;
         while (letters > 0) {
             std::vector<Guard> guards;
-            for (Channel<Letter>* each : from)
+            for (Channel<Saying>* each : from)
                 guards.push_back({Guard::input, each});
             if (random.chance(0.4))
                 guards.push_back({Guard::timeout, nullptr, later(now(), nanoseconds{random.below(30'000)})});
@@ -168,7 +168,7 @@ private:
             learn(knows, chosen);
             if (chosen == from.size())
                 continue;
-            Letter letter = from[chosen]->in().input();
+            Saying letter = from[chosen]->in().input();
             learn(knows, letter.says);
             if (depends_ && letter.says % 64 == 0)
                 do_something(knows, random);
@@ -200,7 +200,7 @@ private:
     std::uint64_t says_;
     bool depends_;
     RandomStream random_;
-    std::deque<Channel<Letter>> channels_;
+    std::deque<Channel<Saying>> channels_;
     Histories again_;
     Simulation simulation_;
     std::vector<Process*> processes_;
@@ -241,7 +241,7 @@ struct Recorded {
 
 /// A PAR of one that outputs so many bytes and one that inputs.
 void communicate(std::uint32_t bytes) {
-    Channel<Letter> channel("c");
+    Channel<Saying> channel("c");
     par([&] { channel.out().output({0, bytes}); }, [&] { channel.in().input(); });
 }
 
@@ -253,10 +253,10 @@ TEST_CASE("what a program does once more with other messages is what it would ha
         for (bool depends : {false, true}) {
             INFO(test::replay(seed));
             Histories histories;
-            Program::Result first = Program(seed, 1, true, depends).record(histories);
+            MergingProgram::Result first = MergingProgram(seed, 1, true, depends).record(histories);
             REQUIRE(!first.computed.empty());
-            std::optional<Program::Result> again = Program(seed, 2, false, depends).repeat(histories);
-            Program::Result on_machine = Program(seed, 2, true, depends).run();
+            std::optional<MergingProgram::Result> again = MergingProgram(seed, 2, false, depends).repeat(histories);
+            MergingProgram::Result on_machine = MergingProgram(seed, 2, true, depends).run();
             if (!depends) {
                 REQUIRE(again);
                 CHECK(on_machine.fingerprint == first.fingerprint);
@@ -275,8 +275,8 @@ TEST_CASE("what a program does once more with other messages is what it would ha
 TEST_CASE("keeping a history changes nothing") {
     for (std::uint64_t seed : test::seeds(100, 1)) {
         Histories histories;
-        Program::Result recorded = Program(seed, 1, true, true).record(histories);
-        Program::Result run = Program(seed, 1, true, true).run();
+        MergingProgram::Result recorded = MergingProgram(seed, 1, true, true).record(histories);
+        MergingProgram::Result run = MergingProgram(seed, 1, true, true).run();
         CHECK(recorded.fingerprint == run.fingerprint);
         CHECK(recorded.computed == run.computed);
     }

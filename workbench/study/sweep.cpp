@@ -93,7 +93,7 @@ void StudyWorker::go_to_network(const Overrides& set) {
     departed_ = 0;
 }
 
-/// Where courses depend on the seed more often than not, repeating them is given up.
+/// Where courses depend on the seed, or cannot be repeated, that is given up after a few.
 bool StudyWorker::is_worth_recording() const {
     constexpr std::uint64_t departures_at_most = 3;
     return study_.seeds > 1 && departed_ < departures_at_most && is_determinate(network_, kinds_);
@@ -118,7 +118,9 @@ RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption
     if (!is_worth_recording())
         return run_netlist(network_, kinds_, settings);
     settings.record = &record_.emplace();
-    return run_netlist(network_, kinds_, settings);
+    RunReport report = run_netlist(network_, kinds_, settings);
+    departed_ += !record_->can_be_repeated();
+    return report;
 }
 
 std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interruption& interruption) {
