@@ -245,7 +245,7 @@ std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
 void StudySweep::time_another_seed(Interruption& interruption) {
     const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
     StudyRun another = *tried_;
-    another.seed += another.seed == study_.first_seed ? 1 : -1;
+    another.seed = another.seed == study_.first_seed ? another.seed + 1 : another.seed - 1;
     timed_outcome(another, interruption);
     seconds_ = (first + others * *seconds_) / (others + 1);
 }

@@ -51,7 +51,7 @@ std::uint64_t check_worker(const Study& study) {
 
 TEST_CASE("the runs of one combination come to what each comes to alone, and take the machine once") {
     const std::uint64_t seeds = test::sanitized ? 2 : 3;
-    for (const auto& [netlist, settings] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+    for (const auto& each : std::vector<std::pair<std::string, std::vector<std::string>>>{
              {"04-figure-e2/figure-e2.cfs", {"slaves=0,2", "host.samples=12"}},
              {"36-farms/farm.cfs",
               {"split=individuals,demand,evaluations", "sending=in turn,at once", "results=chain,ready", "links=2",
@@ -63,8 +63,8 @@ TEST_CASE("the runs of one combination come to what each comes to alone, and tak
              {"42-figure-d1/figure-e2-on-d1.cfs", {"slaves=1", "host.samples=6"}},
              {"43-busy-bus/busy-bus.cfs", {"messages=5"}},
              {"01-commstime/commstime.cfs", {"count=9"}}}) {
-        Study study = study_of("examples/" + netlist, settings, seeds);
-        CAPTURE(netlist);
+        Study study = study_of("examples/" + each.first, each.second, seeds);
+        CAPTURE(study.netlist);
         CHECK(check_worker(study) == study.count() / seeds * (seeds - 1));
     }
 }
