@@ -306,19 +306,22 @@ TEST_CASE("who does something else than he did departs") {
 }
 
 TEST_CASE("who alternates between other guards departs, and who does not chooses as he did") {
-    Channel<int> never("never"), other("other");
-    auto alternate = [](Channel<int>& channel, Time due) {
-        return select(std::vector<Guard>{{Guard::input, &channel}, {Guard::timeout, nullptr, due}, {Guard::skip}});
-    };
     std::optional<std::size_t> chosen;
-    Recorded recorded([&] { wait_for(microseconds{5}), chosen = alternate(never, microseconds{4}); });
+    auto alternate = [&](bool on_another, Time due) {
+        Channel<int> never("never"), other("other");
+        wait_for(microseconds{5});
+        chosen = select(std::vector<Guard>{
+            {Guard::input, on_another ? &other : &never}, {Guard::timeout, nullptr, due}, {Guard::skip}});
+    };
+    Recorded recorded([&] { alternate(false, microseconds{4}); });
     CHECK(chosen == 1);
     chosen.reset();
-    CHECK(recorded.repeats([&] { wait_for(microseconds{5}), chosen = alternate(never, microseconds{4}); }));
+    CHECK(recorded.repeats([&] { alternate(false, microseconds{4}); }));
     CHECK(chosen == 1);
-    CHECK_FALSE(recorded.repeats([&] { wait_for(microseconds{5}), alternate(never, microseconds{6}); }));
-    CHECK_FALSE(recorded.repeats([&] { wait_for(microseconds{5}), alternate(other, microseconds{4}); }));
+    CHECK_FALSE(recorded.repeats([&] { alternate(false, microseconds{6}); }));
+    CHECK_FALSE(recorded.repeats([&] { alternate(true, microseconds{4}); }));
     CHECK_FALSE(recorded.repeats([&] {
+        Channel<int> never("never"), other("other");
         wait_for(microseconds{5});
         select(std::vector<Guard>{{Guard::input, &never}, {Guard::timeout, nullptr, microseconds{4}}});
     }));
@@ -434,16 +437,18 @@ TEST_CASE("what is noted has an end: then it is not repeated") {
 }
 
 TEST_CASE("what may be given up cannot be repeated") {
-    Channel<int> c("c");
-    Recorded recorded([&] {
+    auto try_input = [] {
+        Channel<int> c("c");
         int message = 0;
         CHECK_FALSE(input_or_fail(c.in(), message, microseconds{5}));
-    });
-    CHECK_FALSE(recorded.course.can_be_repeated);
-    Recorded in_component([&] { par([&] { reset(c.in()); }, [] {}); });
-    CHECK_FALSE(in_component.course.can_be_repeated);
-    Recorded idle([] {});
-    CHECK_FALSE(idle.repeats([&] { reset(c.in()); }));
+    };
+    auto reset_one = [] {
+        Channel<int> c("c");
+        reset(c.in());
+    };
+    CHECK_FALSE(Recorded(try_input).course.can_be_repeated);
+    CHECK_FALSE(Recorded([&] { par(reset_one, [] {}); }).course.can_be_repeated);
+    CHECK_FALSE(Recorded([] {}).repeats(reset_one));
 }
 
 TEST_CASE("a process that departs may read the clock as it goes") {
