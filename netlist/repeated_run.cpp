@@ -1,7 +1,6 @@
 #include "netlist/repeated_run.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <new>
 #include <string>

@@ -4,7 +4,7 @@ namespace placedpar {
 
 namespace {
 
-/// Of the so-manieth that somebody makes.
+/// Of what somebody makes, the first, the second and so on.
 std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
     Fingerprint both;
     both.mix(maker);

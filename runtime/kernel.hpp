@@ -111,7 +111,7 @@ public:
     }
     /// Whether processes are unwound, or keep histories.
     bool is_attentive() const { return attentive_; }
-    /// Lets the run be interrupted, and processes be unwound, where the running process repeats what it did.
+    /// Ends the running process where the run is interrupted or over. One with a history may be asked nowhere else.
     void heed_interruption() {
         if (unwinding_ || interrupted_.load(std::memory_order_relaxed)) [[unlikely]]
             give_way();
