@@ -36,7 +36,7 @@ namespace {
 }
 
 /// Out of the way of those that are taken in order.
-[[gnu::cold]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
+[[gnu::cold, gnu::noinline]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
     while (!ready.empty() && lots.chance(0.5))
         ready.push_back(*ready.pop_front());
 }
@@ -59,7 +59,7 @@ void Kernel::refuse_outside_a_run() {
     throw std::logic_error("only a process of a simulation that runs can communicate, compute or wait");
 }
 
-void Kernel::unwind_running() {
+[[gnu::cold, gnu::noinline]] void Kernel::unwind_running() {
     constexpr unsigned enough = 1000;
     if (++running_->times_unwound_ > enough) {
         std::fprintf(stderr, "process %s catches every exception, also the one that ends it: let Unwinding pass\n",
@@ -266,7 +266,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
 }
 
 /// Ends the program when the process has written beyond its stack, where nobody watches that at once.
-void Kernel::require_own_stack(const Process& process) {
+[[gnu::cold, gnu::noinline]] void Kernel::require_own_stack(const Process& process) {
     const Stack& stack = process.worker_->memory;
     if (stack.guarded || !stack.has_overflowed())
         return;
