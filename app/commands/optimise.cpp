@@ -202,9 +202,13 @@ std::string reason_of(Session& session, const Optimum& optimum, const Overrides&
     return start && end ? print_paths(*start, *end) + "\n" : "";
 }
 
+/// Whichever way found it.
+Overrides best_settings(const Session& session, const SearchCourse& all) {
+    return session.space.settings(all.machines[best_of(all).front()]);
+}
+
 void print_optimum(Session& session, const Optimum& optimum, const StudySummary& summary) {
-    const SearchCourse& course = optimum.courses.front();
-    const Overrides best = session.space.settings(course.machines[best_of(course).front()]);
+    const Overrides best = best_settings(session, optimum.together());
     print_out(fmt::format("{} of {}; the best of them:\n\n{}\n{}\n", counted(session.space.count(), "combination"),
                           counted(session.space.names().size(), "setting"), print_summary(summary),
                           print_comparison(optimum)));
@@ -233,7 +237,7 @@ ExitCode optimise(const OptimiseOptions& typed) {
     std::optional<Optimum> optimum = search_for(session);
     if (!optimum)
         return end_of(session);
-    StudySummary summary = summary_of_best(session.results, session.study, session.space, optimum->courses.front());
+    StudySummary summary = summary_of_best(session.results, session.study, session.space, optimum->together());
     for (std::size_t i = 0; i < optimum->measures.size(); ++i)
         optimum->measures[i] = measure_with_unit(summary, i);
     print_optimum(session, *optimum, summary);

@@ -1,7 +1,9 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "runtime/kernel.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 #include "workbench/gnuplot.hpp"
 #include "workbench/study/results.hpp"
 #include "workbench/study/study_file.hpp"
@@ -9,7 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,6 +63,20 @@ void require_report_outputs(const ReportOptions& options, const std::filesystem:
             require_writable(path);
     if (!options.svg.empty() || !options.page.empty())
         require_gnuplot();
+    else if (!options.over.empty())
+        throw UserError("--over says what the plot is drawn over: say also where it is to go, by --svg or --page");
+}
+
+/// Throws UserError for one that no run has, where there are runs that came to an end.
+void require_measured(const StudySummary& summary, StudyResults& results) {
+    std::optional<StudyFigures> figures;
+    results.for_each([&](const StudyRun&, const StudyOutcome& outcome) {
+        if (!figures && outcome.ended == name_of(Ending::completed))
+            figures = outcome.figures;
+    });
+    for (std::size_t i = 0; figures && i < summary.measures.size(); ++i)
+        if (std::ranges::none_of(summary.lines, [&](const StudyLine& line) { return line.cells[i].runs > 0; }))
+            throw UserError(there_is_no_measure(StudyMeasure{summary.measures[i]}, *figures));
 }
 
 ExitCode report(const ReportOptions& options) {
@@ -66,6 +84,8 @@ ExitCode report(const ReportOptions& options) {
     require_report_outputs(options, kept);
     StudyResults results(kept);
     StudySummary summary = summary_of(results, options);
+    if (!options.measures.empty())
+        require_measured(summary, results);
     write_outputs(summary, options);
     print_out(print_summary(summary));
     return ExitCode::success;

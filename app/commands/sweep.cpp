@@ -134,13 +134,14 @@ std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& 
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
                        Interruption& interruption, RankZero* others) {
     StudySweep sweep(study, results);
-    sweep.try_measures(interruption);
     StudySweep::Missing missing = sweep.missing();
     std::size_t at_once = options.jobs * (others ? others->ranks() : 1);
     if (missing.runs > most_unasked && !options.yes)
         if (auto seconds = sweep.seconds_a_run(interruption);
             seconds && !are_meant({missing.runs, missing.exact, at_once, *seconds}, interruption))
             return false;
+    sweep.try_measures(interruption);
+    missing = sweep.missing();
     SweepProgress progress(missing);
     std::function<bool(bool)> serve;
     if (others) {

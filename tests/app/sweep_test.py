@@ -207,6 +207,11 @@ class BadInput(InFolder):
         many = [FIGURE_E2, "slaves=0..3", "--seeds", "250000000"]
         self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; --yes begins")
 
+    def test_nothing_large_is_run_before_the_question(self):
+        # The last combination has 4,000 transputers; every hundredth, and more than a thousand at first, are refused.
+        many = FIGURE_E2, "slaves=0..999", "population=1..1000", "master.trials=1..1000"
+        self.assertIn("1,000,000,000 runs of about", self.sweep(*many, code=1))
+
     def test_more_runs_than_can_be_counted_are_refused(self):
         for arguments, message in (
                 (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
@@ -391,6 +396,15 @@ class Report(InFolder):
     def test_what_cannot_be_drawn(self):
         done = placedpar("report", "figure-e2.sqlite", "--svg", "a.svg", "--over", "linkspeed", folder=self.folder)
         self.assertIn('"linkspeed" does not have several values in this study', done.stderr)
+
+    def test_what_no_run_has_is_refused(self):
+        for arguments, message in (
+                (["--measure", "master.T_ex"], 'there is no measure "master.T_ex"; did you mean "master.T_exe"?'),
+                (["--over", "slaves"], "--over says what the plot is drawn over: say also where it is to go")):
+            with self.subTest(arguments=arguments):
+                done = placedpar("report", "figure-e2.sqlite", *arguments, folder=self.folder)
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertIn(message, done.stderr)
 
 
 if __name__ == "__main__":

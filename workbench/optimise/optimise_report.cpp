@@ -39,14 +39,6 @@ std::set<Costs> costs_on_front(const SearchCourse& course) {
     return costs;
 }
 
-/// Of what all courses found.
-std::set<Costs> joint_front(const Optimum& optimum) {
-    SearchCourse all;
-    for (const SearchCourse& course : optimum.courses)
-        all.merits.insert(all.merits.end(), course.merits.begin(), course.merits.end());
-    return costs_on_front(all);
-}
-
 std::string comparison_row(const std::string& way, const std::string& machines, const std::string& first,
                            const std::string& second) {
     return fmt::format("{:<12}{:>10}  {:>24}  {:>14}", way, machines, first, second);
@@ -107,6 +99,17 @@ std::string option(const std::string& name, const std::string& value) { return "
 
 } // namespace
 
+SearchCourse Optimum::together() const {
+    SearchCourse all{.way = "all"};
+    for (const SearchCourse& course : courses)
+        for (std::size_t place = 0; place < course.machines.size(); ++place)
+            if (all.tried.insert(course.machines[place]).second) {
+                all.machines.push_back(course.machines[place]);
+                all.merits.push_back(course.merits[place]);
+            }
+    return all;
+}
+
 std::vector<std::size_t> best_of(const SearchCourse& course) {
     std::vector<std::size_t> places;
     std::set<Costs> seen;
@@ -143,7 +146,7 @@ std::string print_comparison(const Optimum& optimum) {
     std::string out = painted(Paint::heading, head) + "\n";
     if (!two)
         out += without_blanks_behind(print_start(optimum.start)) + "\n";
-    const std::set<Costs> joint = joint_front(optimum);
+    const std::set<Costs> joint = costs_on_front(optimum.together());
     for (const SearchCourse& course : optimum.courses)
         out += print_course(course, joint) + "\n";
     return out;

@@ -19,6 +19,9 @@ struct Optimum {
     std::vector<std::string> measures; ///< that were minimised: one or two, with their units
     Trial start;                       ///< the netlist as it is, with what all machines have in common
     std::vector<SearchCourse> courses; ///< the genetic one first, which has feasible machines; another may have none
+
+    /// The machines of all courses, each once, those of the first before others.
+    SearchCourse together() const;
 };
 
 /// The machines to be shown, by place in the course: of one cost the best few, of two the front; one of each cost.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace placedpar {
@@ -22,8 +23,9 @@ std::string shown_interval(const StudyCell& cell) {
 }
 
 std::string measure_with_unit(const StudySummary& summary, std::size_t measure) {
-    const std::string& unit = summary.units[measure];
-    return summary.measures[measure] + (unit.empty() ? "" : " [" + unit + "]");
+    const std::string &unit = summary.units[measure], &name = summary.measures[measure];
+    const bool is_set_as_well = std::ranges::find(summary.axes, name) != summary.axes.end();
+    return name + (is_set_as_well ? " measured" : "") + (unit.empty() ? "" : " [" + unit + "]");
 }
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ std::string shown_mean(const StudyCell&);
 std::string shown_interval(const StudyCell&);
 /// "3 deadlock, 2 refused: why"; "" where all completed.
 std::string ended_of(const StudyLine&);
-/// "master.T_exe [ms]".
+/// "master.T_exe [ms]"; "links measured" where it is also the name of a setting.
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 
 } // namespace placedpar

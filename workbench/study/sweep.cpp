@@ -1,6 +1,5 @@
 #include "workbench/study/sweep.hpp"
 
-#include "runtime/random.hpp"
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/problems.hpp"
@@ -12,6 +11,10 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -19,41 +22,89 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_read = 100;          ///< netlists that are looked at before a study is refused
+constexpr std::uint64_t most_read = 100;          ///< netlists that are looked at where they may all be alike
+constexpr std::uint64_t most_refused = 300;       ///< before a study is refused, where each says something else
 constexpr std::uint64_t most_counted = 1'000'000; ///< runs that are looked up one by one
 
-Network network_of(const Study& study, const Overrides& set) {
-    return load_network(
-        study.netlist, set, known_problems(0), [](const std::string&) {}, study.read);
-}
-
-/// None where the condition does not hold for that combination, or where it is refused, which is noted.
-std::optional<Network> network_at(std::uint64_t combination, const Study& study,
-                                  std::vector<std::exception_ptr>& refusals) {
-    std::optional<StudyRun> run = study.at(combination * study.seeds);
-    try {
-        return run ? std::optional(network_of(study, run->set)) : std::nullopt;
-    } catch (const UserError&) {
-        refusals.push_back(std::current_exception());
-        return std::nullopt;
+/// Combinations that cannot be read.
+class Refusals {
+public:
+    /// The one that is being caught.
+    void add(const UserError& refused) {
+        if (count_++ == 0)
+            first_ = std::current_exception();
+        said_.insert(refused.what());
     }
-}
+    std::uint64_t count() const { return count_; }
+    /// Whether others may well be read: these are few, or what is wrong with them is not the same.
+    bool leave_hope() const { return count_ < most_read || (said_.size() > 1 && count_ < most_refused); }
+    void rethrow_first() const { std::rethrow_exception(first_); }
 
-/// Calls `look` with networks of the study until it has seen enough: all that there are, or of very many the first, the
-/// last and some that are drawn.
-void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
-    RandomStream random(0, "networks of a study");
-    const std::uint64_t count = study.count() / study.seeds; // a network is that of all seeds
-    for (std::uint64_t i = 0; i < std::min(count, most_read); ++i) {
-        std::uint64_t drawn = (std::uint64_t{random()} << 32 | random()) % count;
-        std::uint64_t network = count <= most_read || i == 0 ? i : i == 1 ? count - 1 : drawn;
-        std::optional<StudyRun> run = study.at(network * study.seeds);
+private:
+    std::uint64_t count_ = 0;
+    std::exception_ptr first_;
+    std::set<std::string> said_;
+};
+
+/// Reads netlists of a study, with the same kinds.
+class NetworkReader {
+public:
+    explicit NetworkReader(const Study& study) : study_(study) {}
+    NetworkReader(const NetworkReader&) = delete; // the kinds know the problems
+
+    /// None where the condition does not hold for that combination, or where it is refused, which is noted.
+    std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
+        std::optional<StudyRun> run = study_.at(combination * study_.seeds);
         try {
-            if (run && look(network_of(study, run->set)))
-                return;
-        } catch (const UserError&) {
-            continue; // there is no such machine
+            return run ? std::optional(load_network(
+                             study_.netlist, run->set, kinds_, [](const std::string&) {}, study_.read))
+                       : std::nullopt;
+        } catch (const UserError& refused) {
+            refusals.add(refused);
+            return std::nullopt;
         }
+    }
+
+private:
+    const Study& study_;
+    const ProblemRegistry problems_ = known_problems(0);
+    const Catalogue kinds_ = known_kinds(problems_);
+};
+
+/// All combinations of a study: the first, the last, and then so that however few are taken they are spread evenly. A
+/// step in the golden ratio keeps time with no axis, as one of a round number would.
+class SpreadCombinations {
+public:
+    explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {
+        constexpr double golden = 0.6180339887498949;
+        step_ = std::max<std::uint64_t>(static_cast<std::uint64_t>(golden * static_cast<double>(count_)), 1);
+        while (std::gcd(step_, count_) != 1)
+            ++step_;
+    }
+    /// None after all; the last one comes twice.
+    std::optional<std::uint64_t> next() {
+        if (given_ > count_)
+            return std::nullopt;
+        if (given_++ == 1)
+            return count_ - 1;
+        std::uint64_t left = count_ - at_; // so that no sum passes the greatest number
+        return std::exchange(at_, step_ < left ? at_ + step_ : step_ - left);
+    }
+
+private:
+    std::uint64_t count_, step_ = 1, at_ = 0, given_ = 0;
+};
+
+/// Calls `look` with networks of the study until it has seen enough: all that there are, or some of very many.
+void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
+    const NetworkReader reader(study);
+    SpreadCombinations combinations(study);
+    Refusals refusals; // there is no such machine
+    for (std::uint64_t looked_at = 0; looked_at <= most_read; ++looked_at) {
+        std::optional<std::uint64_t> combination = combinations.next();
+        std::optional<Network> network = combination ? reader.at(*combination, refusals) : std::nullopt;
+        if (!combination || (network && look(*network)))
+            return;
     }
 }
 
@@ -141,18 +192,23 @@ std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interru
 }
 
 Network readable_network(const Study& study) {
-    std::vector<std::exception_ptr> refusals;
     const std::uint64_t count = study.count() / study.seeds; // a network is that of all seeds
-    const std::uint64_t step = count / most_read + 1;
-    for (std::uint64_t i = 0; i < most_read && i * step < count; ++i)
-        if (auto network = network_at(i * step, study, refusals))
+    const NetworkReader reader(study);
+    Refusals refusals;
+    SpreadCombinations combinations(study);
+    for (std::uint64_t looked_at = 0; looked_at < most_refused && refusals.leave_hope(); ++looked_at) {
+        std::optional<std::uint64_t> combination = combinations.next();
+        if (!combination)
+            break;
+        if (auto network = reader.at(*combination, refusals))
             return *network;
-    const bool none_held = refusals.empty(); // what the condition leaves may lie between those
-    for (std::uint64_t i = 0; none_held && i < std::min(count, most_counted) && refusals.size() < most_read; ++i)
-        if (auto network = network_at(i, study, refusals))
+    }
+    const bool none_held = refusals.count() == 0; // what the condition leaves may lie between those
+    for (std::uint64_t i = 0; none_held && i < std::min(count, most_counted) && refusals.leave_hope(); ++i)
+        if (auto network = reader.at(i, refusals))
             return *network;
-    if (!refusals.empty())
-        std::rethrow_exception(refusals.front());
+    if (refusals.count() > 0)
+        refusals.rethrow_first();
     throw UserError(count > most_counted
                         ? fmt::format("the study's condition leaves none of the first {} combinations", most_counted)
                         : "the study's condition leaves nothing to be run");
@@ -232,10 +288,13 @@ StudySweep::Missing StudySweep::missing() {
     return {found, true};
 }
 
+/// Those that are refused take no time.
 std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
-    for (std::uint64_t i = 0; !seconds_ && i < study_.count() && !interruption.requested(); ++i)
+    std::uint64_t refused = seconds_ ? most_read : 0;
+    for (std::uint64_t i = 0; refused < most_read && i < study_.count() && !interruption.requested(); ++i)
         if (std::optional<StudyRun> run = study_.at(i))
-            timed_outcome(*run, interruption);
+            if (auto outcome = timed_outcome(*run, interruption))
+                refused = outcome->refused.empty() ? most_read : refused + 1;
     if (seconds_ && study_.seeds > 1 && !interruption.requested())
         time_another_seed(interruption);
     return seconds_;

@@ -16,12 +16,12 @@
 
 namespace placedpar {
 
-/// A netlist of the study: the first of some that are spread over it, or where its condition leaves none of these the
-/// first of all, that can be read. Throws UserError where none can: what the first is refused with.
+/// A netlist of the study: the first that can be read of some that are spread over it, or where its condition leaves
+/// none of these of all. Throws UserError where none can: what the first is refused with.
 Network readable_network(const Study&);
 
 /// Throws UserError for one of these measures that no run can have: none of all combinations, or where there are very
-/// many none of some that are drawn. The network is one of the study's.
+/// many none of some that are spread over them. The network is one of the study's.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
 /// Makes runs of a study, one after the other. What they have in common is made once: the kinds; the network of those

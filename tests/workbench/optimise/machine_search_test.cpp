@@ -1,10 +1,12 @@
 #include "tests/monitor/memory/scratch.hpp"
 #include "tests/workbench/optimise/landscape.hpp"
 #include "text/user_error.hpp"
+#include "workbench/optimise/optimise_report.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -168,4 +170,15 @@ TEST_CASE("what cannot be searched is refused") {
     CHECK_THROWS_AS(MachineSpace{fixed}, UserError);
     fixed.products.push_back({.axes = {read_axis("a=1,2")}});
     CHECK_THROWS_AS(MachineSpace{fixed}, UserError);
+}
+
+TEST_CASE("what several ways found counts together: the best is that of whichever found it") {
+    auto costing = [](double cost) { return Merit{true, {cost}}; };
+    Optimum optimum;
+    optimum.courses = {{.way = "genetic", .machines = {1, 2}, .merits = {costing(5), costing(4)}},
+                       {.way = "random", .machines = {2, 3}, .merits = {costing(4), costing(3)}}};
+    SearchCourse all = optimum.together();
+    CHECK(all.machines == std::vector<std::uint64_t>{1, 2, 3});
+    CHECK(all.machines[best_of(all).front()] == 3);
+    CHECK(least_cost(all) == 3);
 }

@@ -1,6 +1,7 @@
 // What a worker makes of a study's runs, one after the other, is what each comes to by itself.
 
 #include "tests/sanitized.hpp"
+#include "text/user_error.hpp"
 #include "workbench/study/sweep.hpp"
 
 #include <doctest/doctest.h>
@@ -97,4 +98,24 @@ TEST_CASE("an interruption ends a run that is repeated") {
     CHECK(worker.repeated() == 0);
     CHECK(worker.outcome_of(*study.at(1), never));
     CHECK(worker.repeated() == 1);
+}
+
+TEST_CASE("a netlist of a study is found wherever those that can be read lie, also where sizes are round") {
+    const std::string netlist = "examples/04-figure-e2/figure-e2.cfs";
+    // A population of 1 is refused, at every thousandth combination.
+    CHECK_NOTHROW(
+        readable_network(study_of(netlist, {"slaves=0..999", "population=1..1000", "master.trials=1..1000"}, 1)));
+    // One of fifty has fewer slaves than individuals; the others are refused for values of their own.
+    CHECK_NOTHROW(readable_network(study_of(netlist, {"population=2..40", "slaves=0..999"}, 1)));
+}
+
+TEST_CASE("a study of which nothing can be read is refused as its first netlist is") {
+    std::string said;
+    try {
+        readable_network(study_of("examples/04-figure-e2/figure-e2.cfs", {"slavs=0..999", "population=1..1000"}, 1));
+    } catch (const UserError& refused) {
+        said = refused.what();
+    }
+    CHECK(
+        said.starts_with("--set:1:1: error: the netlist has no val, attribute or parameter \"slavs\"\n    slavs=0\n"));
 }
