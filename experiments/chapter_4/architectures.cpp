@@ -1,3 +1,4 @@
+#include "experiments/chapter_4/kit/speedup_formulas.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/experiment_runs.hpp"
 
@@ -5,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,12 +38,19 @@ public:
 
     /// Against one processor that breeds all individuals.
     double speedup(const MachineForm& machine, int alpha) {
-        return rate(machine, alpha) / rate({.communication = machine.communication}, alpha);
+        return rate(machine, alpha) / alone(machine.communication, alpha);
     }
 
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 
 private:
+    double alone(bool communication, int alpha) {
+        auto [found, is_new] = alone_.try_emplace({communication, alpha});
+        if (is_new)
+            found->second = rate({.communication = communication}, alpha);
+        return found->second;
+    }
+
     double rate(const MachineForm& machine, int alpha) {
         context_.progress(fmt::format("alpha {}, {} processors", alpha, machine.processors()));
         int work = machine.communication ? 1 : 1000;
@@ -58,10 +67,11 @@ private:
     }
 
     const ReplayContext& context_;
+    std::map<std::pair<bool, int>, double> alone_; ///< rates of one processor, by communication and alpha
     Fingerprint fingerprint_;
 };
 
-double ideal_hybrid(int alpha, int slaves) { return hybrid_islands * (alpha + 1.0) / (alpha / (slaves + 1.0) + 1); }
+double ideal_hybrid(int alpha, int slaves) { return hybrid_islands * formula_4_9(alpha, slaves + 1); }
 
 /// The fewest slaves of each of the hybrid's islands with which it is faster than the largest hypercube; none of so
 /// many.
@@ -79,6 +89,7 @@ constexpr int most_hybrid_slaves = 11;
 struct Architectures {
     int alpha;
     std::vector<Point> hypercube, hybrid;
+    double at_alpha = 0; ///< the hybrid's with alpha processors an island
 };
 
 Architectures measure_architectures(MachineRuns& runs, int alpha, bool communication) {
@@ -90,6 +101,7 @@ Architectures measure_architectures(MachineRuns& runs, int alpha, bool communica
         found.hypercube.push_back(point({islands, 0, communication}));
     for (int slaves = 0; slaves <= most_hybrid_slaves; ++slaves)
         found.hybrid.push_back(point({hybrid_islands, slaves, communication}));
+    found.at_alpha = runs.speedup({hybrid_islands, alpha - 1, communication}, alpha);
     return found;
 }
 
@@ -133,6 +145,26 @@ Comparison architecture_table(const std::string& name, const std::vector<Archite
     return comparison;
 }
 
+/// Equation 4.11 beside the hybrid.
+void add_combined(Comparison& table, double ideal, double on_t800s, int alpha) {
+    auto column = fmt::format("alpha = {}", alpha);
+    double known = formula_4_11(machine_individuals, sizable_island, alpha), processors = hybrid_islands * alpha;
+    table.add(judged_cell("speedup", column, "", known, ideal, .01 * known, 2));
+    table.add(judged_cell("efficiency", column, "", formula_c_2(known, processors), formula_c_2(ideal, processors),
+                          .01 * formula_c_2(known, processors), 3));
+    table.add(plain_cell("speedup on T800s", column, "", on_t800s, 2));
+    table.add(plain_cell("efficiency on T800s", column, "", formula_c_2(on_t800s, processors), 3));
+}
+
+Comparison combined_table(const std::vector<Architectures>& ideal, const std::vector<Architectures>& on_t800s) {
+    Comparison table{
+        .name = "hybrid with alpha processors an island: 32, 64 and 96", .against = "(4.11)", .judged = true};
+    for (std::size_t i = 0; i < ideal.size(); ++i)
+        add_combined(table, ideal[i].at_alpha, on_t800s[i].at_alpha, ideal[i].alpha);
+    table.notes = "efficiency: speedup over processors (C.2)\n";
+    return table;
+}
+
 Panel architecture_panel(const std::string& title, const std::vector<Architectures>& all) {
     Panel panel{.title = title, .x = {.label = "processors", .from = 0}, .y = {.label = "speedup", .from = 0}};
     for (int colour = 1; const Architectures& found : all)
@@ -149,7 +181,7 @@ Replay replay_architectures(const ReplayContext& context) {
         ideal.push_back(measure_architectures(runs, alpha, false));
         on_t800s.push_back(measure_architectures(runs, alpha, true));
     }
-    return {.comparisons = {crossover_table(ideal, on_t800s),
+    return {.comparisons = {crossover_table(ideal, on_t800s), combined_table(ideal, on_t800s),
                             architecture_table("speedup, communication taking nothing", ideal),
                             architecture_table("speedup on T800s", on_t800s)},
             .constants =

@@ -1,3 +1,4 @@
+#include "experiments/chapter_4/kit/speedup_formulas.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/experiment_runs.hpp"
 #include "gaprocs/processes/share.hpp"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -26,12 +28,6 @@ constexpr int speedup_work_alone = 1000;
 /// slave has s and the master m: n s + m = 1 and s = m + 1 / alpha give m / s = (alpha - n) / (alpha + 1), n being the
 /// slaves.
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
-
-/// Equation 4.9. The master evaluates as its slaves do, as on the thesis's machine: n is all processors.
-double formula_4_9(double alpha, double processors) { return (alpha + 1) / (alpha / processors + 1); }
-
-/// "100 % efficiency" up to "the maximum achievable speedup factor" (4.2), which is that of infinitely many processors.
-double formula_pipelined(double alpha, double processors) { return std::min(processors, alpha + 1); }
 
 constexpr std::size_t whole_evaluations = 30 * 10; ///< of a population of 30 and a window of 10
 
@@ -55,22 +51,28 @@ double whole_pipelined(int alpha, int processors) {
     return (1 + 1.0 / alpha) / *std::ranges::max_element(parts);
 }
 
-/// Equation 4.9 with n t_c2, in generations of one processor.
-double formula_4_9_with(double communication, int alpha, int processors) {
-    return 1 / (1 / formula_4_9(alpha, processors) + communication);
+/// One processor's evaluating and breeding, its breeding being 1.
+GenerationTimes times_at(int alpha, double communication) {
+    return {.evaluating = 1.0 * alpha, .breeding = 1, .communication = communication};
 }
 
 struct SpeedupPoint {
     int alpha, processors, populations, work;
+    bool only_breeding = false; ///< what the master does
     auto operator<=>(const SpeedupPoint&) const = default;
 };
 
+double own_share(const SpeedupPoint& point) {
+    if (point.only_breeding)
+        return 0;
+    return point.populations == 1 ? 1 : balanced_share(point.alpha, point.processors - 1);
+}
+
 Overrides overrides_of(const SpeedupPoint& point) {
-    int slaves = point.processors - 1;
     return {{"alpha", std::to_string(point.alpha)},
-            {"slaves", std::to_string(slaves)},
+            {"slaves", std::to_string(point.processors - 1)},
             {"populations", std::to_string(point.populations)},
-            {"own_share", point.populations == 1 ? "1.0" : fmt::format("{:.6f}", balanced_share(point.alpha, slaves))},
+            {"own_share", fmt::format("{:.6f}", own_share(point))},
             {"work", std::to_string(point.work)},
             {"samples", "12"}};
 }
@@ -93,9 +95,11 @@ public:
     /// Generations of a population in the time in which one processor that does everything makes one.
     double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
 
-    /// Equation 4.9's n t_c2, measured as the thesis did: a generation's communication with nothing to evaluate.
+    /// Equation 4.9's n t_c2, measured as the thesis did: a generation's communication with nothing to evaluate. In
+    /// t_s: one processor's generation is alpha + 1 of them.
     double communication(const SpeedupPoint& point) {
-        return run(point).measured("master[0]", "C_time2") / alone(point).measured("master[0]", "T_exe");
+        return (point.alpha + 1) * run(point).measured("master[0]", "C_time2") /
+               alone(point).measured("master[0]", "T_exe");
     }
 
     /// Whether every population's generations are those of its twin without a pipeline, and of one processor.
@@ -117,10 +121,7 @@ public:
 private:
     static constexpr const char* rate_name = "generations_per_second";
 
-    const RunReport& alone(SpeedupPoint point) {
-        point.processors = point.populations = 1;
-        return run(point);
-    }
+    const RunReport& alone(const SpeedupPoint& point) { return run({point.alpha, 1, 1, point.work}); }
 
     double rate(const SpeedupPoint& point) {
         const RunReport& report = run(point);
@@ -174,7 +175,7 @@ Comparison run_on_t800s(SpeedupRuns& runs) {
     Comparison comparison = speedup_table(
         "on T800s in a chain, not pipelined", "(4.9)", [&](auto row, auto column, int alpha, int processors) {
             SpeedupPoint point{alpha, processors, 1, 1};
-            return compared_cell(row, column, "", formula_4_9_with(runs.communication(point), alpha, processors),
+            return compared_cell(row, column, "", formula_c_1(times_at(alpha, runs.communication(point)), processors),
                                  runs.speedup(point), 2);
         });
     comparison.notes = "(4.9) with n t_c2 as it was measured in each run (C_time2)\n";
@@ -185,6 +186,50 @@ Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
     return speedup_table("on T800s in a chain, pipelined", "", [&](auto row, auto column, int alpha, int processors) {
         return plain_cell(row, column, "", runs.speedup({alpha, processors, 2, 1}), 2);
     });
+}
+
+/// A speedup by formula, and how far the simulated one may be from it.
+struct FormulaSpeedup {
+    double known;
+    double whole;   ///< where evaluations are dealt out whole: that difference is allowed,
+    double allowed; ///< and so much of the known one
+    double tolerance() const { return std::abs(known - whole) + allowed * known; }
+};
+
+/// By equation C.2.
+double simulated_efficiency(SpeedupRuns& runs, const SpeedupPoint& point) {
+    return formula_c_2(runs.speedup(point), point.processors);
+}
+
+Cell efficiency_cell(SpeedupRuns& runs, std::string row, const SpeedupPoint& point, const FormulaSpeedup& formula) {
+    return judged_cell(std::move(row), fmt::format("alpha = {}", point.alpha), "",
+                       formula_c_2(formula.known, point.processors), simulated_efficiency(runs, point),
+                       formula_c_2(formula.tolerance(), point.processors), 3);
+}
+
+void add_at_alpha(Comparison& comparison, SpeedupRuns& runs, int alpha) {
+    auto column = fmt::format("alpha = {}", alpha);
+    SpeedupPoint plain{alpha, alpha, 1, speedup_work_alone}, pipelined{alpha, alpha, 2, speedup_work_alone};
+    SpeedupPoint only_breeding{alpha, alpha + 1, 1, speedup_work_alone, true};
+    FormulaSpeedup half{.known = formula_4_10(alpha), .whole = whole_4_9(alpha, alpha), .allowed = .01};
+    FormulaSpeedup full{
+        .known = formula_pipelined(alpha, alpha), .whole = whole_pipelined(alpha, alpha), .allowed = .03};
+    comparison.add(judged_cell("speedup (4.10)", column, "", half.known, runs.speedup(plain), half.tolerance(), 3));
+    comparison.add(efficiency_cell(runs, "efficiency (C.2)", plain, half));
+    comparison.add(efficiency_cell(runs, "efficiency, a master that only breeds", only_breeding, half));
+    comparison.add(efficiency_cell(runs, "efficiency, pipelined", pipelined, full));
+    plain.work = pipelined.work = 1;
+    comparison.add(plain_cell("efficiency on T800s", column, "", simulated_efficiency(runs, plain), 3));
+    comparison.add(plain_cell("efficiency on T800s, pipelined", column, "", simulated_efficiency(runs, pipelined), 3));
+}
+
+Comparison run_at_alpha(SpeedupRuns& runs) {
+    Comparison comparison{.name = "where alpha processors evaluate", .against = "formula", .judged = true};
+    for (int alpha : speedup_alphas)
+        add_at_alpha(comparison, runs, alpha);
+    comparison.notes = "efficiency: speedup over processors; a master that only breeds is one more than alpha\n"
+                       "tolerance: what whole evaluations take, and 1 %; 3 % pipelined\n";
+    return comparison;
 }
 
 Comparison run_same_generations(SpeedupRuns& runs) {
@@ -231,12 +276,13 @@ Replay replay_speedup(const ReplayContext& context) {
     SpeedupRuns runs(context);
     Replay replay{
         .comparisons = {run_figure_4_6(runs), run_figure_4_7(runs), run_on_t800s(runs), run_pipelined_on_t800s(runs)}};
+    replay.comparisons.push_back(run_at_alpha(runs));
     replay.comparisons.push_back(run_same_generations(runs));
     replay.constants =
         "   workload:   10 errors of an individual take table-e1's cycles, its breeding 1 / alpha of that; a thousand\n"
         "               times both where communication takes nothing\n"
         "   own share:  (alpha - slaves) / (alpha + 1) of a slave's with a pipeline, from the two processors'\n"
-        "               work being equal; 1 without\n";
+        "               work being equal; 1 without, 0 of a master that only breeds\n";
     replay.fingerprint = runs.fingerprint();
     replay.plots = speedup_plots(runs);
     return replay;

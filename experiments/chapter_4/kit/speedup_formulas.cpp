@@ -1,0 +1,27 @@
+#include "experiments/chapter_4/kit/speedup_formulas.hpp"
+
+#include <algorithm>
+
+namespace placedpar {
+
+double formula_c_1(const GenerationTimes& times, double processors) {
+    return (times.evaluating + times.breeding) / (times.evaluating / processors + times.breeding + times.communication);
+}
+
+double formula_4_9(double alpha, double processors) {
+    return formula_c_1({.evaluating = alpha, .breeding = 1}, processors);
+}
+
+double formula_4_10(double alpha) { return (alpha + 1) / 2; }
+
+double formula_4_6(double population, double local_population) { return population / local_population; }
+
+double formula_4_11(double population, double local_population, double alpha) {
+    return formula_4_6(population, local_population) * formula_4_10(alpha);
+}
+
+double formula_pipelined(double alpha, double processors) { return std::min(processors, alpha + 1); }
+
+double formula_c_2(double speedup, double processors) { return speedup / processors; }
+
+} // namespace placedpar

@@ -1,0 +1,42 @@
+#include "experiments/chapter_4/kit/speedup_formulas.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+
+TEST_CASE("speedup with and without communication, worked out by hand") {
+    CHECK(formula_c_1({.evaluating = 8, .breeding = 1, .communication = 3}, 4) == 1.5); // 9 / (2 + 1 + 3)
+    CHECK(formula_c_1({.evaluating = 80, .breeding = 10}, 4) == 3);                     // 90 / (20 + 10)
+    CHECK(formula_4_9(8, 4) == 3);                                                      // 9 / 3
+    CHECK(formula_4_9(8, 1) == 1);
+    CHECK(formula_4_9(24, 6) == 5); // 25 / 5
+}
+
+TEST_CASE("the thesis's Table E.1 gives its speedup of three, and equation E.2 its twelve") {
+    // 97 ms over 86.4 / 4 + 10.5 + 1.89 = 33.99 ms
+    CHECK(formula_c_1({.evaluating = 86.4, .breeding = 10.5, .communication = 1.89}, 4) ==
+          doctest::Approx(2.851).epsilon(.001));
+    CHECK(formula_4_6(120, 30) * formula_4_9(8, 4) == 12);
+}
+
+TEST_CASE("equation 4.10 is 4.9 with as many processors as alpha, if that is whole or rounded up") {
+    CHECK(formula_4_10(8) == 4.5);
+    CHECK(formula_4_9(8, 8) == 4.5);
+    CHECK(formula_4_10(8.5) == 4.75);
+    CHECK(formula_4_9(8.5, 9) == doctest::Approx(4.886).epsilon(.001)); // 9.5 / 1.9444
+    CHECK(formula_4_9(8.5, 8) == doctest::Approx(4.606).epsilon(.001)); // 9.5 / 2.0625, below 4.75
+}
+
+TEST_CASE("the combined speedup is that of the islands times that of their slaves") {
+    CHECK(formula_4_6(96, 24) == 4);
+    CHECK(formula_4_11(96, 24, 8) == 18);
+    CHECK(formula_4_11(120, 30, 16) == 34);
+}
+
+TEST_CASE("efficiency is speedup over processors") {
+    CHECK(formula_c_2(3, 4) == .75);
+    CHECK(formula_c_2(formula_4_10(8), 8) == .5625);
+    CHECK(formula_c_2(formula_4_10(8), 9) == .5); // alpha slaves, and a master that only breeds
+    CHECK(formula_c_2(formula_pipelined(8, 8), 8) == 1);
+    CHECK(formula_c_2(formula_pipelined(8, 18), 18) == .5); // 9 / 18
+}
