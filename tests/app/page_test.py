@@ -1,5 +1,6 @@
 """The page of a run: that it has all of the run, needs nothing else, and works in a browser."""
 
+import html
 import html.parser
 import json
 import pathlib
@@ -15,7 +16,27 @@ from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
 
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
 PHILOSOPHERS = EXAMPLES / "30-philosophers" / "philosophers.cfs"
+ISLANDS = EXAMPLES / "39-through-routing" / "islands.cfs"
 CHROMIUM = shutil.which("chromium")
+
+# What is in sight after loading and after each change of the width; the zoom has to agree, or its next step leads elsewhere.
+WIDTHS = """
+const see = () => ({ moments: view.scale.domain(), zoomed: d3.zoomTransform(canvas).rescaleX(view.full).domain(),
+                     width: view.width, room: scroller.clientWidth });
+const all = [see()];
+for (const width of ["1000px", "980px", "600px", "1200px", ""]) {
+  document.body.style.width = width;
+  window.dispatchEvent(new Event("resize"));
+  all.push(see());
+}
+document.documentElement.dataset.seen = JSON.stringify(all);
+"""
+CLICK = """
+const row = view.rowOf.get(trackNamed.get("NAME").number);
+scroller.scrollTop = row * rowHeight - 60;
+const box = canvas.getBoundingClientRect(), x = box.left + view.scale(now.moment), y = box.top + topOf(row) + rowHeight / 2;
+for (const what of ["mousemove", "click"]) canvas.dispatchEvent(new MouseEvent(what, { clientX: x, clientY: y, view: window }));
+"""
 
 
 class Loads(html.parser.HTMLParser):
@@ -57,12 +78,15 @@ class Pages(unittest.TestCase):
         self.assertEqual(run.returncode, exit_code, run.stderr)
         return run, path.read_text(encoding="utf-8")
 
-    def browse(self, address=""):
-        """The page as the browser has it after its program has run."""
+    def browse(self, address="", then=""):
+        """The page as the browser has it after its program has run, and `then` after it."""
+        path = self.folder / "browsed.html"
+        page = (self.folder / "run.html").read_text(encoding="utf-8")
+        path.write_text(page.replace("</body>", f"<script>{then}</script></body>"), encoding="utf-8")
         browser = subprocess.run(
             [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder / 'profile'}",
-             "--virtual-time-budget=3000", "--enable-logging=stderr", "--dump-dom",
-             (self.folder / "run.html").as_uri() + ("#" + urllib.parse.quote(address, safe="=&") if address else "")],
+             "--window-size=1300,900", "--virtual-time-budget=3000", "--enable-logging=stderr", "--dump-dom",
+             path.as_uri() + ("#" + urllib.parse.quote(address, safe="=&") if address else "")],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100, check=False)
         self.assertNotIn("CONSOLE", browser.stderr)
         self.assertIn('data-errors="0"', browser.stdout[:5000])
@@ -153,6 +177,33 @@ class Pages(unittest.TestCase):
         self.assertIn("waiting for ever", page)
         self.assertRegex(page, r'id="deadlock">.*?philosopher\[0\].*?fork\[1\].*?philosopher\[1\]')
         self.assertEqual(self.browse("at=0.5").count('class="arrow cycle"'), 0)
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_the_same_moments_stay_in_sight_when_the_width_changes(self):
+        _, page = self.page(COMMSTIME)
+        run = data_of(page)["timeline"]
+        begin, length = run["begin"], run["end"] - run["begin"]
+        for first, last in [(0, 1), (0.5, 0.6), (0.5, 0.500001)]:
+            page = self.browse(f"from={first}&to={last}", WIDTHS)
+            seen = json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1)))
+            self.assertGreater(len({each["width"] for each in seen}), 3)
+            for each in seen:
+                self.assertEqual(each["width"], each["room"])
+                for moments in (each["moments"], each["zoomed"]):
+                    for moment, part in zip(moments, (first, last)):
+                        self.assertAlmostEqual(moment, begin + part * length, delta=(last - first) * length / 1000)
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_a_click_says_what_a_router_waits_for(self):
+        self.page(ISLANDS)
+        link = "sun.link[0] -> t[0].link[3]"
+        for name, wait in [("router sender t[0].link[3] -> sun.link[0]", "waits for packets to send"),
+                           (f"router receiver {link}", f"inputs from router sender {link}")]:
+            page = self.browse("at=0.5&from=0.45&to=0.55", CLICK.replace("NAME", name))
+            under, chosen = (html.unescape(re.sub("<[^>]*>", " ", re.search(pattern, page, re.S).group(1)))
+                             for pattern in (r'<p id="under">(.*?)</p>', r'<aside id="chosen">(.*?)</aside>'))
+            self.assertTrue(under.startswith(f"{name}: {wait}; from "), under)
+            self.assertRegex(" ".join(chosen.split()), f"^{re.escape(name)} .*{re.escape(wait)}")
 
     @unittest.skipUnless(firefox.FIREFOX, "no Firefox")
     def test_the_same_in_firefox(self):

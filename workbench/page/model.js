@@ -98,7 +98,7 @@ function stateOfProcess(track, moment) {
   return ["running", "ready", "stuck", "waiting", "unknown"].find(state => states.includes(state)) || "gone";
 }
 
-const outermostName = path => path.split(" ")[0].split("/")[0];
+const outermostName = path => path.replace(/ \(has ended\)$/, "").split("/")[0];
 
 // [{channel, partner}] of a wait.
 function awaitedIn(slice) {
@@ -108,13 +108,14 @@ function awaitedIn(slice) {
   });
 }
 
-// What a process waits for at a moment, with its components: [{slice, channel, partner}].
+// What a process waits for at a moment, with its components: [{slice, channel, partner}]; [{slice}] of a router's sender, which waits on no channel.
 function waitsOf(track, moment) {
   const waits = [];
   for (const each of componentsOf[track.number] || [track]) {
     const slice = sliceAt(each, moment);
-    if (slice && (stateOf(slice) === "waiting" || stateOf(slice) === "stuck"))
-      awaitedIn(slice).forEach(({ channel, partner }) => waits.push({ slice, channel, partner }));
+    if (!slice || (stateOf(slice) !== "waiting" && stateOf(slice) !== "stuck")) continue;
+    if (slice.doing === "inputs" && !slice.note) waits.push({ slice });
+    awaitedIn(slice).forEach(({ channel, partner }) => waits.push({ slice, channel, partner }));
   }
   return waits;
 }
@@ -142,7 +143,7 @@ function describe(slice) {
   case "ready": return "ready: waits for its processor";
   case "delayed": return "waits for its timer";
   case "outputs": return "outputs to " + partners;
-  case "inputs": return "inputs from " + partners;
+  case "inputs": return partners ? "inputs from " + partners : "waits for packets to send";
   case "alternates": return "alternates: input from " + (partners || "its timer");
   case "joins": return "waits for its components";
   case "after work": return "waits until the work is over";

@@ -53,11 +53,17 @@ const zoom = d3.zoom().scaleExtent([1, Math.max(1, span / 100)])
   .filter(() => d3.event.type === "wheel" ? d3.event.ctrlKey || d3.event.metaKey : !d3.event.button)
   .on("zoom", () => { view.scale = d3.event.transform.rescaleX(view.full); showMoment(); });
 
+function lookAt(from, to) {
+  const scale = (whole[1] - whole[0]) / (to - from), left = view.full.range()[0];
+  d3.select(canvas).call(zoom.transform, d3.zoomIdentity.translate(left - scale * view.full(from), 0).scale(scale));
+}
+
+// The zoom counts in pixels: for the same moments to stay in sight it changes with the width.
 function resize() {
+  const [from, to] = view.scale.domain();
   fitCanvas();
   zoom.extent([[labelWidth, 0], [view.width - 12, view.height]]).translateExtent([[labelWidth, 0], [view.width - 12, view.height]]);
-  view.scale = d3.zoomTransform(canvas).rescaleX(view.full);
-  showMoment();
+  lookAt(from, to);
 }
 
 function addLaneChoices() {
@@ -104,8 +110,8 @@ function followAddress() {
   if (said.has("view")) showView(said.get("view"));
   if (said.has("process")) choose(said.get("process"));
   if (said.has("from") && said.has("to")) {
-    const from = Number(said.get("from")), scale = 1 / Math.max(Number(said.get("to")) - from, 1e-9), [left, right] = view.full.range();
-    d3.select(canvas).call(zoom.transform, d3.zoomIdentity.translate(left - scale * (left + from * (right - left)), 0).scale(scale));
+    const from = Number(said.get("from")), to = Math.max(Number(said.get("to")), from + 1e-9), momentAt = part => whole[0] + part * (whole[1] - whole[0]);
+    lookAt(momentAt(from), momentAt(to));
   }
   if (!said.has("at")) return;
   slider.value = Math.round(Number(said.get("at")) * steps);

@@ -1,12 +1,14 @@
 // What stands in words: the chosen process, measures, the deadlock; convergence.
 
 const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCodeAt(0)};`);
-const processLink = name => `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>`;
+// Of a process without a track, as a router's on an infinitely fast processor, there is nothing to be shown.
+const processLink = name => trackNamed.has(outermostName(name)) ? `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>` : escaped(name);
 
 function waitText({ slice, channel, partner }, moment) {
   const since = timeText(slice.begin, span), end = slice.open ? "and for ever" : `until ${timeText(slice.end, span)}`;
   const who = partner ? processLink(partner) : "nobody yet";
-  return `<li>${slice.doing} ${slice.doing === "outputs" ? "to" : "from"} ${who} on <i>${escaped(channel)}</i>, since ${since} ${end}</li>`;
+  const what = channel ? `${slice.doing} ${slice.doing === "outputs" ? "to" : "from"} ${who} on <i>${escaped(channel)}</i>` : describe(slice);
+  return `<li>${what}, since ${since} ${end}</li>`;
 }
 
 function stateText(track, moment) {

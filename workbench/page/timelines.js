@@ -5,7 +5,8 @@ const colours = { path: "#d6006c", running: "#1f4e79", ready: "#d98a1f", waiting
 const canvas = document.getElementById("canvas"), pen = canvas.getContext("2d"), scroller = document.getElementById("scroller");
 const shown = { processors: true, processes: true, components: true, links: true, messages: true };
 if (path.length) shown["critical path"] = true;
-const view = { width: 0, height: 0, full: d3.scaleLinear(), scale: d3.scaleLinear(), rows: [], rowOf: new Map() };
+const whole = [run.begin, run.begin + span + drawnEnd - run.end];
+const view = { width: 0, height: 0, full: d3.scaleLinear().domain(whole), scale: d3.scaleLinear().domain(whole), rows: [], rowOf: new Map() };
 
 // Running is full and dark, ready half as high and hatched, waiting a thin line: told apart without colour.
 const hatch = (() => {
@@ -39,15 +40,15 @@ function arrangeRows() {
 
 function fitCanvas() {
   const ratio = window.devicePixelRatio || 1;
-  view.width = Math.max(scroller.clientWidth, 400);
   view.height = Math.min(headHeight + view.rows.length * rowHeight, Math.max(260, Math.round(window.innerHeight * 0.55)));
-  scroller.style.height = view.height + 2 + "px";
+  scroller.style.height = view.height + 2 + "px"; // before its width is read: it may have a scrollbar at one height and none at another
+  view.width = Math.max(scroller.clientWidth, 400);
   canvas.width = view.width * ratio;
   canvas.height = view.height * ratio;
   canvas.style.width = view.width + "px";
   canvas.style.height = view.height + "px";
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  view.full.domain([run.begin, run.begin + span + drawnEnd - run.end]).range([labelWidth, view.width - 12]);
+  view.full.range([labelWidth, view.width - 12]);
 }
 
 const topOf = row => headHeight + row * rowHeight - scroller.scrollTop;
