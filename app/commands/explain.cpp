@@ -32,7 +32,7 @@ struct ExplainOptions {
     RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
-    bool what_if = true;
+    bool no_what_if = false;
 
     Manifest manifest(const std::string& typed) const {
         return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until};
@@ -93,7 +93,7 @@ void write_output(const Explanation& explanation, const Network& network, const 
 }
 
 bool asks_what_if(const Explanation& explanation, const ExplainOptions& options) {
-    return options.what_if && explanation.report.result.ending == Ending::completed;
+    return !options.no_what_if && explanation.report.result.ending == Ending::completed;
 }
 
 void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options,
@@ -141,7 +141,7 @@ Action declare_explain(CLI::App& command, const std::string& typed) {
              "writes a timeline with the critical path in it, for ui.perfetto.dev (.json)");
     add_file(command, "--page", options->recorded.page,
              "writes the run as a page to look at in a browser, with the critical path as a line");
-    command.add_flag("!--no-what-if", options->what_if, "does not try out what changes of the machine would gain");
+    command.add_flag("--no-what-if", options->no_what_if, "does not try out what changes of the machine would gain");
     return [options, typed] { return explain(*options, typed); };
 }
 

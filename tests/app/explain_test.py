@@ -155,6 +155,10 @@ class Explain(unittest.TestCase):
         self.assertIn("master[0]", {timeline["texts"][name].split()[-3] for track, _, _, name in line
                                     if timeline["tracks"][track]["name"] == "t[0][0]" and " on " in timeline["texts"][name]})
 
+    def test_a_flag_is_shown_as_it_is_typed(self):
+        run = subprocess.run([PROGRAM, "explain", "--help"], capture_output=True, text=True, check=True)
+        self.assertRegex(run.stdout, r"(?m)^  --no-what-if +does not try out")
+
     def test_waveforms_have_no_path(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([PROGRAM, "explain", FIGURE_E2, "--trace", os.path.join(folder, "trace.vcd")],
