@@ -92,12 +92,19 @@ void write_output(const Explanation& explanation, const Network& network, const 
         write_whole(options.json, print_pretty(explanation_json(explanation, network)));
 }
 
-bool asks_what_if(const Explanation& explanation, const ExplainOptions& options) {
-    return !options.no_what_if && explanation.report.result.ending == Ending::completed;
+/// "" where they can be.
+std::string why_not_compared(Ending ending) {
+    return ending == Ending::completed
+               ? ""
+               : fmt::format("runs are compared by when their work is done, and this one did not complete ({})",
+                             name_of(ending));
 }
 
 void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options,
                  const Interruption& interruption) {
+    explanation.not_tried = why_not_compared(explanation.report.result.ending);
+    if (!explanation.not_tried.empty())
+        return;
     Progress line;
     auto progress = [&](std::size_t done, std::size_t all) {
         line.show(fmt::format("what if: {} of {} runs", done, all));
@@ -124,7 +131,7 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
         require_apart(options.outputs(), included);
     InterruptedBySignals interruption;
     Explanation explanation = explain(network, options, typed, interruption);
-    if (asks_what_if(explanation, options))
+    if (!options.no_what_if)
         add_answers(explanation, network, options, interruption);
     print_out(print_explanation(explanation, network));
     write_output(explanation, network, options);

@@ -185,6 +185,18 @@ class Explain(unittest.TestCase):
         self.assertIn("bytes none", refused)
         self.assertIn("bytes", refused["bytes none"])
 
+    def test_why_nothing_is_tried_is_told(self):
+        deadlock = os.path.join(EXAMPLES, "02-deadlock", "ring.cfs")
+        for netlist, options, ending in ((deadlock, (), "deadlock"),
+                                         (FIGURE_E2, ("--until", "1ms"), "stopped at the time limit")):
+            run, document = explained(netlist, *options)
+            why = f"runs are compared by when their work is done, and this one did not complete ({ending})"
+            self.assertIn(f"\nwhat if: no change was tried: {why}\n", run.stdout)
+            self.assertEqual(document["not_tried"], why)
+            run, document = explained(netlist, "--no-what-if", *options)
+            self.assertNotIn("what if", run.stdout)
+            self.assertNotIn("not_tried", document)
+
     def test_a_process_alone_is_varied_where_it_shares_its_processor(self):
         _, document = explained(os.path.join(EXAMPLES, "32-matrix", "matrix.cfs"))
         answers = {what["what"]: what for what in document["what_if"]}

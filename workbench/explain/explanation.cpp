@@ -145,6 +145,8 @@ std::string remark_on_slower(bool any) {
 std::string print_answers(const Explanation& explanation) {
     constexpr std::size_t most = 24;
     Time whole = explanation.report.result.time;
+    if (!explanation.not_tried.empty())
+        return fmt::format("\nwhat if: no change was tried: {}\n", explanation.not_tried);
     if (explanation.answers.empty())
         return "";
     std::string out = painted(Paint::heading, fmt::format("\n{:>12}  {:>8}  {}\n", "ms", "gain", "what if"));
@@ -258,8 +260,12 @@ boost::json::object explanation_json(const Explanation& explanation, const Netwo
     for (const Answer& answer : explanation.answers)
         answers.push_back(answer_json(answer));
     const RunResult& result = explanation.report.result;
-    return {{"netlist", network.source_path},   {"ended", name_of(result.ending)},  {"time_ps", result.time.count()},
-            {"processes", std::move(accounts)}, {"critical_path", std::move(path)}, {"what_if", std::move(answers)}};
+    boost::json::object json{{"netlist", network.source_path},   {"ended", name_of(result.ending)},
+                             {"time_ps", result.time.count()},   {"processes", std::move(accounts)},
+                             {"critical_path", std::move(path)}, {"what_if", std::move(answers)}};
+    if (!explanation.not_tried.empty())
+        json["not_tried"] = explanation.not_tried;
+    return json;
 }
 
 } // namespace placedpar

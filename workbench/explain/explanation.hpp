@@ -19,6 +19,7 @@ struct Explanation {
     std::vector<PathPart> path;
     std::vector<Answer> answers; ///< the greatest gain first
     std::size_t left_out = 0;    ///< changes that an interruption left untried
+    std::string not_tried = "";  ///< why no change was, though it was wanted; "" otherwise
 };
 
 /// For people.
