@@ -185,6 +185,20 @@ class Explain(unittest.TestCase):
         self.assertIn("bytes none", refused)
         self.assertIn("bytes", refused["bytes none"])
 
+    def test_what_the_tables_say_of_the_machine_is_in_the_json(self):
+        for example, counts in (("04-figure-e2/figure-e2.cfs", {"processors": 16, "links": 32, "buses": 0}),
+                                ("43-busy-bus/busy-bus.cfs", {"processors": 4, "links": 0, "buses": 1})):
+            run, document = explained(os.path.join(EXAMPLES, example), "--no-what-if")
+            self.assertEqual({sort: len(document[sort]) for sort in counts}, counts)
+            whole = document["time_ps"]
+            shown = dict.fromkeys(line for line in run.stdout.splitlines())
+            for sort, name in (("processors", "processor"), ("links", "link"), ("buses", "bus")):
+                for each in document[sort]:
+                    self.assertEqual(each["busy_ps"] + each["idle_ps"], whole)
+                    columns = [each["busy_ps"], each["idle_ps"]] + [each[wait] for wait in ("waits_to_ps", "masters_waited_ps") if wait in each]
+                    told = " ".join([each[name], *(f"{100 * time / whole:.1f} %" for time in columns)])
+                    self.assertIn(told, {" ".join(line.replace("its masters waited", "").split()) for line in shown})
+
     def test_why_nothing_is_tried_is_told(self):
         deadlock = os.path.join(EXAMPLES, "02-deadlock", "ring.cfs")
         for netlist, options, ending in ((deadlock, (), "deadlock"),

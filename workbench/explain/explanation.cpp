@@ -48,18 +48,26 @@ std::string print_use(const std::string& name, std::size_t width, Time used, Tim
                        waiting);
 }
 
-/// On an average as many masters at a time.
-std::string print_waiting(const BusUse& bus, Time whole) {
+/// All together.
+Time masters_waited(const BusUse& bus) {
     Time waited{};
     for (const BusMasterUse& master : bus.masters)
         waited += master.waited;
-    return fmt::format("  its masters waited {}", percent(waited, whole));
+    return waited;
+}
+
+/// On an average as many masters at a time.
+std::string print_waiting(const BusUse& bus, Time whole) {
+    return fmt::format("  its masters waited {}", percent(masters_waited(bus), whole));
+}
+
+Time waited_to(const LinkUse& link, const Explanation& explanation) {
+    auto found = explanation.waits_at_links.find(link_direction(link));
+    return found == explanation.waits_at_links.end() ? Time{0} : found->second;
 }
 
 std::string print_waiting(const LinkUse& link, const Explanation& explanation) {
-    auto found = explanation.waits_at_links.find(link_direction(link));
-    Time waited = found == explanation.waits_at_links.end() ? Time{0} : found->second;
-    return fmt::format("  {:>7}", percent(waited, explanation.report.result.time));
+    return fmt::format("  {:>7}", percent(waited_to(link, explanation), explanation.report.result.time));
 }
 
 std::string print_machine(const Explanation& explanation) {
@@ -223,6 +231,36 @@ boost::json::object account_json(const std::string& process, const Account& acco
             {"waiting_for_ps", std::move(waiting_for)}};
 }
 
+boost::json::array processors_json(const RunReport& report) {
+    boost::json::array processors;
+    for (const ProcessorUse& processor : report.processors)
+        processors.push_back({{"processor", processor.name},
+                              {"busy_ps", processor.busy.count()},
+                              {"idle_ps", (report.result.time - processor.busy).count()}});
+    return processors;
+}
+
+boost::json::array links_json(const Explanation& explanation) {
+    boost::json::array links;
+    for (const LinkUse& link : explanation.report.links)
+        if (link.bytes > 0)
+            links.push_back({{"link", link_direction(link)},
+                             {"busy_ps", link.occupied.count()},
+                             {"idle_ps", (explanation.report.result.time - link.occupied).count()},
+                             {"waits_to_ps", waited_to(link, explanation).count()}});
+    return links;
+}
+
+boost::json::array buses_json(const RunReport& report) {
+    boost::json::array buses;
+    for (const BusUse& bus : report.buses)
+        buses.push_back({{"bus", bus.name},
+                         {"busy_ps", bus.busy.count()},
+                         {"idle_ps", (report.result.time - bus.busy).count()},
+                         {"masters_waited_ps", masters_waited(bus).count()}});
+    return buses;
+}
+
 boost::json::object answer_json(const Answer& answer) {
     boost::json::object set;
     for (const auto& [name, value] : answer.change.set)
@@ -260,9 +298,15 @@ boost::json::object explanation_json(const Explanation& explanation, const Netwo
     for (const Answer& answer : explanation.answers)
         answers.push_back(answer_json(answer));
     const RunResult& result = explanation.report.result;
-    boost::json::object json{{"netlist", network.source_path},   {"ended", name_of(result.ending)},
-                             {"time_ps", result.time.count()},   {"processes", std::move(accounts)},
-                             {"critical_path", std::move(path)}, {"what_if", std::move(answers)}};
+    boost::json::object json{{"netlist", network.source_path},
+                             {"ended", name_of(result.ending)},
+                             {"time_ps", result.time.count()},
+                             {"processes", std::move(accounts)},
+                             {"processors", processors_json(explanation.report)},
+                             {"links", links_json(explanation)},
+                             {"buses", buses_json(explanation.report)},
+                             {"critical_path", std::move(path)},
+                             {"what_if", std::move(answers)}};
     if (!explanation.not_tried.empty())
         json["not_tried"] = explanation.not_tried;
     return json;
