@@ -2,6 +2,7 @@
 
 #include "netlist/complete/complete.hpp"
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/language/occam.hpp"
 #include "netlist/language/parser.hpp"
 #include "netlist/print/print.hpp"
@@ -68,9 +69,14 @@ Statements read_faults(const std::vector<std::string>& texts, Reporter& reporter
     return statements;
 }
 
+Declared declared_in(const Draft& draft) {
+    auto executes = [](const Node& node) { return node.kind && node.kind->make_executive; };
+    return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
+}
+
 std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
                                    const Catalogue& catalogue, const Overrides& overrides, const ReadOptions& options,
-                                   Reporter& reporter) {
+                                   Reporter& reporter, Declared& declared) {
     for (const auto& problem : source.problems)
         reporter.error(problem.location, problem.message);
     if (reporter.failed())
@@ -81,6 +87,7 @@ std::optional<Network> read_source(const LoadedSource& source, const std::filesy
         return std::nullopt;
     Elaborator elaborator(catalogue, overrides, reporter);
     elaborator.run(statements);
+    declared = declared_in(elaborator.draft());
     auto faults = read_faults(options.faults, reporter);
     elaborator.run(faults);
     if (reporter.failed())
@@ -120,7 +127,7 @@ ReadResult read(const LoadedSource& source, const std::filesystem::path& path, c
     Reporter reporter;
     ReadResult result;
     try {
-        result.network = read_source(source, path, catalogue, overrides, options, reporter);
+        result.network = read_source(source, path, catalogue, overrides, options, reporter, result.declared);
     } catch (const GiveUp&) {
         // the last diagnostic says why
     }

@@ -12,10 +12,16 @@
 
 namespace placedpar {
 
+/// So many are declared; of a netlist that is refused too, as far as its statements could be executed.
+struct Declared {
+    std::size_t processors = 0, processes = 0;
+};
+
 struct ReadResult {
     std::optional<Network> network;      ///< there exactly if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
     std::string not_shown = "";          ///< a line on how many more there were; "" if none
+    Declared declared = {};
 };
 
 /// The diagnostics as people read them, and how many more there were.

@@ -48,13 +48,26 @@ void require_path_format(const std::filesystem::path& path) {
             fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }
 
-/// What --set says holds in the changed netlists too. Their warnings have been shown.
+/// What --set says holds in the changed netlists too.
+Overrides with_set(const NetlistOptions& options, Overrides changes) {
+    changes.merge(overrides_of(options.set));
+    return changes;
+}
+
+/// Their warnings have been shown.
 ChangedNetlist reading_with(const NetlistOptions& options) {
     return [options](const Overrides& changes) {
-        Overrides all = changes;
-        all.merge(overrides_of(options.set));
         return load_network(
-            options.file, all, known_problems(0), [](const std::string&) {}, read_options_of(options.read));
+            options.file, with_set(options, changes), known_problems(0), [](const std::string&) {},
+            read_options_of(options.read));
+    };
+}
+
+DeclaredWith declaring_with(const NetlistOptions& options) {
+    return [options](const Overrides& changes) {
+        return read_netlist(options.file, known_kinds(known_problems(0)), with_set(options, changes),
+                            read_options_of(options.read))
+            .declared;
     };
 }
 
@@ -109,10 +122,9 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     auto progress = [&](std::size_t done, std::size_t all) {
         line.show(fmt::format("what if: {} of {} runs", done, all));
     };
-    ChangedNetlist read = reading_with(options.netlist);
-    std::vector<Change> changes = changes_of(network, explanation.report, read);
-    explanation.answers =
-        try_out(changes, explanation.path, {read, options.seed, options.until, interruption, progress});
+    std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(options.netlist));
+    explanation.answers = try_out(changes, explanation.path,
+                                  {reading_with(options.netlist), options.seed, options.until, interruption, progress});
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 

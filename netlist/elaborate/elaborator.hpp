@@ -26,6 +26,7 @@ public:
     void run(const Statements& statements);
     /// After run(): leaves the overrides that are of no val to complete().
     void settle_overrides();
+    const Draft& draft() const { return draft_; }
     Draft take() { return std::move(draft_); }
 
 private:

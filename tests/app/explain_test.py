@@ -211,6 +211,15 @@ class Explain(unittest.TestCase):
             self.assertNotIn("what if", run.stdout)
             self.assertNotIn("not_tried", document)
 
+    def test_one_more_is_tried_of_what_makes_processes_or_processors(self):
+        for example, expected in (("04-figure-e2/figure-e2.cfs", {"clusters": "", "slaves": ""}),
+                                  ("35-islands/islands.cfs", {"islands": "a power of two", "processors": "the subscript 9"})):
+            _, document = explained(os.path.join(EXAMPLES, example))
+            tried = {what["what"].split()[3].rstrip(":"): what for what in document["what_if"] if what["what"].startswith("one more")}
+            self.assertEqual(set(tried), set(expected))
+            for val, refusal in expected.items():
+                self.assertIn(refusal, tried[val].get("refused", ""))
+
     def test_a_process_alone_is_varied_where_it_shares_its_processor(self):
         _, document = explained(os.path.join(EXAMPLES, "32-matrix", "matrix.cfs"))
         answers = {what["what"]: what for what in document["what_if"]}

@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/device_kind.hpp"
 #include "tests/netlist/good_networks.hpp"
+#include "tests/netlist/small_catalogue.hpp"
 
 #include <doctest/doctest.h>
 
@@ -34,4 +35,11 @@ TEST_CASE("four clusters of a master and three slaves") {
             .connections[channel(network, "breeder[0].out -> worker[0][0].in").placement.route.front().connection + 3];
     CHECK(ring.name == "ring[0]");
     CHECK(ring.metres == doctest::Approx(0.3));
+}
+
+TEST_CASE("what a netlist declares is known even where it is refused") {
+    auto declared = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).declared; };
+    CHECK(declared("T800 t[3]; edge e; process p[4], q;").processes == 5);
+    CHECK(declared("T800 t[3]; edge e;").processors == 3);
+    CHECK(declared("T800 t[3]; connect t[0].link[9] to t[3].link[0]; process p[4];").processes == 4);
 }

@@ -1,7 +1,5 @@
 #include "workbench/explain/changes.hpp"
 
-#include "text/user_error.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,8 +63,8 @@ std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
 /// Gathers changes.
 class Changes {
 public:
-    Changes(const Network& network, const RunReport& report, const ChangedNetlist& read)
-        : network_(network), report_(report), read_(read) {}
+    Changes(const Network& network, const RunReport& report, const DeclaredWith& declared)
+        : network_(network), report_(report), declared_(declared) {}
 
     std::vector<Change> all() && {
         add_processors();
@@ -243,13 +241,10 @@ private:
         return vals;
     }
 
-    /// Whether the change makes other processes. What it makes may be refused.
-    bool replicates(const Overrides& set) const {
-        try {
-            return read_(set).processes.size() != network_.processes.size();
-        } catch (const UserError&) {
-            return true;
-        }
+    /// A machine that is refused is worth an answer too: why there cannot be one more.
+    bool makes_more(const Overrides& set) const {
+        Declared now = declared_({}), then = declared_(set);
+        return then.processes > now.processes || then.processors > now.processors;
     }
 
     std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
@@ -266,7 +261,7 @@ private:
             for (auto [name, value] : plain_vals(text_of(path))) {
                 value = as_set(name, value);
                 Overrides more{{name, std::to_string(value + 1)}};
-                if (replicates(more))
+                if (makes_more(more))
                     changes_.push_back({Change::Of::number, "one more of " + name + ":",
                                         fmt::format("{} instead of {}", value + 1, value), more});
             }
@@ -274,7 +269,7 @@ private:
 
     const Network& network_;
     const RunReport& report_;
-    const ChangedNetlist& read_;
+    const DeclaredWith& declared_;
     std::vector<Change> changes_;
     std::set<std::set<std::size_t>> clocks_known_;
     std::set<const LinkConnection*> links_known_;
@@ -282,8 +277,8 @@ private:
 
 } // namespace
 
-std::vector<Change> changes_of(const Network& network, const RunReport& report, const ChangedNetlist& read) {
-    return Changes(network, report, read).all();
+std::vector<Change> changes_of(const Network& network, const RunReport& report, const DeclaredWith& declared) {
+    return Changes(network, report, declared).all();
 }
 
 } // namespace placedpar

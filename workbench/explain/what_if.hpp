@@ -11,6 +11,10 @@
 
 namespace placedpar {
 
+/// Reads the netlist with these settings. Throws UserError when it is refused. May be called by several threads at
+/// once.
+using ChangedNetlist = std::function<Network(const Overrides&)>;
+
 /// What a change makes of the run.
 struct Answer {
     Change change;
