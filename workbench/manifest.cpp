@@ -66,7 +66,8 @@ class PrettyPrinter {
 public:
     std::string print(const boost::json::value& value) {
         add(value, 0);
-        return out_ + "\n";
+        out_ += "\n";
+        return std::move(out_);
     }
 
 private:

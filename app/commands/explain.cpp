@@ -87,6 +87,7 @@ Explanation explain(const Network& network, const ExplainOptions& options, const
     explanation.accounts = path.accounts();
     explanation.waits_at_links = path.waits_at_links();
     explanation.path = path.parts();
+    explanation.path_too_long = path.too_long();
     recorders.finish({network, explanation.report, options.manifest(typed), searches}, marks_of(explanation.path));
     return explanation;
 }

@@ -181,7 +181,7 @@ std::optional<Optimum> search_for(Session& session) {
     return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
 }
 
-/// None when interrupted.
+/// None when interrupted, or where it is too long to be kept.
 std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& settings) {
     CriticalPath path;
     RunReport report = run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),
@@ -189,7 +189,8 @@ std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& 
                                     .until = session.study.until,
                                     .trace = &path,
                                     .interruption = &session.interruption});
-    return report.result.ending == Ending::interrupted ? std::nullopt : std::optional(path.parts());
+    bool known = report.result.ending != Ending::interrupted && !path.too_long();
+    return known ? std::optional(path.parts()) : std::nullopt;
 }
 
 /// Why the best machine takes another time than the netlist as it is; "" where that is no machine, or when interrupted.
@@ -199,7 +200,9 @@ std::string reason_of(Session& session, const Optimum& optimum, const Overrides&
     Progress line;
     line.show("why it is: two runs for their critical paths");
     auto start = path_of(session, session.space.fixed()), end = path_of(session, best);
-    return start && end ? print_paths(*start, *end) + "\n" : "";
+    if (start && end)
+        return print_paths(*start, *end) + "\n";
+    return session.interruption.requested() ? "" : "the runs are too long for their critical paths to be compared\n\n";
 }
 
 /// Whichever way found it.

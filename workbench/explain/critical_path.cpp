@@ -11,6 +11,7 @@
 #include <numeric>
 #include <regex>
 #include <stdexcept>
+#include <string_view>
 
 namespace placedpar {
 
@@ -30,21 +31,7 @@ Time sum_of(const std::vector<PathPart>& parts) {
 
 } // namespace
 
-const char* name_of(Step step) {
-    switch (step) {
-    case Step::starting: return "starting";
-    case Step::computing: return "computing";
-    case Step::communicating: return "communicating";
-    case Step::moving: return "moving words";
-    case Step::arbitrating: return "arbitrating";
-    case Step::delayed: return "delayed";
-    case Step::ready: return "ready, not running";
-    case Step::left: return "nothing more";
-    }
-    return "";
-}
-
-CriticalPath::CriticalPath() { add(0, Time{0}, Step::starting, "", ""); }
+CriticalPath::CriticalPath(std::size_t most_points) : points_(most_points) { add(0, Time{0}, Step::starting, "", ""); }
 
 CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
     auto found = lanes_.find(ordinal);
@@ -65,8 +52,7 @@ CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const 
                                        const std::string& place) {
     if (!points_.empty() && points_[before].at == at)
         return before;
-    points_.push_back({at, before, step, number_of(subject), number_of(place)});
-    return static_cast<Number>(points_.size() - 1);
+    return points_.add({at, before, step, number_of(subject), number_of(place)});
 }
 
 CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const Process& process) {
@@ -83,6 +69,32 @@ CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, 
 
 CriticalPath::Number CriticalPath::later(Number a, Number b) const { return points_[a].at >= points_[b].at ? a : b; }
 
+std::vector<CriticalPath::Number*> CriticalPath::numbers_in_use() {
+    std::vector<Number*> numbers{&end_};
+    for (auto& [ordinal, lane] : lanes_) {
+        numbers.push_back(&lane.last);
+        for (std::optional<Number>* number : {&lane.cause, &lane.together})
+            if (*number)
+                numbers.push_back(&**number);
+    }
+    auto add_all = [&](auto& by_key) {
+        for (auto& [key, number] : by_key)
+            numbers.push_back(&number);
+    };
+    add_all(held_);
+    add_all(bus_held_);
+    add_all(came_);
+    return numbers;
+}
+
+/// No turn begins any more at a moment that has passed.
+void CriticalPath::forget(Time now) {
+    if (!points_.should_forget())
+        return;
+    std::erase_if(held_, [&](const auto& held) { return points_[held.second].at < now; });
+    points_.forget_but(numbers_in_use());
+}
+
 void CriticalPath::turn(Lane& lane, Activeness to, Time now) {
     if (!lane.process->serves_machine())
         accounts_.turn(lane.process->outermost().name(), lane.does, to, now);
@@ -91,6 +103,7 @@ void CriticalPath::turn(Lane& lane, Activeness to, Time now) {
 
 /// A component of a PAR begins when its process has come to it.
 void CriticalPath::began(const Process& process, Time now) {
+    forget(now);
     Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr;
     Lane lane{add(parent ? parent->last : 0, now, Step::starting, process), &process};
     lane.does = Activeness::gone;
@@ -118,6 +131,7 @@ void CriticalPath::hold_executive(const Lane& lane) {
 }
 
 void CriticalPath::waits(const Process& process, Time now) {
+    forget(now);
     Lane* lane = lane_of(process);
     if (!lane)
         return;
@@ -231,6 +245,7 @@ void CriticalPath::computes(const Process& process, Time now) {
 }
 
 void CriticalPath::stops_computing(const Process& process, Time now) {
+    forget(now);
     Lane* lane = lane_of(process);
     if (!lane)
         return;
@@ -287,6 +302,8 @@ void CriticalPath::over(Time now) {
 
 std::vector<PathPart> CriticalPath::parts() const {
     std::vector<PathPart> parts;
+    if (too_long())
+        return parts;
     for (Number number = end_; number != 0; number = points_[number].before) {
         const Point& point = points_[number];
         const std::string& subject = subjects_[point.subject];
@@ -311,13 +328,10 @@ std::string with_empty_subscripts(const std::string& subject) {
 }
 
 template <class Name>
-std::vector<PathShare> shares_by(const std::vector<PathPart>& parts, Name name) {
-    std::map<std::pair<Step, std::string>, Time> times;
-    for (const PathPart& part : parts)
-        times[{part.step, name(part.subject)}] += part.end - part.begin;
+std::vector<PathShare> as_shares(const std::map<std::pair<Step, Name>, Time>& times) {
     std::vector<PathShare> shares;
     for (const auto& [what, time] : times)
-        shares.push_back({what.first, what.second, time});
+        shares.push_back({what.first, std::string(what.second), time});
     std::ranges::stable_sort(shares, std::greater<>{}, &PathShare::time);
     return shares;
 }
@@ -335,10 +349,18 @@ std::vector<PathMark> marks_of(const std::vector<PathPart>& parts) {
     return marks;
 }
 
-std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) { return shares_by(parts, std::identity{}); }
+std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) {
+    std::map<std::pair<Step, std::string_view>, Time> times;
+    for (const PathPart& part : parts)
+        times[{part.step, part.subject}] += part.end - part.begin;
+    return as_shares(times);
+}
 
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>& parts) {
-    return shares_by(parts, with_empty_subscripts);
+    std::map<std::pair<Step, std::string>, Time> times;
+    for (const PathShare& share : shares_of(parts))
+        times[{share.step, with_empty_subscripts(share.subject)}] += share.time;
+    return as_shares(times);
 }
 
 } // namespace placedpar

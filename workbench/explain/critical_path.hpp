@@ -2,6 +2,7 @@
 
 #include "runtime/process.hpp"
 #include "runtime/trace.hpp"
+#include "workbench/explain/path_points.hpp"
 #include "workbench/explain/waits.hpp"
 #include "workbench/trace/path_mark.hpp"
 
@@ -14,10 +15,6 @@
 #include <vector>
 
 namespace placedpar {
-
-/// What a run's time was spent with, along its critical path.
-enum class Step { starting, computing, communicating, moving, arbitrating, delayed, ready, left };
-const char* name_of(Step);
 
 /// A part of the critical path: from the part before it, or the beginning of the run, until a moment.
 struct PathPart {
@@ -33,9 +30,12 @@ struct PathPart {
 /// without a gap, since each thing begins when the one before it ends.
 class CriticalPath final : public TraceSink {
 public:
-    CriticalPath();
+    /// Where the path comes to have more points, nothing of it is kept, and what follows of a run takes no more memory.
+    explicit CriticalPath(std::size_t most_points = most_path_points);
 
-    /// In order of time; their lengths add up to the run's: throws std::logic_error if not. REQUIRES: the run is over.
+    bool too_long() const { return points_.too_long(); }
+    /// In order of time; their lengths add up to the run's: throws std::logic_error if not. None where the path is too
+    /// long. REQUIRES: the run is over.
     std::vector<PathPart> parts() const;
     /// How the time of each process of the netlist went by. REQUIRES: the run is over.
     const std::map<std::string, Account>& accounts() const { return accounts_.all(); }
@@ -60,14 +60,8 @@ public:
     void over(Time) override;
 
 private:
-    using Number = std::uint32_t; ///< of a point
-    /// Something that happens: until then, since the point before it, time went by with the step.
-    struct Point {
-        Time at;
-        Number before;
-        Step step;
-        std::uint32_t subject, place;
-    };
+    using Number = PathPoints::Number;
+    using Point = PathPoints::Point;
     struct Lane {
         Number last; ///< what it did last; while it waits, its coming
         const Process* process;
@@ -83,6 +77,8 @@ private:
     Number add(Number before, Time at, Step, const Process&);
     Number add_message(Number before, const Lane&, const AnyChannel&, Time now);
     Number later(Number, Number) const;
+    std::vector<Number*> numbers_in_use();
+    void forget(Time now);
     const Lane* who_runs(const Process& any, Time now);
     Number message_over(const Lane&, const AnyChannel&, bool outputs, Time now);
     Number cause_of(const Lane&, Time now);
@@ -92,7 +88,7 @@ private:
     void explain_wait(const Lane&, Time now);
     void turn(Lane&, Activeness, Time now);
 
-    std::vector<Point> points_;
+    PathPoints points_;
     std::vector<std::string> subjects_;
     std::unordered_map<std::string, std::uint32_t> numbers_;        ///< of subjects and places
     std::map<std::uint32_t, Lane> lanes_;                           ///< of the processes that live, by ordinal

@@ -105,7 +105,14 @@ std::string path_heading(const std::string& title) {
     return painted(Paint::heading, fmt::format("\n{:>12}  {:>7}  {}\n", "ms", "share", title));
 }
 
+std::string why_not_kept() {
+    return fmt::format("it has more than {} parts; end the run earlier with --until, or make it shorter with --set",
+                       most_path_points);
+}
+
 std::string print_path(const Explanation& explanation) {
+    if (explanation.path_too_long)
+        return fmt::format("\ncritical path: not kept: {}\n", why_not_kept());
     Time whole = explanation.report.result.time;
     std::vector<PathShare> by_array = shares_by_array(explanation.path), alone = shares_of(explanation.path);
     std::string out = path_heading("critical path") + print_shares(by_array, 12, whole);
@@ -307,6 +314,8 @@ boost::json::object explanation_json(const Explanation& explanation, const Netwo
                              {"buses", buses_json(explanation.report)},
                              {"critical_path", std::move(path)},
                              {"what_if", std::move(answers)}};
+    if (explanation.path_too_long)
+        json["not_kept"] = why_not_kept();
     if (!explanation.not_tried.empty())
         json["not_tried"] = explanation.not_tried;
     return json;

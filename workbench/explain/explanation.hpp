@@ -17,6 +17,7 @@ struct Explanation {
     /// By direction of a link, "a.link[0] -> b.link[1]": how long outputters were in it before their inputters came.
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
+    bool path_too_long = false;  ///< to be kept
     std::vector<Answer> answers; ///< the greatest gain first
     std::size_t left_out = 0;    ///< changes that an interruption left untried
     std::string not_tried = "";  ///< why no change was, though it was wanted; "" otherwise

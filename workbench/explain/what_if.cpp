@@ -47,7 +47,8 @@ void try_out(Answer& answer, const std::vector<PathPart>& path, const WhatIfs& w
             return;
         CriticalPath changed;
         run(answer, what_ifs, interruption, &changed);
-        answer.why = greatest_increase(path, changed.parts());
+        if (!changed.too_long())
+            answer.why = greatest_increase(path, changed.parts());
     } catch (const UserError& refused) {
         answer.refused = first_line(refused.what());
     }
