@@ -147,6 +147,7 @@ function describe(slice) {
   case "alternates": return "alternates: input from " + (partners || "its timer");
   case "joins": return "waits for its components";
   case "after work": return "waits until the work is over";
+  case "stopped": return "has stopped: does nothing any more";
   default: return slice.doing;
   }
 }

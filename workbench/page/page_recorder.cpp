@@ -1,6 +1,7 @@
 #include "workbench/page/page_recorder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -33,10 +34,10 @@ const char* name_of(Track::Kind kind) {
 }
 
 /// In the order of Doing.
-boost::json::array names_of_doing() {
-    return {"executes", "carries", "ready",      "computes", "delayed",
-            "outputs",  "inputs",  "alternates", "joins",    "after work"};
-}
+constexpr std::array<const char*, static_cast<std::size_t>(Doing::stopped) + 1> names_of_doing{
+    "executes", "carries",    "ready", "computes",   "delayed", "outputs",
+    "inputs",   "alternates", "joins", "after work", "stopped"};
+static_assert(names_of_doing.back() != nullptr, "each has a name");
 
 } // namespace
 
@@ -92,7 +93,7 @@ boost::json::object PageRecorder::json() {
             {"why", why_},
             {"bin", bins_.width().count()},
             {"left_out", slices_.left_out() + passages_.left_out()},
-            {"doing", names_of_doing()},
+            {"doing", boost::json::array(names_of_doing.begin(), names_of_doing.end())},
             {"texts", texts_.json()},
             {"nodes", boost::json::array(tracks_.nodes().begin(), tracks_.nodes().end())},
             {"tracks", tracks_json()},
