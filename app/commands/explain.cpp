@@ -64,10 +64,10 @@ ChangedNetlist reading_with(const NetlistOptions& options) {
 }
 
 DeclaredWith declaring_with(const NetlistOptions& options) {
-    return [options](const Overrides& changes) {
-        return read_netlist(options.file, known_kinds(known_problems(0)), with_set(options, changes),
-                            read_options_of(options.read))
-            .declared;
+    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // which the kinds know
+    auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
+    return [options, problems, kinds](const Overrides& changes) {
+        return read_netlist(options.file, *kinds, with_set(options, changes), read_options_of(options.read)).declared;
     };
 }
 

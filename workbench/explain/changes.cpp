@@ -64,7 +64,7 @@ std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
 class Changes {
 public:
     Changes(const Network& network, const RunReport& report, const DeclaredWith& declared)
-        : network_(network), report_(report), declared_(declared) {}
+        : network_(network), report_(report), declared_(declared), now_(declared({})) {}
 
     std::vector<Change> all() && {
         add_processors();
@@ -243,8 +243,8 @@ private:
 
     /// A machine that is refused is worth an answer too: why there cannot be one more.
     bool makes_more(const Overrides& set) const {
-        Declared now = declared_({}), then = declared_(set);
-        return then.processes > now.processes || then.processors > now.processors;
+        Declared then = declared_(set);
+        return then.processes > now_.processes || then.processors > now_.processors;
     }
 
     std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
@@ -270,6 +270,7 @@ private:
     const Network& network_;
     const RunReport& report_;
     const DeclaredWith& declared_;
+    const Declared now_;
     std::vector<Change> changes_;
     std::set<std::set<std::size_t>> clocks_known_;
     std::set<const LinkConnection*> links_known_;
