@@ -143,6 +143,18 @@ class Found(Optimise):
         self.assertIn("completed at", again)
         self.assertAlmostEqual(float(again.split("completed at ")[1].split()[0]), float(least["genetic"]), places=5)
 
+    def test_the_best_is_that_of_whichever_way_found_it(self):
+        self.write("farm.toml", FARM)
+        random_was_better = False
+        for seed in range(1, 7):
+            said = self.optimise("farm.toml", "--population", 4, "--generations", 1, "--random", "--seed", seed)
+            least = {line.split()[0]: float(line.split()[2]) for line in said.splitlines() if line.startswith(("genetic", "random"))}
+            random_was_better |= least["random"] < least["genetic"]
+            again = placedpar(*best_line(said).split()[1:], folder=self.folder).stdout
+            best = float(again.split("completed at ")[1].split()[0])
+            self.assertAlmostEqual(best, min(least.values()), delta=1e-5 * best)
+        self.assertTrue(random_was_better)
+
     def test_the_four_links_are_never_exceeded(self):
         said = self.optimise(self.small(), "--exhaustive")
         run = {row[0] for row in self.rows() if row[2] == "completed"}

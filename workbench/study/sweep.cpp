@@ -22,8 +22,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_read = 100;          ///< netlists that are looked at where they may all be alike
-constexpr std::uint64_t most_refused = 300;       ///< before a study is refused, where each says something else
+constexpr std::uint64_t most_read = 100;          ///< netlists that are looked at, of very many
+constexpr std::uint64_t most_refused = 300;       ///< the same where each is refused for another reason
 constexpr std::uint64_t most_counted = 1'000'000; ///< runs that are looked up one by one
 
 /// Combinations that cannot be read.
@@ -288,13 +288,16 @@ StudySweep::Missing StudySweep::missing() {
     return {found, true};
 }
 
-/// Those that are refused take no time.
+/// One that is refused takes no time: another is tried, but not very many.
 std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
-    std::uint64_t refused = seconds_ ? most_read : 0;
-    for (std::uint64_t i = 0; refused < most_read && i < study_.count() && !interruption.requested(); ++i)
+    bool was_run = false;
+    std::uint64_t refused = 0;
+    for (std::uint64_t i = 0; !was_run && refused < most_read && i < study_.count() && !interruption.requested(); ++i)
         if (std::optional<StudyRun> run = study_.at(i))
-            if (auto outcome = timed_outcome(*run, interruption))
-                refused = outcome->refused.empty() ? most_read : refused + 1;
+            if (std::optional<StudyOutcome> outcome = timed_outcome(*run, interruption)) {
+                was_run = outcome->refused.empty();
+                refused += !was_run;
+            }
     if (seconds_ && study_.seeds > 1 && !interruption.requested())
         time_another_seed(interruption);
     return seconds_;
