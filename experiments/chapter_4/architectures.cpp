@@ -20,7 +20,6 @@ constexpr std::array machine_alphas{8, 16, 24};
 /// Of all islands: 16 islands of 6, "small local population (6)", or 4 of 24, "sizable local population (24)"
 /// (Figure 4.3).
 constexpr int machine_individuals = 96, smallest_island = 6, sizable_island = 24;
-constexpr int cycles_of_ten_errors = 14400; // Table E.1's
 
 /// One of the architectures, with so many processors.
 struct MachineForm {
@@ -53,13 +52,12 @@ private:
 
     double rate(const MachineForm& machine, int alpha) {
         context_.progress(fmt::format("alpha {}, {} processors", alpha, machine.processors()));
-        int work = machine.communication ? 1 : 1000;
         RunReport report = run_to_the_end(context_.examples / "66-architectures" / "architecture.cfs",
-                                          {{"islands", std::to_string(machine.islands)},
-                                           {"slaves", std::to_string(machine.slaves)},
+                                          {{"processors", std::to_string(machine.processors())},
+                                           {"islands", std::to_string(machine.islands)},
                                            {"individuals", std::to_string(machine_individuals)},
-                                           {"work_of_error", std::to_string(work * cycles_of_ten_errors / 10)},
-                                           {"work_of_breeding", std::to_string(work * cycles_of_ten_errors / alpha)},
+                                           {"alpha", std::to_string(alpha)},
+                                           {"work", std::to_string(machine.communication ? 1 : 1000)},
                                            {"samples", "12"}},
                                           context_);
         fingerprint_.mix(report.result.fingerprint);

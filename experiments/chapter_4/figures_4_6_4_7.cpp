@@ -62,19 +62,15 @@ struct SpeedupPoint {
     auto operator<=>(const SpeedupPoint&) const = default;
 };
 
-double own_share(const SpeedupPoint& point) {
-    if (point.only_breeding)
-        return 0;
-    return point.populations == 1 ? 1 : balanced_share(point.alpha, point.processors - 1);
-}
-
 Overrides overrides_of(const SpeedupPoint& point) {
-    return {{"alpha", std::to_string(point.alpha)},
-            {"slaves", std::to_string(point.processors - 1)},
-            {"populations", std::to_string(point.populations)},
-            {"own_share", fmt::format("{:.6f}", own_share(point))},
-            {"work", std::to_string(point.work)},
-            {"samples", "12"}};
+    Overrides overrides{{"alpha", std::to_string(point.alpha)},
+                        {"processors", std::to_string(point.processors)},
+                        {"populations", std::to_string(point.populations)},
+                        {"work", std::to_string(point.work)},
+                        {"samples", "12"}};
+    if (point.only_breeding)
+        overrides["own_share"] = "0";
+    return overrides;
 }
 
 /// The netlist with any of these settings, each run once.
