@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/netlist_options.hpp"
 #include "runtime/kernel.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
@@ -8,6 +9,7 @@
 #include "workbench/study/results.hpp"
 #include "workbench/study/study_file.hpp"
 #include "workbench/study/study_report.hpp"
+#include "workbench/study/summary_cells.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +26,7 @@ namespace {
 
 struct ReportOptions {
     std::string study; ///< a file of results, or what they are called after
-    std::vector<std::string> measures;
+    std::vector<std::string> measures, relative_to;
     std::string over;           ///< the axis of the plot; "": the one with most numbers
     std::string csv, svg, page; ///< files; "": not written
 
@@ -43,7 +45,14 @@ StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
     std::optional<Study> study;
     if (lower_case(options.study).ends_with(".toml"))
         study = read_study(options.study);
-    return summary_of(results, options.measures, study ? &*study : nullptr);
+    const Overrides typed = overrides_of(options.relative_to, "--relative-to");
+    const Overrides& relative_to = typed.empty() && study ? study->relative_to : typed;
+    return summary_of(results, options.measures, study ? &*study : nullptr, relative_to);
+}
+
+void require_reference_line(const StudySummary& summary) {
+    if (!summary.relative_to.empty() && !summary.has_some(summary.relative_to))
+        throw UserError(there_is_no_reference(summary.relative_to));
 }
 
 void write_outputs(const StudySummary& summary, const ReportOptions& options) {
@@ -84,6 +93,7 @@ ExitCode report(const ReportOptions& options) {
     require_report_outputs(options, kept);
     StudyResults results(kept);
     StudySummary summary = summary_of(results, options);
+    require_reference_line(summary);
     if (!options.measures.empty())
         require_measured(summary, results);
     write_outputs(summary, options);
@@ -101,6 +111,11 @@ Action declare_report(CLI::App& command, const std::string&) {
         .add_option("--measure", options->measures,
                     "another measure than those of the sweep; as often as wanted: nothing is run again")
         ->type_name("MEASURE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--relative-to", options->relative_to,
+                    "divides each figure by that of the run which is the same but for this setting; as often as wanted")
+        ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     add_file(command, "--over", options->over, "what the plot is drawn over", "NAME");
     add_file(command, "--csv", options->csv, "writes the table as comma-separated values");

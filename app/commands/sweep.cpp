@@ -16,6 +16,7 @@
 #include "workbench/study/results.hpp"
 #include "workbench/study/study_file.hpp"
 #include "workbench/study/study_report.hpp"
+#include "workbench/study/summary_cells.hpp"
 #include "workbench/workers.hpp"
 
 #include <CLI/CLI.hpp>
@@ -85,6 +86,11 @@ Study study_of(const SweepOptions& options) {
     if (study.measures.empty())
         study.measures = study.search ? study.search->minimise : std::vector<std::string>{"time"};
     return study;
+}
+
+void require_reference_run(const Study& study) {
+    if (!study.relative_to.empty() && !study.has_some(study.relative_to))
+        throw UserError(there_is_no_reference(study.relative_to));
 }
 
 std::filesystem::path results_of(const SweepOptions& options) {
@@ -165,6 +171,7 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
     Study study = study_of(options);
     for (const std::string& measure : study.measures)
         StudyMeasure{measure};
+    require_reference_run(study);
     Network network = readable_network(study);
     require_possible(study.measures, study, network);
     StudyResults results(results_of(options), source_of(study, network), options.any_version);
@@ -176,7 +183,7 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
         return ExitCode::interrupted;
     }
     if (whole)
-        print_out(print_summary(summary_of(results, {}, &study)) +
+        print_out(print_summary(summary_of(results, {}, &study, study.relative_to)) +
                   fmt::format("\nresults: {}\n", results.path().string()));
     return ExitCode::success;
 }

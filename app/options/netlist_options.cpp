@@ -33,12 +33,12 @@ std::pair<std::string, std::string> cut_at_equals(const std::string& option, con
 
 } // namespace
 
-Overrides overrides_of(std::span<const std::string> settings) {
+Overrides overrides_of(std::span<const std::string> settings, const std::string& option) {
     Overrides overrides;
     for (const std::string& each : settings) {
-        auto [name, value] = cut_at_equals("--set", each, "NAME=VALUE, such as --set slaves=3");
+        auto [name, value] = cut_at_equals(option, each, fmt::format("NAME=VALUE, such as {} slaves=3", option));
         if (!overrides.emplace(name, value).second)
-            throw UserError(fmt::format("--set {}: {} is set twice", each, name));
+            throw UserError(fmt::format("{} {}: {} is set twice", option, each, name));
     }
     return overrides;
 }

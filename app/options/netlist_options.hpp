@@ -16,8 +16,9 @@ namespace placedpar {
 /// --set NAME=VALUE, as often as wanted.
 CLI::Option* add_set(CLI::App&, std::vector<std::string>& settings, const std::string& about);
 
-/// What --set asked for. Throws UserError when one is not of that form or a name is set twice.
-Overrides overrides_of(std::span<const std::string> settings);
+/// What --set, or another option like it, asked for. Throws UserError when one is not of that form or a name is set
+/// twice.
+Overrides overrides_of(std::span<const std::string> settings, const std::string& option = "--set");
 
 /// What a netlist finds around it, as it is typed.
 struct ReadOptionsTyped {

@@ -154,6 +154,15 @@ class Sweep(InFolder):
         self.assertEqual(figures(self.folder / "figure-e2.sqlite", "master[2].T_exe")[text],
                          figures(self.folder / "study.sqlite", "master[2].T_exe")[text])
 
+    def test_a_study_says_relative_to_what(self):
+        text = (f'netlist = "{FIGURE_E2}"\nmeasure = "processors"\nrelative_to = {{slaves = 0, master.trials = 10}}\n'
+                '[set]\nslaves = "0..2"\nmaster.trials = 10\n[[also]]\nset = {slaves = 3}\n')
+        lines = self.sweep(self.study(text)).splitlines()
+        self.assertEqual(lines[1], "relative to master.trials = 10, slaves = 0")
+        self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
+        report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
+        self.assertEqual([line.split()[-1] for line in report[4:8]], ["0.5", "1", "1.5", "-"]) # with trials 10 as well
+
     def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
         self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
                          r"(?s)-1 +1 +- +refused: .*1000000000 +1 +1 +stopped at the time limit")
@@ -187,6 +196,20 @@ class BadInput(InFolder):
         self.assertFalse((self.folder / "figure-e2.sqlite").exists())  # nothing was run
         self.assertIn("nowhere.sqlite: there is no such file", placedpar("report", "nowhere.cfs").stderr)
 
+    def test_nothing_is_relative_to_what_no_run_has(self):
+        message = "no combination has slaves = 9, so figures cannot be relative to it"
+        self.study(f'netlist = "{FIGURE_E2}"\nrelative_to = {{slaves = 9}}\n[set]\nslaves = "0..2"\n')
+        self.assertIn(message, self.sweep("study.toml", code=1))
+        self.assertFalse((self.folder / "study.sqlite").exists())  # nothing was run
+        self.sweep(FIGURE_E2, "slaves=0,1", "master.trials=5")
+        for setting, said in (("slaves=9", message), ("slavs=0", "no combination has slavs = 0, "),
+                              ("slaves", "--relative-to slaves: it takes NAME=VALUE, such as --relative-to slaves=3")):
+            done = placedpar("report", "figure-e2.cfs", "--relative-to", setting, folder=self.folder)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn(said, done.stderr)
+        placed = placedpar("report", "figure-e2.cfs", "--relative-to", "master.trials=5", folder=self.folder)
+        self.assertEqual(placed.returncode, 0, placed.stderr)  # what all have
+
     def test_a_file_that_is_wrong_is_shown_where(self):
         for text, message in (
                 ('netlist = "a.cfs"\nsed = 3\n', 'study.toml:2:1: error: a study has no "sed"'),
@@ -194,6 +217,11 @@ class BadInput(InFolder):
                 ('netlist = "a.cfs"\n[set]\nslaves = "3..1"\n', "study.toml:3:10: error: slaves=3..1: the range is empty"),
                 ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: it cannot be understood: where:1:9: error: "),
                 ("netlist = \n", "study.toml:1:"), ("seeds = 3\n", "it names no netlist"),
+                ('netlist = "a.cfs"\nrelative_to = {slaves = 1}\n[search]\nminimise = "time"\n',
+                 "study.toml:2:15: error: a search compares figures as they are"),
+                ('netlist = "a.cfs"\nrelative_to = 3\n', "study.toml:2:15: error: it takes a table"),
+                ('netlist = "a.cfs"\nrelative_to = {slaves = "1..2"}\n',
+                 'study.toml:2:15: error: "slaves" has several values'),
                 ('netlist = "a.cfs"\n[set]\nslaves = []\n', 'study.toml:3:10: error: "slaves" has no values'),
                 ('netlist = "a.cfs"\n[set]\n"a.b" = 1\n[set.a]\nb = 2\n', 'study.toml:5:5: error: "a.b" is set twice')):
             with self.subTest(text):
@@ -376,6 +404,24 @@ class Report(InFolder):
     def test_a_measure_that_was_not_asked_for_is_there(self):
         self.assertRegex(self.report("figure-e2.sqlite", "--measure", "master.T_exe", "--measure", "processors"),
                          r"(?s)slaves  runs  master.T_exe \[ms\]  +95 %  processors  +95 %\n +0  .* 10 +3 .* 44 ")
+
+    def test_figures_relative_to_those_of_other_runs(self):
+        self.report("figure-e2.cfs", "--relative-to", "slaves=2", "--csv", "table.csv")
+        header, *table = [line.split(",") for line in (self.folder / "table.csv").read_text().splitlines()]
+        self.assertEqual(header[3], "relative max(master.best_fitness) mean")
+        best = self.best()
+        for row in table:  # each divided by that of the same seed
+            ratios = [one / other for one, other in zip(best[row[0]], best["2"])]
+            self.assertAlmostEqual(float(row[3]), sum(ratios) / 3, 12)
+            self.assertEqual([float(row[5]), float(row[6])], [min(ratios), max(ratios)])
+        self.assertEqual(table[1][3:], ["1", "0", "1", "1"])
+
+    def test_a_page_of_single_runs_has_no_intervals(self):
+        for seeds, shown in ((1, False), (2, True)):
+            self.sweep(FIGURE_E2, "slaves=0,2", "--seeds", seeds, "--results", "kept")
+            self.report("kept", "--page", "page.html")
+            page = (self.folder / "page.html").read_text(encoding="utf-8")
+            self.assertEqual(("Intervals" in page, "95 %" in page), (shown, shown))
 
     def test_a_page_that_needs_no_other_file(self):
         self.report("figure-e2.cfs", "--page", "page.html", "--svg", "plot.svg")

@@ -99,4 +99,13 @@ bool Study::has(const Overrides& set) const {
     return std::ranges::any_of(products, [&](const StudyProduct& product) { return product.has(set); });
 }
 
+bool Study::has_some(const Overrides& set) const {
+    return std::ranges::any_of(products, [&](const StudyProduct& product) {
+        return std::ranges::all_of(set, [&](const auto& setting) {
+            auto axis = std::ranges::find(product.axes, setting.first, &StudyAxis::name);
+            return axis != product.axes.end() && axis->has(setting.second);
+        });
+    });
+}
+
 } // namespace placedpar

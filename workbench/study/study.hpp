@@ -51,6 +51,7 @@ struct Study {
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with so many
     Time until = Time::max();                ///< runs that are not over then are stopped
     std::vector<std::string> measures;
+    Overrides relative_to = {}; ///< figures are shown relative to those with these settings; none: as they are
     std::optional<StudySearch> search = {}; ///< none: it is only swept
 
     /// Runs, those with combinations for which the condition does not hold among them. Throws UserError, which says
@@ -60,6 +61,8 @@ struct Study {
     std::optional<StudyRun> at(std::uint64_t index) const;
     /// Whether it has runs with these settings.
     bool has(const Overrides&) const;
+    /// Whether it has some, whatever else they set, were it not for a condition.
+    bool has_some(const Overrides&) const;
 };
 
 } // namespace placedpar

@@ -70,10 +70,14 @@ private:
         handlers["fault"] = [&](const toml::node& node) { study_.read.faults = texts(node); };
         handlers["use"] = [&](const toml::node& node) { read_programs(node); };
         handlers["search"] = [&](const toml::node& node) { read_search(node); };
+        handlers["relative_to"] = [&](const toml::node& node) { read_reference(node); };
         handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
         read_table(top, handlers);
         if (study_.netlist.empty())
             report(top.source().begin, "it names no netlist", "netlist = \"figure-e2.cfs\"");
+        if (study_.search && !study_.relative_to.empty())
+            report(top.get("relative_to")->source().begin, "a search compares figures as they are",
+                   "leave out relative_to, or [search]");
         study_.products.insert(study_.products.begin(), std::move(product));
     }
 
@@ -114,6 +118,19 @@ private:
                    fmt::format("\"{}\" is to be minimised twice", search.minimise.front()),
                    "two different measures are weighed against each other; minimise = \"time\" has one");
         study_.search = std::move(search);
+    }
+
+    void read_reference(const toml::node& node) {
+        if (!node.is_table())
+            return report(node.source().begin, "it takes a table", "relative_to = {slaves = 0}");
+        std::vector<StudyAxis> axes;
+        read_axes(node, "", axes);
+        for (const StudyAxis& axis : axes)
+            if (axis.count() == 1)
+                study_.relative_to[axis.name] = axis.at(0);
+            else
+                report(node.source().begin, fmt::format("\"{}\" has several values", axis.name),
+                       "a study is relative to one value of each");
     }
 
     /// Each member by what takes it.

@@ -35,7 +35,9 @@ std::string inline_svg(const std::string& file) { return file.substr(file.find("
 /// The plot, or why there is none.
 std::string figure_of(const StudySummary& summary, const std::string& over) {
     try {
-        return "<figure>" + inline_svg(draw_svg(summary_plot(summary, over))) + "</figure>\n";
+        Plot plot = summary_plot(summary, over);
+        plot.title.clear(); // the page's
+        return "<figure>" + inline_svg(draw_svg(plot)) + "</figure>\n";
     } catch (const UserError& none) {
         if (!over.empty())
             throw;
@@ -43,43 +45,45 @@ std::string figure_of(const StudySummary& summary, const std::string& over) {
     }
 }
 
-std::string cell_of_page(const std::string& tag, const std::string& text) {
+std::string element(const std::string& tag, const std::string& text) {
     return fmt::format("<{0}>{1}</{0}>", tag, as_markup(text));
 }
 
 std::string head_of_table(const StudySummary& summary) {
     std::string out = "<tr>";
     for (const std::string& axis : summary.axes)
-        out += cell_of_page("th", axis);
+        out += element("th", axis);
     out += "<th>runs</th>";
+    const std::string interval = has_intervals(summary) ? "<th>95 %</th>" : "";
     for (std::size_t i = 0; i < summary.measures.size(); ++i)
-        out += cell_of_page("th", measure_with_unit(summary, i)) + "<th>95 %</th>";
+        out += element("th", measure_with_unit(summary, i)) + interval;
     return out + "<th></th></tr>\n";
 }
 
-std::string row_of_table(const StudyLine& line) {
+std::string row_of_table(const StudyLine& line, bool intervals) {
     std::string out = "<tr>";
     for (const std::string& value : line.values)
-        out += cell_of_page("td", value);
+        out += element("td", value);
     out += fmt::format("<td>{}</td>", line.runs);
     for (const StudyCell& cell : line.cells)
-        out += cell_of_page("td", shown_mean(cell)) + cell_of_page("td", shown_interval(cell));
+        out += element("td", shown_mean(cell)) + (intervals ? element("td", shown_interval(cell)) : "");
     return out + fmt::format("<td class=\"ended\">{}</td></tr>\n", as_markup(ended_of(line)));
 }
 
 std::string table_of(const StudySummary& summary) {
+    const bool intervals = has_intervals(summary);
     std::string out = "<table>\n" + head_of_table(summary);
     for (const StudyLine& line : summary.lines)
-        out += row_of_table(line);
+        out += row_of_table(line, intervals);
     return out + "</table>\n";
 }
 
 std::string about_the_runs(const StudySummary& summary) {
-    std::string out = fmt::format("<p>{} of {}, made by PlacedPar {}. Intervals are Student's, of 95 %.</p>\n",
-                                  counted(summary.runs(), "run"), counted(summary.lines.size(), "combination"),
-                                  as_markup(summary.version));
-    for (const auto& [name, value] : summary.fixed)
-        out += fmt::format("<p>all with {} = {}</p>\n", as_markup(name), as_markup(value));
+    std::string out = fmt::format("<p>{} of {}, made by PlacedPar {}.{}</p>\n", counted(summary.runs(), "run"),
+                                  counted(summary.lines.size(), "combination"), as_markup(summary.version),
+                                  has_intervals(summary) ? " Intervals are Student's, of 95 %." : "");
+    for (const std::string& each : said_of_all(summary))
+        out += element("p", each) + "\n";
     return out;
 }
 

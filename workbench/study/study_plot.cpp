@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -62,16 +64,16 @@ std::string curve_of(const StudySummary& summary, const StudyLine& line, std::si
     return name;
 }
 
-/// Over more than a decade or two what is multiplied, not added, is compared.
+/// Over more than a decade or two what is multiplied, not added, is compared: where half of the values crowd in a
+/// quarter of the axis.
 bool is_drawn_by_decades(const StudySummary& summary, std::size_t over) {
-    constexpr double wide = 30;
-    double least = HUGE_VAL, greatest = 0;
-    for (const StudyLine& line : summary.lines) {
-        double value = *number_of_setting(line.values[over]);
-        least = std::min(least, value);
-        greatest = std::max(greatest, value);
-    }
-    return least > 0 && greatest / least > wide;
+    constexpr double wide = 30, crowded = .25;
+    std::set<double> values;
+    for (const StudyLine& line : summary.lines)
+        values.insert(*number_of_setting(line.values[over]));
+    const double least = *values.begin(), greatest = *values.rbegin();
+    const double median = *std::next(values.begin(), static_cast<std::ptrdiff_t>((values.size() - 1) / 2));
+    return least > 0 && greatest / least > wide && median < crowded * greatest;
 }
 
 /// The curves of one measure, by name in the order of the lines.

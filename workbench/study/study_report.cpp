@@ -5,20 +5,12 @@
 #include "workbench/study/summary_cells.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 namespace placedpar {
 
 namespace {
-
-std::string print_fixed(const StudySummary& summary) {
-    std::string out;
-    for (const auto& [name, value] : summary.fixed)
-        out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", name, value);
-    return out.empty() ? "" : "all with " + out + "\n";
-}
 
 /// Texts below each other, numbers to the right.
 std::string print_rows(const std::vector<std::vector<std::string>>& rows) {
@@ -71,14 +63,17 @@ std::vector<std::string> row_of(const StudyLine& line, bool intervals) {
 }
 
 std::string print_whole(const StudySummary& summary) {
-    return fmt::format("{}: {} of {}\n{}\n", summary.netlist, counted(summary.runs(), "run"),
-                       counted(summary.lines.size(), "combination"), print_fixed(summary));
+    std::string out = fmt::format("{}: {} of {}\n", summary.netlist, counted(summary.runs(), "run"),
+                                  counted(summary.lines.size(), "combination"));
+    for (const std::string& each : said_of_all(summary))
+        out += each + "\n";
+    return out + "\n";
 }
 
 } // namespace
 
 std::string print_summary(const StudySummary& summary) {
-    bool intervals = std::ranges::any_of(summary.lines, [](const StudyLine& line) { return line.runs > 1; });
+    const bool intervals = has_intervals(summary);
     std::vector<std::vector<std::string>> rows{head_row(summary, intervals)};
     for (const StudyLine& line : summary.lines)
         rows.push_back(row_of(line, intervals));

@@ -13,26 +13,73 @@ namespace placedpar {
 
 namespace {
 
+/// By measure; none where the run does not have it.
+using Measured = std::vector<std::optional<StudyFigure>>;
+
+Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
+    Measured figures(measures.size());
+    if (outcome.ended != name_of(Ending::stuck)) // what it measured until then is of no whole
+        std::ranges::transform(measures, figures.begin(),
+                               [&](const StudyMeasure& each) { return each.of(outcome.figures); });
+    return figures;
+}
+
+/// What the runs with some settings measured, for others to be divided by.
+class References {
+public:
+    References(StudyResults& results, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
+        : relative_to_(relative_to) {
+        if (!relative_to.empty())
+            results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
+                if (reference_of(run) == run)
+                    measured_[run] = measured(outcome, measures);
+            });
+    }
+
+    Measured relative(const StudyRun& run, Measured figures) const {
+        if (relative_to_.empty())
+            return figures;
+        auto found = measured_.find(reference_of(run));
+        for (std::size_t i = 0; i < figures.size(); ++i)
+            figures[i] = found == measured_.end() ? std::nullopt : ratio(figures[i], found->second[i]);
+        return figures;
+    }
+
+private:
+    static std::optional<StudyFigure> ratio(const std::optional<StudyFigure>& figure,
+                                            const std::optional<StudyFigure>& reference) {
+        if (!figure || !reference || reference->value == 0)
+            return std::nullopt;
+        return StudyFigure{figure->value / reference->value, ""};
+    }
+
+    StudyRun reference_of(StudyRun run) const {
+        for (const auto& [name, value] : relative_to_)
+            run.set[name] = value;
+        return run;
+    }
+
+    const Overrides& relative_to_;
+    std::map<StudyRun, Measured> measured_;
+};
+
 /// The runs of one combination while they are added.
 struct Gathered {
     StudyLine line;
-    void add(const StudyOutcome&, const std::vector<StudyMeasure>&, std::vector<std::string>& units);
+    void add(const StudyOutcome&, const Measured&, std::vector<std::string>& units);
 };
 
-void Gathered::add(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures,
-                   std::vector<std::string>& units) {
-    line.cells.resize(measures.size());
+void Gathered::add(const StudyOutcome& outcome, const Measured& figures, std::vector<std::string>& units) {
+    line.cells.resize(figures.size());
     ++line.runs;
     if (outcome.ended != name_of(Ending::completed))
         ++line.ended[outcome.ended];
     if (!outcome.refused.empty() && line.refused.empty())
         line.refused = outcome.refused.substr(0, outcome.refused.find('\n'));
-    if (outcome.ended == name_of(Ending::stuck)) // what it measured until then is of no whole
-        return;
-    for (std::size_t i = 0; i < measures.size(); ++i)
-        if (std::optional<StudyFigure> figure = measures[i].of(outcome.figures)) {
-            line.cells[i].add(figure->value);
-            units[i] = figure->unit;
+    for (std::size_t i = 0; i < figures.size(); ++i)
+        if (figures[i]) {
+            line.cells[i].add(figures[i]->value);
+            units[i] = figures[i]->unit;
         }
 }
 
@@ -109,16 +156,30 @@ std::uint64_t StudySummary::runs() const {
     return sum;
 }
 
-StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study) {
+bool StudySummary::has_some(const Overrides& set) const {
+    return std::ranges::any_of(lines, [&](const StudyLine& line) {
+        return std::ranges::all_of(set, [&](const auto& setting) {
+            const auto& [name, value] = setting;
+            auto axis = std::ranges::find(axes, name);
+            if (axis != axes.end())
+                return line.values[static_cast<std::size_t>(axis - axes.begin())] == value;
+            return fixed.contains(name) && fixed.at(name) == value;
+        });
+    });
+}
+
+StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study,
+                        const Overrides& relative_to) {
     const bool of_study = study && !study->search; // a search asks for what it has tried, of a space that may be vast
-    StudySummary summary{.netlist = results.netlist(), .version = results.version()};
+    StudySummary summary{.netlist = results.netlist(), .version = results.version(), .relative_to = relative_to};
     summary.measures = measures.empty() ? results.measures() : std::move(measures);
     summary.units.resize(summary.measures.size());
     std::vector<StudyMeasure> wanted(summary.measures.begin(), summary.measures.end());
+    References references(results, wanted, relative_to);
     std::map<Overrides, Gathered> all;
     results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
         if (!of_study || study->has(run.set))
-            all[run.set].add(outcome, wanted, summary.units);
+            all[run.set].add(outcome, references.relative(run, measured(outcome, wanted)), summary.units);
     });
     add_names(summary, all);
     add_lines(summary, all);

@@ -38,14 +38,19 @@ struct StudySummary {
     std::string netlist, version;
     std::vector<std::string> axes = {}; ///< that have several values
     Overrides fixed = {};               ///< what all combinations set to the same
+    Overrides relative_to = {};         ///< figures are relative to those with these settings; none: as they are
     std::vector<std::string> measures = {}, units = {};
     std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
 
     std::uint64_t runs() const;
+    /// Whether some line has all of these settings.
+    bool has_some(const Overrides&) const;
 };
 
 /// Of the runs that are kept; of a study that is swept, of those with its combinations, whatever their seeds. Without
-/// measures, of those that were asked for last.
-StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr);
+/// measures, of those that were asked for last. Relative to some settings, each figure is divided by that of the run
+/// that has them and is otherwise the same, its seed too; where there is none of these, there is no figure.
+StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
+                        const Overrides& relative_to = {});
 
 } // namespace placedpar

@@ -8,6 +8,25 @@
 
 namespace placedpar {
 
+namespace {
+
+std::string shown_settings(const Overrides& set) {
+    std::vector<std::string> parts;
+    for (const auto& [name, value] : set)
+        parts.push_back(fmt::format("{} = {}", name, value));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+} // namespace
+
+std::string there_is_no_reference(const Overrides& set) {
+    return fmt::format("no combination has {}, so figures cannot be relative to it", shown_settings(set));
+}
+
+bool has_intervals(const StudySummary& summary) {
+    return std::ranges::any_of(summary.lines, [](const StudyLine& line) { return line.runs > 1; });
+}
+
 std::string ended_of(const StudyLine& line) {
     std::vector<std::string> parts;
     for (const auto& [ended, runs] : line.ended)
@@ -25,7 +44,17 @@ std::string shown_interval(const StudyCell& cell) {
 std::string measure_with_unit(const StudySummary& summary, std::size_t measure) {
     const std::string &unit = summary.units[measure], &name = summary.measures[measure];
     const bool is_set_as_well = std::ranges::find(summary.axes, name) != summary.axes.end();
-    return name + (is_set_as_well ? " measured" : "") + (unit.empty() ? "" : " [" + unit + "]");
+    return (summary.relative_to.empty() ? "" : "relative ") + name + (is_set_as_well ? " measured" : "") +
+           (unit.empty() ? "" : " [" + unit + "]");
+}
+
+std::vector<std::string> said_of_all(const StudySummary& summary) {
+    std::vector<std::string> said;
+    if (!summary.fixed.empty())
+        said.push_back("all with " + shown_settings(summary.fixed));
+    if (!summary.relative_to.empty())
+        said.push_back("relative to " + shown_settings(summary.relative_to));
+    return said;
 }
 
 } // namespace placedpar
