@@ -12,6 +12,7 @@ import unittest
 import urllib.parse
 
 import firefox
+from page_reader import Page, data_of
 from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
 
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
@@ -38,6 +39,31 @@ const box = canvas.getBoundingClientRect(), x = box.left + view.scale(now.moment
 for (const what of ["mousemove", "click"]) canvas.dispatchEvent(new MouseEvent(what, { clientX: x, clientY: y, view: window }));
 """
 
+LONG = ("--set", "count=20000")  # 640,000 slices and messages in 190.8 ms
+MIDDLE = (95 * 10**9, 95 * 10**9 + 10**8)
+MOMENT = MIDDLE[0] + 5 * 10**7
+
+# Looks at the middle, and says what is drawn of it, and for whom a process waits then, when all of it is there.
+LOOK = f"""
+const drawn = {{ slices: [], messages: [], shares: 0 }};
+window.drawSlice = (track, slice) => {{ drawn.slices.push([track.number, slice.begin, slice.end, slice.doing, slice.note]); }};
+window.drawMessage = message => {{ drawn.messages.push([message.left, message.arrived, message.from, message.to, message.channel]); }};
+window.drawShares = () => {{ drawn.shares += 1; }};
+window.fitCanvas = () => {{}};
+view.height = 1e4;
+lookAt({MIDDLE[0]}, {MIDDLE[1]});
+choose("consumer");
+goTo({MOMENT});
+const asked = setInterval(() => {{
+  if (looked.unpacks) return;
+  clearInterval(asked);
+  Object.assign(drawn, {{ slices: [], messages: [], shares: 0 }});
+  showMoment();
+  document.documentElement.dataset.seen = JSON.stringify({{ ...drawn, state: stateOfProcess(trackNamed.get("consumer"), now.moment),
+    unpacked: d3.sum(stretches, each => each.content ? each.entries : 0) }});
+}}, 10);
+"""
+
 
 class Loads(html.parser.HTMLParser):
     """What a page would load from elsewhere."""
@@ -49,21 +75,6 @@ class Loads(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attrs):
         self.found += [value for name, value in attrs if name in ("src", "href") and not value.startswith("data:")]
-
-
-def data_of(page):
-    return json.loads(re.search(r'<script id="data" type="application/json">(.*?)</script>', page, re.S).group(1))
-
-
-def slices_of(data, name):
-    """[begin, end, doing, is open, note] of the track of a process."""
-    run = data["timeline"]
-    track = next(t for t in run["tracks"] if t["name"] == name and t["kind"] == "process")
-    at, slices = run["begin"], []
-    for gap, length, doing, note in zip(*[iter(track["slices"])] * 4):
-        slices.append((at + gap, at + gap + length, run["doing"][doing % 16], doing >= 16, run["texts"][note]))
-        at += gap + length
-    return slices
 
 
 class Pages(unittest.TestCase):
@@ -107,10 +118,10 @@ class Pages(unittest.TestCase):
         self.assertEqual(data["timeline"]["left_out"], 0)
         self.assertEqual(data["report"]["measurements"], report["measurements"])
         events = json.loads((self.folder / "trace.json").read_text(encoding="utf-8"))["traceEvents"]
-        self.assertEqual(sum(len(track["slices"]) // 4 for track in data["timeline"]["tracks"]),
-                         sum(event["ph"] in "XB" for event in events))
-        self.assertEqual(len(data["timeline"]["messages"]) // 5, sum(event["ph"] == "s" for event in events))
-        waited = sum(end - begin for begin, end, doing, _, _ in slices_of(data, "master[0]")
+        known = Page(page)
+        self.assertEqual(sum(map(len, known.slices.values())), sum(event["ph"] in "XB" for event in events))
+        self.assertEqual(len(known.messages), sum(event["ph"] == "s" for event in events))
+        waited = sum(end - begin for begin, end, doing, _, _ in known.slices_of("master[0]")
                      if doing not in ("computes", "ready"))
         self.assertGreater(waited, 0)
         self.assertEqual(len(data["searches"][0]["generations"]), 80)
@@ -121,22 +132,36 @@ class Pages(unittest.TestCase):
         fork = next(each for each in data["processes"] if each["name"] == "fork[1]")
         number = int(fork["place"].rpartition(":")[2])
         self.assertEqual(fork["line"], PHILOSOPHERS.read_text(encoding="utf-8").splitlines()[number - 1])
-        begin, _, doing, is_open, note = slices_of(data, "philosopher[0]")[-1]
+        begin, _, doing, is_open, note = Page(page).slices_of("philosopher[0]")[-1]
         self.assertEqual((doing, is_open, note.split("\t")[1]), ("outputs", True, "fork[1]"))
         self.assertLess(begin, data["timeline"]["end"])
 
-    def test_a_long_run_is_summarised(self):
-        _, page = self.page(COMMSTIME, "--set", "count=60000")
-        run = data_of(page)["timeline"]
-        self.assertGreater(run["left_out"], 100000)
-        self.assertLess(len(page), 20e6)
+    def part(self, *options):
+        """The page of the middle of the long run, which is short enough to have all of it at once."""
+        return self.page(COMMSTIME, *LONG, "--trace-from", f"{MIDDLE[0]}ps", "--trace-until", f"{MIDDLE[1]}ps", *options)[1]
+
+    def test_a_long_run_has_every_slice_and_message(self):
+        _, page = self.page(COMMSTIME, *LONG)
+        known, part = Page(page), Page(self.part())
+        run, (begin, end) = known.run, MIDDLE
+        self.assertTrue(run["deflated"])
+        self.assertFalse(part.run["deflated"])
+        self.assertEqual(run["left_out"], 0)
+        self.assertNotIn("lost", run)
+        self.assertLess(len(page), 1e6)
+        self.assertEqual([track["name"] for track in run["tracks"]], [track["name"] for track in part.run["tracks"]])
+        for number, slices in part.slices.items():
+            self.assertEqual([each for each in slices if begin < each.begin and each.end < end],
+                             [each for each in known.slices[number] if begin < each.begin and each.end < end])
+        self.assertEqual([each for each in part.messages if begin < each.left and each.arrived < end],
+                         [each for each in known.messages if begin < each.left and each.arrived < end])
+        self.assertGreater(len(part.messages), 30)
         busy = next(t for t in run["tracks"] if t["kind"] == "processor")
-        begin, end = busy["lost"]
-        self.assertLess(run["begin"], begin)
-        self.assertLess(begin, end)
-        self.assertLess(end, run["end"])
         self.assertGreater(len(busy["running"]), 4000)
-        self.assertGreater(run["bin"] * len(busy["running"]), run["end"] - run["bin"])
+        self.assertGreater(run["bin"] * len(busy["running"]), run["end"] - run["begin"])
+
+    def test_the_same_run_is_the_same_page(self):
+        self.assertEqual(*(self.page(COMMSTIME, *LONG)[1] for _ in range(2)))
 
     def test_a_part_of_a_run(self):
         _, page = self.page(COMMSTIME, "--trace-from", "1ms", "--trace-until", "2ms")
@@ -193,6 +218,30 @@ class Pages(unittest.TestCase):
                     for moment, part in zip(moments, (first, last)):
                         self.assertAlmostEqual(moment, begin + part * length, delta=(last - first) * length / 1000)
 
+    def check_the_middle(self, look):
+        """`look` opens the page in a browser, and returns what LOOK says and what stands about the chosen process."""
+        seen = []
+        for page in (self.page(COMMSTIME, *LONG)[1], self.part()):
+            (self.folder / "run.html").write_text(page, encoding="utf-8")
+            drawn, chosen = look()
+            self.assertEqual(drawn["shares"], 0)
+            seen.append([{tuple(each) for each in drawn[kind] if MIDDLE[0] < each[begin] and each[begin + 1] < MIDDLE[1]}
+                         for kind, begin in (("slices", 1), ("messages", 0))] + [drawn["state"]])
+            self.assertRegex(chosen, r"<li>inputs from .*delta.* on <i>delta.out\[1\] -&gt; consumer.in</i>, since")
+            self.assertLess(drawn["unpacked"], 250000)
+        part = Page(self.part())
+        self.assertEqual(seen[0], seen[1])
+        self.assertEqual(seen[0][1], {message for message in part.messages if MIDDLE[0] < message.left and message.arrived < MIDDLE[1]})
+        self.assertGreater(len(seen[0][0]), 250)
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_the_middle_of_a_long_run_is_there_where_it_is_looked_at(self):
+        def look():
+            page = self.browse("", LOOK)
+            return (json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1))),
+                    re.search(r'<aside id="chosen">(.*?)</aside>', page, re.S).group(1))
+        self.check_the_middle(look)
+
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_a_click_says_what_a_router_waits_for(self):
         self.page(ISLANDS)
@@ -204,6 +253,18 @@ class Pages(unittest.TestCase):
                              for pattern in (r'<p id="under">(.*?)</p>', r'<aside id="chosen">(.*?)</aside>'))
             self.assertTrue(under.startswith(f"{name}: {wait}; from "), under)
             self.assertRegex(" ".join(chosen.split()), f"^{re.escape(name)} .*{re.escape(wait)}")
+
+    @unittest.skipUnless(firefox.FIREFOX, "no Firefox")
+    def test_the_middle_of_a_long_run_in_firefox(self):
+        def look():
+            browser.visit((self.folder / "run.html").as_uri())
+            browser.run(LOOK)
+            while not browser.run("return document.documentElement.dataset.seen"):
+                self.assertEqual(browser.run("return document.documentElement.dataset.errors"), "0")
+            return (json.loads(browser.run("return document.documentElement.dataset.seen")),
+                    browser.run("return document.getElementById('chosen').innerHTML"))
+        with firefox.Firefox() as browser:
+            self.check_the_middle(look)
 
     @unittest.skipUnless(firefox.FIREFOX, "no Firefox")
     def test_the_same_in_firefox(self):

@@ -1,35 +1,45 @@
 #pragma once
 
+#include "workbench/page/stretch.hpp"
+
 #include <cstddef>
 #include <deque>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace placedpar::page {
 
-/// The first and the last of many: all of them while there are at most twice as many as it keeps of each end.
-template <class Entry>
+/// From when to when.
+struct Period {
+    Time begin, end;
+};
+
+/// The first and the last of many stretches: all of them while there is room.
 class BothEnds {
 public:
-    explicit BothEnds(std::size_t of_each_end) : most_(of_each_end) {}
+    explicit BothEnds(std::size_t bytes_of_each_end) : most_(bytes_of_each_end) {}
 
-    void add(Entry entry) {
-        if (first_.size() < most_)
-            return first_.push_back(std::move(entry));
-        last_.push_back(std::move(entry));
-        if (last_.size() > most_) {
-            last_.pop_front();
-            ++left_out_;
-        }
-    }
-    std::size_t left_out() const { return left_out_; }
-    const std::vector<Entry>& first() const { return first_; }
-    const std::deque<Entry>& last() const { return last_; }
+    /// REQUIRES: it begins no earlier than the one before.
+    void add(PackedStretch);
+    /// Compresses those that are here.
+    void deflate();
+
+    std::size_t left_out() const { return left_out_; } ///< slices and messages
+    std::optional<Period> lost() const { return lost_; } ///< where any are left out
+    /// In the order in which they came.
+    std::vector<const PackedStretch*> all() const;
 
 private:
+    struct End {
+        std::deque<PackedStretch> stretches;
+        std::size_t bytes = 0;
+        void add(PackedStretch);
+        PackedStretch take_first();
+    };
+
     std::size_t most_, left_out_ = 0;
-    std::vector<Entry> first_;
-    std::deque<Entry> last_;
+    End first_, last_;
+    std::optional<Period> lost_;
 };
 
 } // namespace placedpar::page

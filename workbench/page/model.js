@@ -17,25 +17,6 @@ const span = Math.max(run.end - run.begin, 1);
 // What waits for ever is drawn beyond the end.
 const drawnEnd = run.end + (report.deadlock ? 0.06 * span : 0);
 
-function slicesOf(flat) {
-  const slices = [];
-  let at = run.begin;
-  for (let i = 0; i < flat.length; i += 4) {
-    const begin = at + flat[i];
-    at = begin + flat[i + 1];
-    const open = flat[i + 2] >= 16;
-    slices.push({ begin, end: open ? drawnEnd : at, doing: run.doing[flat[i + 2] % 16], open, note: run.texts[flat[i + 3]] });
-  }
-  return slices;
-}
-
-function messagesOf(flat) {
-  const messages = [];
-  for (let i = 0; i < flat.length; i += 5)
-    messages.push({ from: flat[i], to: flat[i + 1], left: flat[i + 2], arrived: flat[i + 2] + flat[i + 3], channel: run.texts[flat[i + 4]] });
-  return messages.sort((a, b) => a.left - b.left);
-}
-
 function pathOf(flat) {
   const parts = [];
   for (let i = 0; i < flat.length; i += 4)
@@ -45,11 +26,10 @@ function pathOf(flat) {
 
 const tracks = run.tracks.map((track, number) => ({
   number, name: track.name, node: track.node, kind: track.kind, outermost: track.outermost, place: track.place,
-  lost: track.lost, running: sumsOf(track.running), ready: sumsOf(track.ready), slices: slicesOf(track.slices),
+  running: sumsOf(track.running), ready: sumsOf(track.ready), slices: [], // those that are known: stretches.js
 }));
 const drawnTracks = tracks.slice().sort((a, b) => a.place - b.place);
 const trackNamed = new Map(tracks.map(track => [(track.kind === "processor" ? "processor " : "") + track.name, track]));
-const messages = messagesOf(run.messages);
 const path = pathOf(run.path);
 const processNamed = new Map(data.processes.map(process => [process.name, process]));
 const componentsOf = d3.nest().key(track => track.outermost).object(tracks.filter(isOfProcess));
@@ -84,12 +64,10 @@ function sliceAt(track, moment) {
   return slice && slice.begin <= moment && moment <= slice.end ? slice : null;
 }
 
-function isLost(track, moment) { return track.lost && track.lost[0] <= moment && moment < track.lost[1]; }
-
 function stateOfTrack(track, moment) {
   const slice = sliceAt(track, moment);
   if (slice) return stateOf(slice);
-  return isLost(track, moment) ? "unknown" : "gone";
+  return isKnownAt(moment) ? "gone" : "unknown";
 }
 
 // A process computes while one of its components does; else it is ready while one of them is.

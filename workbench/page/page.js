@@ -11,6 +11,7 @@ function around(moment) {
 }
 
 function showMoment() {
+  lookInto(now.moment, ...view.scale.domain(), showMoment);
   const [from, to] = around(now.moment);
   document.getElementById("now").textContent = timeText(now.moment, view.scale.domain()[1] - view.scale.domain()[0]);
   showNetwork(now.moment, from, to, now.chosen);
@@ -32,6 +33,7 @@ function choose(name) {
 
 // A step of the animation: a two-hundredth of what the timelines show.
 function advance() {
+  if (looked.unpacks) return;
   const [from, to] = view.scale.domain();
   goTo(now.moment + (to - from) / 200);
   if (now.moment >= Math.min(run.end, to)) stopPlaying();

@@ -38,7 +38,7 @@ function showChosen(name, moment, from, to) {
     `<p>At ${timeText(moment, span)}: ${stateText(track, moment)}</p>` +
     (waits.length ? `<ul>${waits.map(wait => waitText(wait, moment)).join("")}</ul>` : "") + chainText(name, moment) + sharesText(track, from, to) +
     (process.place ? `<p class="faint">${escaped(process.place)}</p><pre>${escaped(process.line.trim())}</pre>` : "") + measuresOf(name) +
-    (track.lost ? "<p class=\"faint\">What it did one by one is kept of the beginning and the end of the run.</p>" : ""));
+    (run.lost ? "<p class=\"faint\">What it did one by one is kept of the beginning and the end of the run.</p>" : ""));
   panel.selectAll("a.to").on("click", function () { choose(this.dataset.process); });
 }
 
@@ -75,12 +75,19 @@ function showMeasures() {
   d3.selectAll("#measures a.to").on("click", function () { choose(this.dataset.process); });
 }
 
+// Of a long run, where its slices and messages are to be seen one by one.
+function extentText() {
+  const count = number => d3.format(",")(number), bins = `summarised, in bins of ${timeText(run.bin, run.bin)}`;
+  if (!canUnpack) return ` This browser cannot unpack its slices and messages (it has no DecompressionStream): all are ${bins}.`;
+  const all = run.deflated ? ` Zoom in to see its ${count(d3.sum(stretches, each => each.entries))} slices and messages one by one.` : "";
+  return all + (run.lost ? ` ${count(run.left_out)} more, of the middle, are ${bins}.` : "");
+}
+
 function showOutcome() {
   document.getElementById("heading").textContent = report.manifest.netlist;
   const well = report.outcome === "completed" || report.outcome === "time limit";
-  const left = run.left_out ? ` ${d3.format(",")(run.left_out)} slices and messages of the middle are summarised, in bins of ${timeText(run.bin, run.bin)}.` : "";
   d3.select("#outcome").html(`<span class="${well ? "" : "bad"}">${escaped(report.outcome)}</span> at ${timeText(report.time_ps, span)}, ` +
-    `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${left}`);
+    `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${extentText()}`);
   if (!report.deadlock) return;
   const cycle = report.deadlock.cycle, around = cycle.length ? [...cycle, cycle[0]].map(processLink).join(" &rarr; ") : "no cycle: a partner has ended, or there never was one";
   d3.select("#deadlock").attr("hidden", null).html(`<b>Deadlock.</b> Each waits for the next: ${around}`)

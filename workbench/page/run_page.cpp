@@ -93,6 +93,14 @@ std::string text_of_data(const boost::json::object& data) {
     return text;
 }
 
+/// An element for each stretch, in which a browser looks only when what it holds is looked at.
+std::string stretch_elements(const std::vector<std::string>& stretches) {
+    std::string text;
+    for (const std::string& each : stretches)
+        text += "<script class=\"stretch\" type=\"text/plain\">" + each + "</script>\n";
+    return text;
+}
+
 /// What stands for the parts of a page, in the order in which they come in its frame.
 using Part = std::pair<const char*, std::string>;
 
@@ -132,6 +140,7 @@ std::string RunPage::html(const PageContent& content, std::span<const PathMark> 
                                        {"@SOFTWARE@", picture_or_nothing(content.network, print_software_svg)},
                                        {"@LIBRARY@", page::library_js()},
                                        {"@DATA@", text_of_data(data)},
+                                       {"@STRETCHES@", stretch_elements(recorder_.stretches())},
                                        {"@PROGRAM@", page::program_js()}});
 }
 

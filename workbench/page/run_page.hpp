@@ -18,8 +18,9 @@ struct PageContent {
 };
 
 /// A run as one HTML file that is looked at in a browser, without the internet: the network, coloured by load at the
-/// moment that a slider chooses, timelines, measures, a deadlock's cycle, convergence. It stays below 20 megabytes: of
-/// a long run it has every slice and message of the beginning and the end, and between them how loaded everything was.
+/// moment that a slider chooses, timelines, measures, a deadlock's cycle, convergence. It stays below 64 megabytes: of
+/// a run that is too long for that it has every slice and message of the beginning and the end, and between them how
+/// loaded everything was.
 class RunPage {
 public:
     /// The whole run, or what lies in the window; throws UserError when that is empty. The network is looked at only

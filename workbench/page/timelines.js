@@ -105,22 +105,12 @@ function drawShares(track, from, to) {
 }
 
 // Slice by slice where they are known and not too many, else as shares.
-function drawStretch(track, from, to, known) {
-  if (to <= from) return;
+function drawPiece(track, from, to, known) {
   const first = sliceFrom(track, from), pixels = view.scale(to) - view.scale(from);
   let last = first;
   while (last < track.slices.length && track.slices[last].begin < to && last - first <= 3 * pixels) ++last;
   if (!known || last - first > pixels / 1.5 + 3) return drawShares(track, from, to);
   for (let i = first; i < last; ++i) drawSlice(track, track.slices[i], from, to);
-}
-
-function drawTrack(track) {
-  const [from, to] = view.scale.domain();
-  if (!track.lost) return drawStretch(track, from, to, true);
-  const [begin, end] = track.lost;
-  drawStretch(track, from, Math.min(to, begin), true);
-  drawStretch(track, Math.max(from, begin), Math.min(to, end), false);
-  drawStretch(track, Math.max(from, end), to, true);
 }
 
 function labelOf(track) {
@@ -226,7 +216,8 @@ function drawTimelines(moment, chosen) {
   pen.beginPath();
   pen.rect(labelWidth - 2, headHeight, view.width, view.height);
   pen.clip();
-  for (let row = first; row < last; ++row) if (view.rows[row].track) drawTrack(view.rows[row].track);
+  const pieces = piecesOf(...view.scale.domain());
+  for (const { track } of view.rows.slice(first, last)) if (track) pieces.forEach(([from, to, known]) => drawPiece(track, from, to, known));
   drawMessages(chosen);
   drawPath();
   pen.restore();
@@ -248,5 +239,5 @@ function textAt({ track, moment }) {
   if (slice && slice.open) return `${track.name}: ${describe(slice)} from ${timeText(slice.begin, precision)} on, and that does not end`;
   if (slice) return `${track.name}: ${describe(slice)}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
   const from = moment - run.bin / 2, share = sums => (100 * shareOf(sums, from, from + run.bin)).toFixed(0) + " %";
-  return `${track.name} at ${timeText(moment, precision)}` + (isLost(track, moment) ? `, summarised: running ${share(track.running)}, ready ${share(track.ready)} of ${timeText(run.bin, run.bin)}` : "");
+  return `${track.name} at ${timeText(moment, precision)}` + (isKnownAt(moment) ? "" : `, summarised: running ${share(track.running)}, ready ${share(track.ready)} of ${timeText(run.bin, run.bin)}`);
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <boost/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace placedpar::page {
+
+/// Numbers texts in the order in which they first come; the empty one is 0.
+class TextTable {
+public:
+    TextTable() { number_of(""); }
+
+    std::uint32_t number_of(const std::string& text) {
+        auto [found, is_new] = numbers_.emplace(text, static_cast<std::uint32_t>(texts_.size()));
+        if (is_new)
+            texts_.push_back(text);
+        return found->second;
+    }
+    boost::json::array json() const { return boost::json::array(texts_.begin(), texts_.end()); }
+
+private:
+    std::unordered_map<std::string, std::uint32_t> numbers_;
+    std::vector<std::string> texts_;
+};
+
+} // namespace placedpar::page
