@@ -24,7 +24,7 @@ public:
     /// Compresses those that are here.
     void deflate();
 
-    std::size_t left_out() const { return left_out_; } ///< slices and messages
+    std::size_t left_out() const { return left_out_; }   ///< slices and messages
     std::optional<Period> lost() const { return lost_; } ///< where any are left out
     /// In the order in which they came.
     std::vector<const PackedStretch*> all() const;

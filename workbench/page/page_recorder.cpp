@@ -1,7 +1,5 @@
 #include "workbench/page/page_recorder.hpp"
 
-#include "workbench/page/encoding.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -88,13 +86,6 @@ boost::json::array PageRecorder::stretches_json() const {
     for (const PackedStretch* each : stretches_.all())
         flat.insert(flat.end(), {each->begin.count(), each->end.count(), each->entries});
     return flat;
-}
-
-std::vector<std::string> PageRecorder::stretches() const {
-    std::vector<std::string> texts;
-    for (const PackedStretch* each : stretches_.all())
-        texts.push_back(base64(each->bytes));
-    return texts;
 }
 
 boost::json::array PageRecorder::tracks_json() const {

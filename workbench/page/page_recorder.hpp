@@ -29,9 +29,8 @@ public:
     /// messages, ...], "texts": of the path, "path": [track, begin, how long, name, ...]}.
     /// REQUIRES: it is finished.
     boost::json::object json();
-    /// What is in the stretches, in the same order: PackedStretch::bytes, compressed if they are said to be, as text.
-    /// REQUIRES: it is finished.
-    std::vector<std::string> stretches() const;
+    /// In the same order; compressed if json() says so. REQUIRES: it is finished.
+    const Stretches& stretches() const { return stretches_; }
 
 private:
     boost::json::object track_json(std::size_t track) const;

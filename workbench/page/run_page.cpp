@@ -1,6 +1,7 @@
 #include "workbench/page/run_page.hpp"
 
 #include "text/utf8.hpp"
+#include "workbench/page/encoding.hpp"
 #include "workbench/page/parts.hpp"
 #include "workbench/picture/svg.hpp"
 
@@ -94,25 +95,27 @@ std::string text_of_data(const boost::json::object& data) {
 }
 
 /// An element for each stretch, in which a browser looks only when what it holds is looked at.
-std::string stretch_elements(const std::vector<std::string>& stretches) {
+std::string stretch_elements(const page::Stretches& stretches) {
     std::string text;
-    for (const std::string& each : stretches)
-        text += "<script class=\"stretch\" type=\"text/plain\">" + each + "</script>\n";
+    for (const page::PackedStretch* each : stretches.all())
+        text.append("<script class=\"stretch\" type=\"text/plain\">")
+            .append(page::base64(each->bytes))
+            .append("</script>\n");
     return text;
 }
 
 /// What stands for the parts of a page, in the order in which they come in its frame.
 using Part = std::pair<const char*, std::string>;
 
-std::string filled(const std::string& frame, const std::vector<Part>& parts) {
+std::string filled(const std::string& frame, std::span<const Part> parts) {
     std::string out;
     std::size_t at = 0;
     for (const auto& [mark, text] : parts) {
         std::size_t found = frame.find(mark, at);
-        out += frame.substr(at, found - at) + text;
+        out.append(frame, at, found - at).append(text);
         at = found + std::string_view(mark).size();
     }
-    return out + frame.substr(at);
+    return out.append(frame, at);
 }
 
 std::string picture_or_nothing(const Network& network, std::string (*print)(const Network&)) {
@@ -134,14 +137,15 @@ std::string RunPage::html(const PageContent& content, std::span<const PathMark> 
                              {"searches", searches_on_page(content.searches)},
                              {"timeline", recorder_.json()}};
     std::string title = std::filesystem::path(content.network.source_path).filename().string();
-    return filled(page::frame_html(), {{"@TITLE@", as_markup(title)},
-                                       {"@STYLE@", page::style_css()},
-                                       {"@MACHINE@", picture_or_nothing(content.network, print_svg)},
-                                       {"@SOFTWARE@", picture_or_nothing(content.network, print_software_svg)},
-                                       {"@LIBRARY@", page::library_js()},
-                                       {"@DATA@", text_of_data(data)},
-                                       {"@STRETCHES@", stretch_elements(recorder_.stretches())},
-                                       {"@PROGRAM@", page::program_js()}});
+    const Part parts[] = {{"@TITLE@", as_markup(title)},
+                          {"@STYLE@", page::style_css()},
+                          {"@MACHINE@", picture_or_nothing(content.network, print_svg)},
+                          {"@SOFTWARE@", picture_or_nothing(content.network, print_software_svg)},
+                          {"@LIBRARY@", page::library_js()},
+                          {"@DATA@", text_of_data(data)},
+                          {"@STRETCHES@", stretch_elements(recorder_.stretches())},
+                          {"@PROGRAM@", page::program_js()}};
+    return filled(page::frame_html(), parts);
 }
 
 } // namespace placedpar

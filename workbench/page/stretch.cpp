@@ -52,10 +52,11 @@ void Stretch::append_slices(std::string& bytes) const {
     std::vector<KeptSlice> sorted = slices_;
     std::ranges::stable_sort(sorted, {}, &KeptSlice::track);
     append_tracks(bytes, sorted);
-    append_column(bytes, sorted, [this, before = static_cast<const KeptSlice*>(nullptr)](const KeptSlice& each) mutable {
-        const KeptSlice* last = std::exchange(before, &each);
-        return (each.begin - (last && last->track == each.track ? last->end : begin_)).count();
-    });
+    append_column(bytes, sorted,
+                  [this, before = static_cast<const KeptSlice*>(nullptr)](const KeptSlice& each) mutable {
+                      const KeptSlice* last = std::exchange(before, &each);
+                      return (each.begin - (last && last->track == each.track ? last->end : begin_)).count();
+                  });
     append_column(bytes, sorted, [](const KeptSlice& each) { return (each.end - each.begin).count(); });
     append_column(bytes, sorted, [](const KeptSlice& each) { return each.doing + (each.open ? 16 : 0); });
     append_column(bytes, sorted, [](const KeptSlice& each) { return each.note; });

@@ -1,10 +1,8 @@
-#include "workbench/page/both_ends.hpp"
 #include "workbench/page/load_bins.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace placedpar;
-using page::BothEnds;
 using page::LoadBins;
 
 namespace {
@@ -46,15 +44,4 @@ TEST_CASE("the first bin begins where the page does") {
     LoadBins bins(4, Time{1'000'000});
     bins.add(0, running, Time{1'001'000}, Time{1'002'000});
     CHECK(levels_of(bins) == "A/");
-}
-
-TEST_CASE("of many, the first and the last are kept") {
-    BothEnds<int> ends(2);
-    for (int i = 1; i <= 4; ++i)
-        ends.add(i);
-    CHECK(ends.left_out() == 0);
-    ends.add(5);
-    CHECK(ends.left_out() == 1);
-    CHECK(ends.first() == std::vector{1, 2});
-    CHECK(ends.last() == std::deque{4, 5});
 }
