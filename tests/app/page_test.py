@@ -77,6 +77,21 @@ class Loads(html.parser.HTMLParser):
         self.found += [value for name, value in attrs if name in ("src", "href") and not value.startswith("data:")]
 
 
+def without_the_middle(page):
+    """The page as it is when there was no room for the stretches of the middle."""
+    data, stretches = data_of(page), re.findall(r'<script class="stretch".*?</script>\n', page)
+    run = data["timeline"]
+    periods = list(zip(*[iter(run["stretches"])] * 3))
+    lost = [i for i, (begin, end, _) in enumerate(periods) if 0.4 < begin / run["end"] and end / run["end"] < 0.6]
+    assert len(lost) > 1
+    run["lost"] = [periods[lost[0]][0], periods[lost[-1]][1]]
+    run["left_out"] = sum(periods[i][2] for i in lost)
+    run["stretches"] = [number for i, period in enumerate(periods) if i not in lost for number in period]
+    for i in lost:
+        page = page.replace(stretches[i], "", 1)
+    return re.sub(r'(<script id="data" type="application/json">).*?(</script>)', lambda found: found[1] + json.dumps(data) + found[2], page, flags=re.S)
+
+
 class Pages(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -218,6 +233,12 @@ class Pages(unittest.TestCase):
                     for moment, part in zip(moments, (first, last)):
                         self.assertAlmostEqual(moment, begin + part * length, delta=(last - first) * length / 1000)
 
+    def look(self):
+        """What LOOK says, and what stands about the chosen process and about the run."""
+        page = self.browse("", LOOK)
+        return (json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1))),
+                *(re.search(rf'id="{part}">(.*?)</{kind}>', page, re.S).group(1) for part, kind in (("chosen", "aside"), ("outcome", "p"))))
+
     def check_the_middle(self, look):
         """`look` opens the page in a browser, and returns what LOOK says and what stands about the chosen process."""
         seen = []
@@ -236,11 +257,20 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_the_middle_of_a_long_run_is_there_where_it_is_looked_at(self):
-        def look():
-            page = self.browse("", LOOK)
-            return (json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1))),
-                    re.search(r'<aside id="chosen">(.*?)</aside>', page, re.S).group(1))
-        self.check_the_middle(look)
+        self.check_the_middle(lambda: self.look()[:2])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_what_is_only_summarised_is_said(self):
+        _, page = self.page(COMMSTIME, *LONG)
+        for changed, said in [(without_the_middle(page), r"see its [\d,]+ slices and messages one by one. [\d,]+ more, of the middle, are summarised"),
+                              (page.replace("<head>", "<head><script>delete window.DecompressionStream;</script>"),
+                               "This browser cannot unpack its slices and messages")]:
+            (self.folder / "run.html").write_text(changed, encoding="utf-8")
+            drawn, chosen, outcome = self.look()
+            self.assertRegex(outcome, said)
+            self.assertGreater(drawn["shares"], 5)
+            self.assertEqual((drawn["slices"], drawn["messages"], drawn["state"]), ([], [], "unknown"))
+            self.assertIn("only summarised here", chosen)
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_a_click_says_what_a_router_waits_for(self):

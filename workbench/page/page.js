@@ -13,7 +13,7 @@ function around(moment) {
 function showMoment() {
   lookInto(now.moment, ...view.scale.domain(), showMoment);
   const [from, to] = around(now.moment);
-  document.getElementById("now").textContent = timeText(now.moment, view.scale.domain()[1] - view.scale.domain()[0]);
+  document.getElementById("now").textContent = timeText(now.moment, lengthInSight());
   showNetwork(now.moment, from, to, now.chosen);
   showChosen(now.chosen, now.moment, from, to);
   markGenerations(now.moment);

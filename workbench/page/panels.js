@@ -5,7 +5,7 @@ const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCo
 const processLink = name => trackNamed.has(outermostName(name)) ? `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>` : escaped(name);
 
 function waitText({ slice, channel, partner }, moment) {
-  const since = timeText(slice.begin, span), end = slice.open ? "and for ever" : `until ${timeText(slice.end, span)}`;
+  const since = timeText(slice.begin, lengthInSight()), end = slice.open ? "and for ever" : `until ${timeText(slice.end, lengthInSight())}`;
   const who = partner ? processLink(partner) : "nobody yet";
   const what = channel ? `${slice.doing} ${slice.doing === "outputs" ? "to" : "from"} ${who} on <i>${escaped(channel)}</i>` : describe(slice);
   return `<li>${what}, since ${since} ${end}</li>`;
@@ -35,7 +35,7 @@ function showChosen(name, moment, from, to) {
   if (!track) return panel.html(`<h2>A process</h2><p class="faint">Click a process, in the drawing or on its timeline: here it says what it does at the moment of the slider, for whom it waits, and where the netlist declares it.</p>`);
   const waits = waitsOf(track, moment);
   panel.html(`<h2>${escaped(name)}</h2><p>${escaped(process.kind)}${process.node ? " on " + escaped(process.node) : ""}</p>` +
-    `<p>At ${timeText(moment, span)}: ${stateText(track, moment)}</p>` +
+    `<p>At ${timeText(moment, lengthInSight())}: ${stateText(track, moment)}</p>` +
     (waits.length ? `<ul>${waits.map(wait => waitText(wait, moment)).join("")}</ul>` : "") + chainText(name, moment) + sharesText(track, from, to) +
     (process.place ? `<p class="faint">${escaped(process.place)}</p><pre>${escaped(process.line.trim())}</pre>` : "") + measuresOf(name) +
     (run.lost ? "<p class=\"faint\">What it did one by one is kept of the beginning and the end of the run.</p>" : ""));

@@ -109,7 +109,10 @@ using Part = std::pair<const char*, std::string>;
 
 std::string filled(const std::string& frame, std::span<const Part> parts) {
     std::string out;
-    std::size_t at = 0;
+    std::size_t at = 0, size = frame.size();
+    for (const Part& each : parts)
+        size += each.second.size();
+    out.reserve(size); // a page is large
     for (const auto& [mark, text] : parts) {
         std::size_t found = frame.find(mark, at);
         out.append(frame, at, found - at).append(text);

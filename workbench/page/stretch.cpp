@@ -39,35 +39,40 @@ void Stretch::add(const Passage& passage) {
                          texts_.number_of(passage.channel), passage.left, passage.arrived});
 }
 
-PackedStretch Stretch::packed() const {
+/// What is cleared keeps its room: a new one would be asked for from the system each time.
+PackedStretch Stretch::pack() {
     std::string texts = boost::json::serialize(texts_.json()), bytes;
     append_number(bytes, texts.size());
     bytes += texts;
     append_slices(bytes);
     append_passages(bytes);
-    return {begin_, end_, entries(), std::move(bytes)};
+    PackedStretch packed{begin_, end_, entries(), std::move(bytes)};
+    begin_ = end_;
+    slices_.clear();
+    passages_.clear();
+    texts_ = {};
+    return packed;
 }
 
-void Stretch::append_slices(std::string& bytes) const {
-    std::vector<KeptSlice> sorted = slices_;
-    std::ranges::stable_sort(sorted, {}, &KeptSlice::track);
-    append_tracks(bytes, sorted);
-    append_column(bytes, sorted,
+void Stretch::append_slices(std::string& bytes) {
+    std::ranges::stable_sort(slices_, {}, &KeptSlice::track);
+    append_tracks(bytes);
+    append_column(bytes, slices_,
                   [this, before = static_cast<const KeptSlice*>(nullptr)](const KeptSlice& each) mutable {
                       const KeptSlice* last = std::exchange(before, &each);
                       return (each.begin - (last && last->track == each.track ? last->end : begin_)).count();
                   });
-    append_column(bytes, sorted, [](const KeptSlice& each) { return (each.end - each.begin).count(); });
-    append_column(bytes, sorted, [](const KeptSlice& each) { return each.doing + (each.open ? 16 : 0); });
-    append_column(bytes, sorted, [](const KeptSlice& each) { return each.note; });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return (each.end - each.begin).count(); });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return each.doing + (each.open ? 16 : 0); });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return each.note; });
 }
 
 /// REQUIRES: they are sorted by track.
-void Stretch::append_tracks(std::string& bytes, const std::vector<KeptSlice>& slices) {
+void Stretch::append_tracks(std::string& bytes) const {
     std::uint64_t tracks = 0;
     std::string each_track;
-    for (auto slice = slices.begin(); slice != slices.end(); ++tracks) {
-        auto behind = std::ranges::upper_bound(slice, slices.end(), slice->track, {}, &KeptSlice::track);
+    for (auto slice = slices_.begin(); slice != slices_.end(); ++tracks) {
+        auto behind = std::ranges::upper_bound(slice, slices_.end(), slice->track, {}, &KeptSlice::track);
         append_number(each_track, slice->track);
         append_number(each_track, static_cast<std::uint64_t>(behind - slice));
         slice = behind;
@@ -76,17 +81,16 @@ void Stretch::append_tracks(std::string& bytes, const std::vector<KeptSlice>& sl
     bytes += each_track;
 }
 
-void Stretch::append_passages(std::string& bytes) const {
-    std::vector<KeptPassage> sorted = passages_;
-    std::ranges::stable_sort(sorted, {}, &KeptPassage::left);
-    append_number(bytes, sorted.size());
-    append_column(bytes, sorted, [](const KeptPassage& each) { return each.from; });
-    append_column(bytes, sorted, [](const KeptPassage& each) { return each.to; });
-    append_column(bytes, sorted, [before = begin_](const KeptPassage& each) mutable {
+void Stretch::append_passages(std::string& bytes) {
+    std::ranges::stable_sort(passages_, {}, &KeptPassage::left);
+    append_number(bytes, passages_.size());
+    append_column(bytes, passages_, [](const KeptPassage& each) { return each.from; });
+    append_column(bytes, passages_, [](const KeptPassage& each) { return each.to; });
+    append_column(bytes, passages_, [before = begin_](const KeptPassage& each) mutable {
         return (each.left - std::exchange(before, each.left)).count();
     });
-    append_column(bytes, sorted, [](const KeptPassage& each) { return (each.arrived - each.left).count(); });
-    append_column(bytes, sorted, [](const KeptPassage& each) { return each.channel; });
+    append_column(bytes, passages_, [](const KeptPassage& each) { return (each.arrived - each.left).count(); });
+    append_column(bytes, passages_, [](const KeptPassage& each) { return each.channel; });
 }
 
 } // namespace placedpar::page

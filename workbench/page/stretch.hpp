@@ -10,7 +10,7 @@
 
 namespace placedpar::page {
 
-/// A stretch of a run, packed: see Stretch::packed().
+/// A stretch of a run, packed: see Stretch::pack().
 struct PackedStretch {
     Time begin, end;
     std::size_t entries; ///< slices and messages
@@ -30,7 +30,8 @@ public:
     void add(const Slice&);
     void add(const Passage&);
 
-    /// As numbers (append_number), one column after the other, since like compresses best beside like:
+    /// Packs what is in it; it begins anew at its end. As numbers (append_number), one column after the other, since
+    /// like compresses best beside like:
     ///   how many bytes of JSON, and these: the texts;
     ///   how many tracks have slices, and of each its number and how many;
     ///   of all slices, track by track: since the end of the one before, or the stretch's beginning; how long;
@@ -38,7 +39,7 @@ public:
     ///   how many messages; of all, by when they left: from which track; to which; when, since the one before or the
     ///   beginning; how long; the number of its channel.
     /// Times in picoseconds.
-    PackedStretch packed() const;
+    PackedStretch pack();
 
 private:
     struct KeptSlice {
@@ -51,9 +52,9 @@ private:
         std::uint32_t from, to, channel;
         Time left, arrived;
     };
-    void append_slices(std::string& bytes) const;
-    static void append_tracks(std::string& bytes, const std::vector<KeptSlice>&);
-    void append_passages(std::string& bytes) const;
+    void append_slices(std::string& bytes);
+    void append_tracks(std::string& bytes) const;
+    void append_passages(std::string& bytes);
 
     Time begin_, end_;
     std::vector<KeptSlice> slices_;

@@ -45,7 +45,7 @@ void Stretches::pack_if_full(Row& row) {
 }
 
 void Stretches::pack(Row& row) {
-    PackedStretch packed = std::exchange(row.open, Stretch(row.open.end())).packed();
+    PackedStretch packed = row.open.pack();
     entries_ += packed.entries;
     if (!deflated_ && entries_ > room_.entries_at_once) {
         deflated_ = true;

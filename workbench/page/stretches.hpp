@@ -9,7 +9,7 @@ namespace placedpar::page {
 struct Room {
     std::size_t entries_of_stretch = 40'000;    ///< a stretch is unpacked in some hundredths of a second
     std::size_t entries_at_once = 250'000;      ///< a run of no more is not compressed
-    std::size_t bytes_of_each_end = 18'000'000; ///< a page stays below 64 megabytes
+    std::size_t bytes_of_each_end = 16'000'000; ///< a page stays below 64 megabytes
 };
 
 /// The slices and messages of a run of any length, in stretches, each packed as soon as it is full.

@@ -51,6 +51,7 @@ function fitCanvas() {
   view.full.range([labelWidth, view.width - 12]);
 }
 
+const lengthInSight = () => view.scale.domain()[1] - view.scale.domain()[0];
 const topOf = row => headHeight + row * rowHeight - scroller.scrollTop;
 
 function drawText(text, x, y, colour, width) {
@@ -234,7 +235,7 @@ function placeAt([x, y]) {
 
 function textAt({ track, moment }) {
   if (!track || moment === null) return "";
-  const slice = sliceAt(track, moment), precision = view.scale.domain()[1] - view.scale.domain()[0], part = pathAt(track, moment);
+  const slice = sliceAt(track, moment), precision = lengthInSight(), part = pathAt(track, moment);
   if (part) return `critical path, ${part.name}; from ${timeText(part.begin, precision)} to ${timeText(part.end, precision)}: ${timeText(part.end - part.begin, part.end - part.begin)}`;
   if (slice && slice.open) return `${track.name}: ${describe(slice)} from ${timeText(slice.begin, precision)} on, and that does not end`;
   if (slice) return `${track.name}: ${describe(slice)}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;

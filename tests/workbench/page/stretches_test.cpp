@@ -93,9 +93,11 @@ TEST_CASE("a stretch as bytes") {
     stretch.add(Slice{1, Doing::computes, Time{100}, Time{300}, false, "w"});
     std::string channel = "c";
     stretch.add(Passage{channel, 1, 2, Time{105}, Time{110}});
-    PackedStretch packed = stretch.packed();
+    PackedStretch packed = stretch.pack();
     CHECK(packed.end == Time{300});
     CHECK(packed.entries == 3);
+    CHECK(stretch.begin() == Time{300});
+    CHECK(stretch.entries() == 0);
     std::string texts = R"(["","c\tp","w","c"])";
     std::string computes(1, static_cast<char>(Doing::computes)), inputs(1, static_cast<char>(Doing::inputs) + 16);
     CHECK(packed.bytes == std::string(1, static_cast<char>(texts.size())) + texts + // texts
