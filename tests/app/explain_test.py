@@ -31,6 +31,27 @@ place sink on c;
 connect source.out to sink.in;
 """
 
+# Two buses, on each of which a master writes into the memory of another; the left one is slower and has more to do.
+TWO_BUSES = """
+VME (cycle = 600) left;
+VME right;
+BBKV2 m[4];
+connect m[0].bus[0] to left.slot[1];
+connect m[1].bus[0] to left.slot[2];
+connect m[2].bus[0] to right.slot[1];
+connect m[3].bus[0] to right.slot[2];
+process source[2], sink[2];
+rep i = 0 for 2 {
+    use "csp.producer" for source[i];
+    use "csp.consumer" for sink[i];
+    source[i] (count = 15 - 5 * i, bytes = 1024);
+    sink[i] (count = 15 - 5 * i);
+    place source[i] on m[2 * i];
+    place sink[i] on m[2 * i + 1];
+    connect source[i].out to sink[i].in;
+}
+"""
+
 
 def explained(netlist, *options):
     with tempfile.TemporaryDirectory() as folder:
@@ -44,6 +65,10 @@ def time_of_run(netlist, *options):
         path = os.path.join(folder, "run.json")
         subprocess.run([PROGRAM, "run", netlist, "--json", path, *options], capture_output=True, check=True)
         return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["time_ps"]
+
+
+def time_of_what_if(netlist, answer):
+    return time_of_run(netlist, *(word for name, value in answer["set"].items() for word in ("--set", f"{name}={value}")))
 
 
 class Explain(unittest.TestCase):
@@ -100,9 +125,53 @@ class Explain(unittest.TestCase):
         for what in ("all links twice as fast", "one more of slaves: 4 instead of 3", "channelcall none",
                      "processors of master[] twice as fast", a_link):
             answer = answers[what]
-            settings = [word for name, value in answer["set"].items() for word in ("--set", f"{name}={value}")]
             self.assertNotEqual(answer["time_ps"], document["time_ps"])
-            self.assertEqual(answer["time_ps"], time_of_run(FIGURE_E2, *settings), what)
+            self.assertEqual(answer["time_ps"], time_of_what_if(FIGURE_E2, answer), what)
+
+    def test_each_bus_and_all_of_them_are_asked_about(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "two.cfs"
+            netlist.write_text(TWO_BUSES, encoding="utf-8")
+            run, document = explained(netlist)
+            answers = {what["what"]: what for what in document["what_if"]}
+            left = {"10 % faster": ("545", "282", "182"), "twice as fast": ("300", "155", "100"), "as fast as can be": ("1", "1", "0")}
+            right = {"10 % faster": ("282", "282", "182"), "twice as fast": ("155", "155", "100"), "as fast as can be": ("1", "1", "0")}
+            for change in left:
+                times = {}
+                for what, buses in (("bus left", {"left": left}), ("bus right", {"right": right}), ("all buses", {"left": left, "right": right})):
+                    answer = answers[f"{what} {change}"]
+                    self.assertEqual(answer["set"], {f"{bus}.{name}": time for bus, to in buses.items()
+                                                     for name, time in zip(("cycle", "bytecycle", "grant"), to[change])})
+                    self.assertEqual(answer["time_ps"], time_of_what_if(netlist, answer), answer)
+                    times[what] = answer["time_ps"]
+                self.assertLess(times["bus left"], document["time_ps"])  # who is done last is on it
+                self.assertEqual(times["bus right"], document["time_ps"])
+                self.assertLessEqual(times["all buses"], times["bus left"])
+        self.assertIn("\n  bus left twice as fast: ", run.stdout)
+        self.assertRegex(run.stdout, r"bus left twice as fast  \[--set left.bytecycle=155 --set left.cycle=300 --set left.grant=100\]")
+
+    def test_a_bus_alone_is_not_asked_about_twice(self):
+        netlist = os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs")
+        _, document = explained(netlist)
+        answers = {what["what"]: what for what in document["what_if"]}
+        self.assertEqual(sorted(what for what in answers if "bus" in what),
+                         ["bus vme 10 % faster", "bus vme as fast as can be", "bus vme twice as fast"])
+        memory = answers["memory of all processors as fast as on the chip"]
+        self.assertLess(memory["time_ps"], document["time_ps"])
+        self.assertEqual(memory["time_ps"], time_of_what_if(netlist, memory))
+
+    def test_what_bytes_cost_between_two_orders_is_asked_about(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "sun.cfs"
+            netlist.write_text(TWO_BUSES.replace("BBKV2 m[4];", "BBKV2 m[3];\nworkstation sun;").replace("m[3].bus", "sun.bus").replace(
+                "place sink[i] on m[2 * i + 1];", "if i == 0 place sink[i] on m[1]; else place sink[i] on sun;"), encoding="utf-8")
+            _, document = explained(netlist)
+            answers = {what["what"]: what for what in document["what_if"]}
+            self.assertEqual({what: answer["set"] for what, answer in answers.items() if what.startswith("conversion")},
+                             {"conversion half": {"conversion": "2"}, "conversion none": {"conversion": "0"}})  # of 4 no tenth less
+            none = answers["conversion none"]
+            self.assertLess(none["time_ps"], document["time_ps"])
+            self.assertEqual(none["time_ps"], time_of_what_if(netlist, none))
 
     def test_the_path_goes_over_the_bus_and_what_is_slower_is_so_for_a_reason(self):
         run, document = explained(os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs"))

@@ -1,5 +1,7 @@
 #include "workbench/explain/changes.hpp"
 
+#include "netlist/kinds/device_kind.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +20,13 @@ namespace {
 
 constexpr std::int64_t fastest = 1'000'000'000; ///< that the language takes
 constexpr std::size_t most_alone = 10;          ///< of a sort
+
+/// What a bus takes time for. Its time-out is none of these: it says when to give up who does not answer.
+constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
+
+/// Of an access. Of none there is no such thing: 0 stands for what is usual of the processor.
+constexpr const char* memory_cycles = "memorycycles";
+constexpr const char* cycles_on_chip = "1";
 
 struct Factor {
     const char* faster;
@@ -39,6 +48,12 @@ std::string faster(std::int64_t rate, const Factor& factor) {
 std::string less(std::int64_t constant, const Factor& factor) {
     double share = factor.by == 0 ? 0 : factor.by == 2 ? 0.5 : 0.9;
     return std::to_string(std::llround(static_cast<double>(constant) * share));
+}
+
+/// In ns; the least is what the netlist takes.
+std::string shorter(std::int64_t time, std::int64_t least, const Factor& factor) {
+    auto wanted = factor.by == 0 ? least : std::llround(static_cast<double>(time) / factor.by);
+    return std::to_string(std::max<std::int64_t>(wanted, least));
 }
 
 std::string array_of(const std::string& name) { return name.substr(0, name.find('[')); }
@@ -68,7 +83,9 @@ public:
 
     std::vector<Change> all() && {
         add_processors();
+        add_memory();
         add_links();
+        add_buses();
         add_processes();
         add_constants();
         add_vals();
@@ -110,6 +127,15 @@ private:
         for (const std::string& name :
              busiest(report_.processors, std::mem_fn(&ProcessorUse::name), std::mem_fn(&ProcessorUse::busy)))
             add_clocks(Change::Of::alone, "processor " + name, alone[name]);
+    }
+
+    void add_memory() {
+        if (std::ranges::any_of(network_.nodes,
+                                [](const Node& node) { return node.attributes.contains(memory_cycles); }))
+            changes_.push_back({Change::Of::all,
+                                "memory of all processors",
+                                "as fast as on the chip",
+                                {{memory_cycles, cycles_on_chip}}});
     }
 
     void add_speeds(Change::Of of, const std::string& what, const std::string& set, std::int64_t speed) {
@@ -165,9 +191,39 @@ private:
                 name_for_set(wire) + ".linkspeed", wire.bits_per_second);
     }
 
+    void add_bus_times(Change::Of of, const std::string& what, const std::map<std::string, const Node*>& buses) {
+        for (const Factor& factor : factors) {
+            Change change{of, what, factor.faster, {}};
+            for (const auto& [name, bus] : buses)
+                for (const char* time : bus_times)
+                    change.set[name + "." + time] = shorter(bus->integer(time), least_of(*bus, time), factor);
+            changes_.push_back(std::move(change));
+        }
+    }
+
+    static std::int64_t least_of(const Node& node, const char* attribute) {
+        return static_cast<std::int64_t>(node.kind->attribute(attribute)->value.least.value_or(0));
+    }
+
+    static bool is_bus(const Node& node) {
+        return std::ranges::all_of(bus_times, [&](const char* time) { return node.attributes.contains(time); });
+    }
+
+    void add_buses() {
+        std::map<std::string, const Node*> buses;
+        for (const Node& node : network_.nodes)
+            if (is_bus(node))
+                buses[node.name] = &node;
+        if (buses.size() > 1)
+            add_bus_times(Change::Of::all, "all buses", buses);
+        for (const std::string& name : busiest(report_.buses, std::mem_fn(&BusUse::name), std::mem_fn(&BusUse::busy)))
+            if (auto bus = buses.find(name); bus != buses.end())
+                add_bus_times(Change::Of::alone, "bus " + name, {*bus});
+    }
+
     static bool is_cost(const std::string& name) {
-        return name.find("cycles") != std::string::npos || name.find("bytes") != std::string::npos ||
-               name == "channelcall";
+        return name == "channelcall" || name == "conversion" || name.find("bytes") != std::string::npos ||
+               (name.find("cycles") != std::string::npos && name != memory_cycles);
     }
 
     static std::optional<std::int64_t> cost_of(const std::string& name, const Value& value) {
@@ -222,9 +278,14 @@ private:
             note_costs(process.parameters, costs);
         for (const auto& [name, values] : costs)
             if (values.size() == 1)
-                for (const Factor& factor : factors)
-                    changes_.push_back(
-                        {Change::Of::constant, name, factor.less, {{name, less(*values.begin(), factor)}}});
+                add_constant(name, *values.begin());
+    }
+
+    /// Of 4 cycles none is a tenth.
+    void add_constant(const std::string& name, std::int64_t value) {
+        for (const Factor& factor : factors)
+            if (std::string lesser = less(value, factor); lesser != std::to_string(value))
+                changes_.push_back({Change::Of::constant, name, factor.less, {{name, lesser}}});
     }
 
     static std::string text_of(const std::string& path) {

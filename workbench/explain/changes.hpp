@@ -23,10 +23,11 @@ struct Change {
 /// What the netlist declares with these settings, even where it is refused with them.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
-/// The changes worth asking about: all processors, those on which the processes of an array run, and the links, a tenth
-/// faster, twice as fast, and as fast as can be said (1 GHz, 1 Gbit/s); the same of the ten processors, the ten links
-/// and the ten processes alone that were the busiest in the run; constants in cycles or bytes that processes or
-/// processors have, a tenth less, half, none; one more of what a val makes more processes or processors of.
+/// The changes worth asking about: all processors, those on which the processes of an array run, the links and the
+/// buses a tenth faster, twice as fast, and as fast as can be said (1 GHz, 1 Gbit/s, 1 ns a word); the same of the ten
+/// processors, the ten links, the ten buses and the ten processes alone that were the busiest in the run; memory as
+/// fast as that on the chip; constants in cycles or bytes that processes or processors have, a tenth less, half, none;
+/// one more of what a val makes more processes or processors of.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -124,7 +124,7 @@ std::string print_path(const Explanation& explanation) {
 }
 
 std::string settings(const Overrides& set) {
-    if (set.size() > 2)
+    if (set.size() > 3)
         return fmt::format("--set {}={} and {} more", set.begin()->first, set.begin()->second, set.size() - 1);
     std::string out;
     for (const auto& [name, value] : set)
