@@ -46,16 +46,6 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
                              found->hint);
 }
 
-Statements parse(TokenStream& tokens, const LoadedSource& source, Reporter& reporter) try {
-    auto statements = Parser(tokens, reporter).parse_netlist();
-    if (reporter.failed())
-        recognise_occam(source.file, reporter);
-    return statements;
-} catch (const GiveUp&) {
-    recognise_occam(source.file, reporter);
-    throw;
-}
-
 /// As statements behind those of the netlist.
 Statements read_faults(const std::vector<std::string>& texts, Reporter& reporter) {
     Statements statements;
@@ -74,38 +64,6 @@ Declared declared_in(const Draft& draft) {
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 
-std::optional<Network> read_source(const LoadedSource& source, const std::filesystem::path& path,
-                                   const Catalogue& catalogue, const Overrides& overrides, const ReadOptions& options,
-                                   Reporter& reporter, Declared& declared) {
-    for (const auto& problem : source.problems)
-        reporter.error(problem.location, problem.message);
-    if (reporter.failed())
-        return std::nullopt;
-    TokenStream tokens(source.file, path, reporter, options.include_folders);
-    auto statements = parse(tokens, source, reporter);
-    if (reporter.failed())
-        return std::nullopt;
-    Elaborator elaborator(catalogue, overrides, reporter);
-    elaborator.run(statements);
-    declared = declared_in(elaborator.draft());
-    auto faults = read_faults(options.faults, reporter);
-    elaborator.run(faults);
-    if (reporter.failed())
-        return std::nullopt;
-    elaborator.settle_overrides();
-    if (reporter.failed())
-        return std::nullopt;
-    auto network = complete(elaborator.take(), catalogue, options.programs, reporter);
-    if (reporter.failed())
-        return std::nullopt;
-    network.source_path = source.file->path();
-    network.included_paths = tokens.take_included();
-    network.includes_toolset = tokens.includes_toolset();
-    network.hash = network_hash(canonical_form(network));
-    check_size(print_cfs(network), {source.file, 0, 0}, reporter);
-    return network;
-}
-
 /// Files in the order in which they first appear among the diagnostics, then by line.
 void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     std::vector<const SourceFile*> files;
@@ -122,12 +80,80 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     });
 }
 
-ReadResult read(const LoadedSource& source, const std::filesystem::path& path, const Catalogue& catalogue,
-                const Overrides& overrides, const ReadOptions& options) {
-    Reporter reporter;
+} // namespace
+
+std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
+
+/// The statements, and what else comes of the text alone.
+struct ParsedNetlist::Syntax {
+    Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
+    void parse(const std::filesystem::path& path);
+    /// None where the reporter has failed. It has been told what this one knows.
+    std::optional<Network> network(const Catalogue&, const Overrides&, Reporter&, Declared&) const;
+
+    std::shared_ptr<const SourceFile> file;
+    ReadOptions options;
+    Reporter found; ///< what is wrong with it, whatever is set
+    Statements statements;
+    std::vector<std::string> included_paths;
+    bool includes_toolset = false;
+};
+
+ParsedNetlist::Syntax::Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& read)
+    : file(source.file), options(read) {
+    for (const auto& problem : source.problems)
+        found.error(problem.location, problem.message);
+    if (!found.failed())
+        parse(path);
+}
+
+void ParsedNetlist::Syntax::parse(const std::filesystem::path& path) {
+    TokenStream tokens(file, path, found, options.include_folders);
+    attempt([&] { statements = Parser(tokens, found).parse_netlist(); });
+    if (found.failed())
+        recognise_occam(file, found);
+    included_paths = tokens.take_included();
+    includes_toolset = tokens.includes_toolset();
+}
+
+std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue, const Overrides& overrides,
+                                                      Reporter& reporter, Declared& declared) const {
+    if (reporter.failed())
+        return std::nullopt;
+    Elaborator elaborator(catalogue, overrides, reporter);
+    elaborator.run(statements);
+    declared = declared_in(elaborator.draft());
+    auto faults = read_faults(options.faults, reporter);
+    elaborator.run(faults);
+    if (reporter.failed())
+        return std::nullopt;
+    elaborator.settle_overrides();
+    if (reporter.failed())
+        return std::nullopt;
+    auto network = complete(elaborator.take(), catalogue, options.programs, reporter);
+    if (reporter.failed())
+        return std::nullopt;
+    network.source_path = file->path();
+    network.included_paths = included_paths;
+    network.includes_toolset = includes_toolset;
+    network.hash = network_hash(canonical_form(network));
+    check_size(print_cfs(network), {file, 0, 0}, reporter);
+    return network;
+}
+
+ParsedNetlist::ParsedNetlist(const std::filesystem::path& path, const ReadOptions& options)
+    : syntax_(std::make_shared<const Syntax>(load_input(path), path, options)) {}
+
+ParsedNetlist ParsedNetlist::of_text(const std::string& text, const std::string& shown_path,
+                                     const ReadOptions& options) {
+    return ParsedNetlist(std::make_shared<const Syntax>(check_source(shown_path, text), shown_path, options));
+}
+
+ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& overrides) const {
+    Reporter reporter = syntax_->found;
     ReadResult result;
     try {
-        result.network = read_source(source, path, catalogue, overrides, options, reporter, result.declared);
+        result.network = syntax_->network(catalogue, overrides, reporter, result.declared);
     } catch (const GiveUp&) {
         // the last diagnostic says why
     }
@@ -137,18 +163,14 @@ ReadResult read(const LoadedSource& source, const std::filesystem::path& path, c
     return result;
 }
 
-} // namespace
-
-std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
-
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides,
                         const ReadOptions& options) {
-    return read(load_input(path), path, catalogue, overrides, options);
+    return ParsedNetlist(path, options).read(catalogue, overrides);
 }
 
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides,
                              const std::string& shown_path, const ReadOptions& options) {
-    return read(check_source(shown_path, text), shown_path, catalogue, overrides, options);
+    return ParsedNetlist::of_text(text, shown_path, options).read(catalogue, overrides);
 }
 
 } // namespace placedpar

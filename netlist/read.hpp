@@ -6,6 +6,7 @@
 #include "text/diagnostic.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,12 +35,32 @@ struct ReadOptions {
     ProgramKinds programs = {};                              ///< a program that the netlist does not use is an error
 };
 
-/// Reads, elaborates and checks a netlist; "-" is standard input, and its `#include` relative to the working directory.
-/// Throws nothing that the text can cause.
+/// What a netlist and the files that it includes say, before anything is set: read and parsed once, however many
+/// networks are wanted. Nothing in it changes: it is copied without cost, and serves several threads at once.
+class ParsedNetlist {
+public:
+    /// "-" is standard input, and its `#include` relative to the working directory. Throws nothing that the text can
+    /// cause: what is wrong with it is said of each network.
+    explicit ParsedNetlist(const std::filesystem::path& path, const ReadOptions& options = {});
+    /// The same for a text that is no file; `#include` is then relative to the working directory.
+    static ParsedNetlist of_text(const std::string& text, const std::string& shown_path = "netlist",
+                                 const ReadOptions& options = {});
+
+    /// Elaborates and checks it with these settings. Throws nothing that the text or they can cause.
+    ReadResult read(const Catalogue& catalogue, const Overrides& overrides = {}) const;
+
+private:
+    struct Syntax;
+    explicit ParsedNetlist(std::shared_ptr<const Syntax> syntax) : syntax_(std::move(syntax)) {}
+
+    std::shared_ptr<const Syntax> syntax_;
+};
+
+/// A netlist of which one network is wanted.
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 
-/// The same for a text that is no file; `#include` is then relative to the working directory.
+/// The same for a text that is no file.
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
                              const std::string& shown_path = "netlist", const ReadOptions& options = {});
 

@@ -42,12 +42,12 @@ File load_text(const std::filesystem::path& path) {
 
 Network load_network(const std::filesystem::path& path, const Overrides& overrides, const ProblemRegistry& problems,
                      const WarningSink& warn, const ReadOptions& options) {
-    return load_network(path, overrides, known_kinds(problems), warn, options);
+    return load_network(ParsedNetlist(path, options), overrides, known_kinds(problems), warn);
 }
 
-Network load_network(const std::filesystem::path& path, const Overrides& overrides, const Catalogue& catalogue,
-                     const WarningSink& warn, const ReadOptions& options) {
-    ReadResult read = read_netlist(path, catalogue, overrides, options);
+Network load_network(const ParsedNetlist& netlist, const Overrides& overrides, const Catalogue& catalogue,
+                     const WarningSink& warn) {
+    ReadResult read = netlist.read(catalogue, overrides);
     if (!read.network)
         throw RefusedInput(render(read));
     if (!read.diagnostics.empty())

@@ -26,9 +26,8 @@ using WarningSink = std::function<void(const std::string&)>;
 /// Reads a netlist with this program's kinds and the problems given. Throws RefusedInput.
 Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&,
                      const ReadOptions& = {});
-/// The same with kinds that are known already.
-Network load_network(const std::filesystem::path&, const Overrides&, const Catalogue&, const WarningSink&,
-                     const ReadOptions&);
+/// The same of one that is parsed, with kinds that are known already.
+Network load_network(const ParsedNetlist&, const Overrides&, const Catalogue&, const WarningSink&);
 
 /// A record of measurement, with its file's warnings.
 struct LoadedRecord {

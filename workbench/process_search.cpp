@@ -101,8 +101,9 @@ bool is_val(const std::string& name, const Network& network) {
 /// Reads the netlist with the settings; those that it fixes otherwise go by the vals of their names.
 Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
-    Catalogue catalogue = kinds_with(settings, problems);
-    ReadResult read = read_netlist(netlist.path, catalogue, netlist.overrides, netlist.options);
+    const Catalogue catalogue = kinds_with(settings, problems);
+    const ParsedNetlist parsed(netlist.path, netlist.options);
+    ReadResult read = parsed.read(catalogue, netlist.overrides);
     if (!read.network)
         throw RefusedInput(render(read));
     std::size_t samples = problems.find("boom").samples();
@@ -110,7 +111,7 @@ Network load_with(const Settings& settings, const NetlistAsked& netlist, const P
     while (auto difference = first_difference(*read.network, settings, samples)) {
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
             refuse(*difference);
-        ReadResult again = read_netlist(netlist.path, catalogue, ours, netlist.options);
+        ReadResult again = parsed.read(catalogue, ours);
         if (!again.network || !is_val(difference->name, *again.network))
             refuse(*difference);
         read = std::move(again);

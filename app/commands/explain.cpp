@@ -55,19 +55,18 @@ Overrides with_set(const NetlistOptions& options, Overrides changes) {
 }
 
 /// Their warnings have been shown.
-ChangedNetlist reading_with(const NetlistOptions& options) {
-    return [options](const Overrides& changes) {
-        return load_network(
-            options.file, with_set(options, changes), known_problems(0), [](const std::string&) {},
-            read_options_of(options.read));
+ChangedNetlist reading_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
+    return [options, netlist](const Overrides& changes) {
+        return load_network(netlist, with_set(options, changes), known_kinds(known_problems(0)),
+                            [](const std::string&) {});
     };
 }
 
-DeclaredWith declaring_with(const NetlistOptions& options) {
+DeclaredWith declaring_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
     auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // which the kinds know
     auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
-    return [options, problems, kinds](const Overrides& changes) {
-        return read_netlist(options.file, *kinds, with_set(options, changes), read_options_of(options.read)).declared;
+    return [options, netlist, problems, kinds](const Overrides& changes) {
+        return netlist.read(*kinds, with_set(options, changes)).declared;
     };
 }
 
@@ -123,9 +122,11 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     auto progress = [&](std::size_t done, std::size_t all) {
         line.show(fmt::format("what if: {} of {} runs", done, all));
     };
-    std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(options.netlist));
-    explanation.answers = try_out(changes, explanation.path,
-                                  {reading_with(options.netlist), options.seed, options.until, interruption, progress});
+    const ParsedNetlist netlist(options.netlist.file, read_options_of(options.netlist.read));
+    std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(options.netlist, netlist));
+    explanation.answers =
+        try_out(changes, explanation.path,
+                {reading_with(options.netlist, netlist), options.seed, options.until, interruption, progress});
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 

@@ -1,10 +1,15 @@
 // A whole netlist, from its text to the network.
 
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/print/print.hpp"
 #include "tests/netlist/good_networks.hpp"
 #include "tests/netlist/small_catalogue.hpp"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 using namespace placedpar;
 
@@ -35,6 +40,28 @@ TEST_CASE("four clusters of a master and three slaves") {
             .connections[channel(network, "breeder[0].out -> worker[0][0].in").placement.route.front().connection + 3];
     CHECK(ring.name == "ring[0]");
     CHECK(ring.metres == doctest::Approx(0.3));
+}
+
+TEST_CASE("a netlist that is parsed once gives every network that it describes, whatever becomes of its files") {
+    const auto folder = std::filesystem::temp_directory_path() / ("placedpar-parsed-" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    const auto main = folder / "clusters.cfs", included = folder / "clusters.inc";
+    std::filesystem::copy_file(netlist_folder() + "/good/clusters.cfs", included);
+    std::ofstream(main) << "#include \"clusters.inc\"\n";
+    const std::vector<Overrides> settings{
+        {}, {{"clusters", "2"}}, {{"slaves", "1"}}, {{"slavs", "1"}}, {{"linkspeed", "10M"}}, {}};
+    auto said = [](const ReadResult& result) {
+        return render(result) +
+               (result.network ? print_cfs(*result.network) + result.network->included_paths.at(0) : "");
+    };
+    std::vector<std::string> expected;
+    for (const Overrides& set : settings)
+        expected.push_back(said(read_netlist(main, small_catalogue(), set)));
+    const ParsedNetlist parsed(main);
+    std::filesystem::remove_all(folder);
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        CHECK(said(parsed.read(small_catalogue(), settings[i])) == expected[i]);
+    CHECK(expected[0] != expected[1]);
 }
 
 TEST_CASE("what a netlist declares is known even where it is refused") {

@@ -49,15 +49,14 @@ private:
 /// Reads netlists of a study, with the same kinds.
 class NetworkReader {
 public:
-    explicit NetworkReader(const Study& study) : study_(study) {}
+    explicit NetworkReader(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
     NetworkReader(const NetworkReader&) = delete; // the kinds know the problems
 
     /// None where the condition does not hold for that combination, or where it is refused, which is noted.
     std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
         std::optional<StudyRun> run = study_.at(combination * study_.seeds);
         try {
-            return run ? std::optional(load_network(
-                             study_.netlist, run->set, kinds_, [](const std::string&) {}, study_.read))
+            return run ? std::optional(load_network(netlist_, run->set, kinds_, [](const std::string&) {}))
                        : std::nullopt;
         } catch (const UserError& refused) {
             refusals.add(refused);
@@ -67,6 +66,7 @@ public:
 
 private:
     const Study& study_;
+    const ParsedNetlist netlist_;
     const ProblemRegistry problems_ = known_problems(0);
     const Catalogue kinds_ = known_kinds(problems_);
 };
@@ -137,8 +137,7 @@ void StudyWorker::go_to_network(const Overrides& set) {
         return;
     set_.reset();
     go_to_seed(0); // of all netlists
-    network_ = load_network(
-        study_.netlist, set, kinds_, [](const std::string&) {}, study_.read);
+    network_ = load_network(netlist_, set, kinds_, [](const std::string&) {});
     set_ = set;
     record_.reset();
     departed_ = 0;

@@ -24,13 +24,13 @@ Network readable_network(const Study&);
 /// many none of some that are spread over them. The network is one of the study's.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. What they have in common is made once: the kinds; the network of those
-/// of one combination, and where that does not depend on the seed what happens on its machine (RepeatedRun); the
-/// records that are searched over, of those of one seed.
+/// Makes runs of a study, one after the other. What they have in common is made once: the kinds; what the
+/// netlist's text says; the network of those of one combination, and where that does not depend on the seed what
+/// happens on its machine (RepeatedRun); the records that are searched over, of those of one seed.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives it.
-    explicit StudyWorker(const Study& study) : study_(study) {}
+    explicit StudyWorker(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
     StudyWorker(const StudyWorker&) = delete; // the kinds know the problems
     StudyWorker& operator=(const StudyWorker&) = delete;
 
@@ -47,6 +47,7 @@ private:
     bool is_worth_recording() const;
 
     const Study& study_;
+    const ParsedNetlist netlist_;
     std::uint64_t seed_ = 0;
     ProblemRegistry problems_ = known_problems(seed_);   ///< of the seed
     std::map<std::uint64_t, ProblemRegistry> of_others_; ///< of seeds that have been, but not of very many

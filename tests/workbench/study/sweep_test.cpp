@@ -6,9 +6,11 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -68,6 +70,21 @@ TEST_CASE("the runs of one combination come to what each comes to alone, and tak
         CAPTURE(study.netlist);
         CHECK(check_worker(study) == study.count() / seeds * (seeds - 1));
     }
+}
+
+TEST_CASE("a worker reads the files of its netlist once") {
+    const auto netlist = std::filesystem::temp_directory_path() / fmt::format("placedpar-once-{}.cfs", ::getpid());
+    std::filesystem::copy_file(fmt::format("{}/examples/01-commstime/commstime.cfs", PLACEDPAR_SOURCE_DIR), netlist);
+    Study study = study_of("examples/01-commstime/commstime.cfs", {"count=9", "linkspeed=5M,10M,20M"}, 1);
+    study.netlist = netlist.string();
+    std::vector<std::string> alone;
+    Interruption never;
+    for (std::uint64_t i = 0; i < study.count(); ++i)
+        alone.push_back(all_of(StudyWorker(study).outcome_of(*study.at(i), never)));
+    StudyWorker worker(study);
+    std::filesystem::remove(netlist);
+    for (std::uint64_t i = 0; i < study.count(); ++i)
+        CHECK(all_of(worker.outcome_of(*study.at(i), never)) == alone[i]);
 }
 
 TEST_CASE("what depends on how processes take turns is not repeated") {
