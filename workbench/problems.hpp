@@ -9,9 +9,13 @@
 
 namespace placedpar {
 
+class RememberedProblems; // gaprocs/remembered_problem.hpp: what each string of them is worth
+
 /// The search problems that this program knows, with the records they are searched over; the noise in the
-/// measurements depends on the seed. A record is simulated when a process first reads it.
-ProblemRegistry known_problems(std::uint64_t seed);
+/// measurements depends on the seed. A record is simulated when a process first reads it. Those of a program that is
+/// built on PlacedPar, which may be dear to evaluate, are remembered where that is wanted: by what then must outlive
+/// the registry.
+ProblemRegistry known_problems(std::uint64_t seed, RememberedProblems* remembered = nullptr);
 
 /// Every process kind that this program knows. Those that search tell the observer, if there is one. Both must outlive
 /// every run.

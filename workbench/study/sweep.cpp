@@ -129,7 +129,7 @@ void StudyWorker::go_to_seed(std::uint64_t seed) {
         of_others_.clear();
     auto next = of_others_.extract(seed);
     of_others_.emplace(std::exchange(seed_, seed), std::move(problems_));
-    problems_ = next ? std::move(next.mapped()) : known_problems(seed);
+    problems_ = next ? std::move(next.mapped()) : known_problems(seed, &remembered_);
 }
 
 void StudyWorker::go_to_network(const Overrides& set) {

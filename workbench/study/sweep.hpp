@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/remembered_problem.hpp"
 #include "workbench/netlist_run.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/study/results.hpp"
@@ -26,7 +27,8 @@ void require_possible(const std::vector<std::string>& measures, const Study&, co
 
 /// Makes runs of a study, one after the other. What they have in common is made once: the kinds; what the
 /// netlist's text says; the network of those of one combination, and where that does not depend on the seed what
-/// happens on its machine (RepeatedRun); the records that are searched over, of those of one seed.
+/// happens on its machine (RepeatedRun); the records that are searched over, of those of one seed; the fitness of the
+/// strings of own problems.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives it.
@@ -49,8 +51,9 @@ private:
     const Study& study_;
     const ParsedNetlist netlist_;
     std::uint64_t seed_ = 0;
-    ProblemRegistry problems_ = known_problems(seed_);   ///< of the seed
-    std::map<std::uint64_t, ProblemRegistry> of_others_; ///< of seeds that have been, but not of very many
+    RememberedProblems remembered_;
+    ProblemRegistry problems_ = known_problems(seed_, &remembered_); ///< of the seed
+    std::map<std::uint64_t, ProblemRegistry> of_others_;             ///< of seeds that have been, but not of very many
     const Catalogue kinds_ = known_kinds(problems_);
     std::optional<Overrides> set_; ///< of the network
     Network network_;

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "gaprocs/problem_family.hpp"
+#include "gaprocs/search_problem.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace placedpar {
+
+/// An objective problem whose fitness is computed once for each string, and found again when the string comes back in
+/// another process, generation or run: to the bit what was computed. Where the first strings show that computing takes
+/// hardly longer than finding, nothing is remembered. Not thread-safe, as little as a registry.
+class RememberedProblem final : public SearchProblem {
+public:
+    using Duration = std::chrono::steady_clock::duration;
+
+    /// Bytes that are left for what is remembered. Several problems may share them.
+    using Room = std::shared_ptr<std::size_t>;
+    static Room usual_room() { return std::make_shared<std::size_t>(32 << 20); }
+
+    /// Where there is no room left, it begins anew. `worth_it`: what a string must take in the mean. REQUIRES: the
+    /// problem has an objective().
+    explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room(),
+                               Duration worth_it = std::chrono::microseconds(2));
+    ~RememberedProblem() override { forget(); }
+
+    std::size_t bits() const override { return problem_->bits(); }
+    Representation representation() const override { return problem_->representation(); }
+    std::size_t channels() const override { return problem_->channels(); }
+    std::optional<Objective> objective() const override { return problem_->objective(); }
+    double error(const Genome& genome, std::span<const double> sample) const override {
+        return problem_->error(genome, sample);
+    }
+    double fitness(const Genome&, std::span<const Sample>, double bias) const override;
+    void fitness_of(std::span<const Genome> population, std::span<const Sample>, double bias,
+                    std::span<double> out) const override;
+    std::vector<double> decode(const Genome& genome) const override { return problem_->decode(genome); }
+    std::vector<std::string> parameter_names() const override { return problem_->parameter_names(); }
+    std::vector<std::string> parameter_units() const override { return problem_->parameter_units(); }
+    std::vector<std::size_t> fields() const override { return problem_->fields(); }
+    Coding coding() const override { return problem_->coding(); }
+
+private:
+    struct Hash {
+        std::size_t operator()(const Genome&) const;
+    };
+
+    /// One for each coding, which remembers its own strings.
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
+    double compute(const Genome&, std::span<const Sample>, double bias) const;
+    bool is_worth_it() const;
+    std::size_t bytes_of_one() const;
+    void forget() const;
+
+    std::shared_ptr<const SearchProblem> problem_;
+    Room room_;
+    Duration worth_it_;
+    mutable std::unordered_map<Genome, double, Hash> known_; ///< never iterated over
+    mutable Duration taken_{};                               ///< by the first strings
+    mutable int tried_ = 0;                                  ///< so many
+    mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;
+};
+
+/// Problems so remembered, by name and numbers: what several registries have in common, such as those of other seeds.
+class RememberedProblems {
+public:
+    /// Makes the problems of the family, those with an objective remembered, each once. REQUIRES: this outlives it, and
+    /// families of one name are the same.
+    ProblemFamily around(const ProblemFamily& family);
+
+private:
+    RememberedProblem::Room room_ = RememberedProblem::usual_room();
+    std::map<std::string, std::shared_ptr<const SearchProblem>> problems_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,109 @@
+// What is remembered of a problem that is dear to evaluate: what was computed, once for each string and coding.
+
+#include "gaprocs/remembered_problem.hpp"
+#include "tests/gaprocs/objectives.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// Counts its evaluations.
+struct CountedValley : Valley {
+    std::shared_ptr<int> evaluations = std::make_shared<int>(0);
+    double objective(std::span<const double> x) const {
+        ++*evaluations;
+        return Valley::objective(x) / 3;
+    }
+};
+
+/// All strings of its eight bits.
+std::vector<Genome> strings_of_a_valley() {
+    std::vector<Genome> all(256, Genome(8));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].set_field(0, 8, i);
+    return all;
+}
+
+std::vector<double> fitness_of_all(const SearchProblem& problem) {
+    std::vector<Genome> strings = strings_of_a_valley();
+    std::vector<double> fitness(strings.size());
+    problem.fitness_of(strings, {}, 0, fitness);
+    return fitness;
+}
+
+constexpr RememberedProblem::Duration whatever_it_takes{}, hardly_ever = std::chrono::hours(1);
+
+} // namespace
+
+TEST_CASE("each string is evaluated once in each coding, and worth what it is worth to the problem itself") {
+    CountedValley valley;
+    auto plain = minimise(valley);
+    RememberedProblem remembered(plain, RememberedProblem::usual_room(), whatever_it_takes);
+    for (const Coding& coding : {Coding::natural, Coding::gray}) {
+        std::vector<double> expected = fitness_of_all(*plain->coded(coding));
+        *valley.evaluations = 0;
+        for (int again = 0; again < 3; ++again)
+            CHECK(fitness_of_all(*remembered.coded(coding)) == expected);
+        CHECK(*valley.evaluations == 256);
+    }
+}
+
+TEST_CASE("strings with don't-care bits between the others are evaluated as one, and known from those without") {
+    CountedValley valley;
+    RememberedProblem remembered(minimise(valley), RememberedProblem::usual_room(), whatever_it_takes);
+    fitness_of_all(*remembered.coded(Coding::gray));
+    auto stuffed = remembered.coded(Coding::named("gray(dont_care = 1)"));
+    RandomStream random(1, "strings");
+    auto expected = minimise(valley)->coded(Coding::named("gray(dont_care = 1)"));
+    for (int i = 0; i < 100; ++i) {
+        Genome string = Genome::random(stuffed->bits(), random);
+        double fitness = expected->fitness(string, {}, 0);
+        *valley.evaluations = 0;
+        CHECK(stuffed->fitness(string, {}, 0) == fitness);
+        CHECK(*valley.evaluations == 0);
+    }
+}
+
+TEST_CASE("nothing is remembered of a problem that takes less than is worth it") {
+    CountedValley valley;
+    RememberedProblem remembered(minimise(valley), RememberedProblem::usual_room(), hardly_ever);
+    std::vector<double> expected = fitness_of_all(*minimise(valley));
+    CHECK(fitness_of_all(remembered) == expected);
+    *valley.evaluations = 0;
+    CHECK(fitness_of_all(remembered) == expected);
+    CHECK(*valley.evaluations == 256);
+}
+
+TEST_CASE("what is remembered is bounded, of several problems together") {
+    CountedValley valley, other;
+    auto room = std::make_shared<std::size_t>(10'000);
+    {
+        RememberedProblem first(minimise(valley), room, whatever_it_takes),
+            second(minimise(other), room, whatever_it_takes);
+        const std::vector<double> expected = fitness_of_all(*minimise(CountedValley{}));
+        for (const SearchProblem* each : {&first, &second, &first})
+            CHECK(fitness_of_all(*each) == expected);
+        CHECK(*valley.evaluations > 256); // has been forgotten
+        CHECK(*valley.evaluations <= 512);
+        CHECK(*other.evaluations == 256);
+        CHECK(*room < 10'000);
+    }
+    CHECK(*room == 10'000);
+}
+
+TEST_CASE("registries share the problems of a family by their numbers") {
+    RememberedProblems problems;
+    ProblemFamily one = problems.around(minimised<Valley>()), other = problems.around(minimised<Valley>());
+    CHECK(one.make({2, -1}) == other.make({2, -1}));
+    CHECK(one.make({2, -1}) != other.make({3, -1}));
+    CHECK(std::dynamic_pointer_cast<const RememberedProblem>(one.make({2, -1})));
+}
