@@ -48,6 +48,11 @@ void AnyChannel::put_on(Carrier& carrier) {
     if (message_ || slot_ || listener_)
         throw std::logic_error("channel " + name_ + " cannot be put on a link while a process is in it");
     carrier_ = &carrier;
+    note_particulars();
+}
+
+void AnyChannel::note_particulars() {
+    is_particular_ = carrier_ || output_attempt_ || input_attempt_;
 }
 
 void AnyChannel::expect_outputter(const Process& process) { own(outputter_, process, "outputs to"); }
@@ -81,12 +86,14 @@ void AnyChannel::attempt_output(Entrant* attempt) {
     if (attempt)
         require_can_be_given_up(carrier_, *this);
     output_attempt_ = attempt;
+    note_particulars();
 }
 
 void AnyChannel::attempt_input(Entrant* attempt) {
     if (attempt)
         require_can_be_given_up(carrier_, *this);
     input_attempt_ = attempt;
+    note_particulars();
 }
 
 bool AnyChannel::give_up_output() {

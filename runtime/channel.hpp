@@ -57,7 +57,8 @@ public:
     struct User {
         const Process* process = nullptr;
         const Process* outermost = nullptr;
-        std::uint32_t ordinal = 0; ///< of the process, by which to find out whether it still lives
+        std::uint32_t ordinal = nobody; ///< of the process, which no other of its simulation has, dead or alive
+        static constexpr std::uint32_t nobody = 0xffffffff;
     };
 
     explicit AnyChannel(std::string name) : name_(std::move(name)), identity_(new_identity(name_)) {}
@@ -162,42 +163,56 @@ protected:
             note_output(self, form);
         begin(self);
         own(outputter_, self, "outputs to");
-        if (output_out_of_order_)
-            refuse_unreset(self, "outputs to");
     }
     void begin_input(Process& self) {
         if (self.kernel().is_attentive()) [[unlikely]]
             note_input(self);
         begin(self);
-        own_input(self);
+        own(inputter_, self, "inputs from");
     }
-    /// Of the inputter (outputter) that waits in a soft channel; null if none does.
-    void* soft_slot() const { return carrier_ ? nullptr : slot_; }
-    void* soft_message() const { return carrier_ ? nullptr : message_; }
-    /// The second process has come to a soft channel to output (input): tells those that are to know.
-    void meet_inputter(Process& self) { meet(self, output_attempt_); }
-    void meet_outputter(Process& self) { meet(self, input_attempt_); }
+    /// Of the inputter (outputter) that waits in a soft channel, so that they meet; null if none does.
+    void* soft_slot(const Process& self) const {
+        if (is_particular_) [[unlikely]]
+            return soft_partner(self, slot_, output_out_of_order_, output_attempt_, "outputs to");
+        return slot_;
+    }
+    void* soft_message(const Process& self) const {
+        if (is_particular_) [[unlikely]]
+            return soft_partner(self, message_, input_out_of_order_, input_attempt_, "inputs from");
+        return message_;
+    }
+    /// The second process has come to a soft channel: tells those that are to know.
+    void meet(Process& self) {
+        const Executive *own = self.executive(), *other = waiting_->executive();
+        if (own != other && own && other) [[unlikely]]
+            refuse_without_carrier(self, *waiting_);
+        note_communication(self.kernel());
+    }
     /// The second process has copied the message: it pays for this, during which nobody else may use its end, and its
     /// partner goes on.
     void part_from_inputter(Process& self, const WireForm& form) { part(self, form, outputter_inside_); }
-    void part_from_outputter(Process& self) { part(self, waiting_form_, inputter_inside_); }
+    void part_from_outputter(Process& self) { part(self, *waiting_form_, inputter_inside_); }
     void wait_to_output(Process& self, void* message, const WireForm& form, const SourceLocation& where) {
         Inside inside(outputter_inside_, &message_, message);
-        if (output_attempt_)
-            output_attempt_->entered();
-        if (carrier_)
-            return carrier_->output(*this, form, where);
+        if (is_particular_) [[unlikely]] {
+            if (output_attempt_)
+                output_attempt_->entered();
+            if (carrier_)
+                return carrier_->output(*this, form, where);
+        }
         waiting_ = &self;
-        waiting_form_ = form;
+        waiting_form_ = &form;
         announce();
         self.wait_for(Activity::outputting, this, where);
     }
     void wait_to_input(Process& self, void* slot, const SourceLocation& where) {
         Inside inside(inputter_inside_, &slot_, slot);
-        if (input_attempt_)
-            input_attempt_->entered();
-        if (carrier_)
-            return carrier_->input(*this, where);
+        if (is_particular_) [[unlikely]] {
+            if (input_attempt_)
+                input_attempt_->entered();
+            if (carrier_)
+                return carrier_->input(*this, where);
+        }
         waiting_ = &self;
         self.wait_for(Activity::inputting, this, where);
     }
@@ -231,22 +246,24 @@ private:
     void note_output(Process& self, const WireForm&);
     void note_input(Process& self);
     void begin(Process& self) {
-        if (!carrier_)
+        if (self.executive() && !carrier_)
             charge(self, &OperationCosts::soft_communication);
     }
     void own(User& end, const Process& process, const char* verb) {
-        if (end.process != &process || end.ordinal != process.ordinal())
+        if (end.ordinal != process.ordinal()) [[unlikely]]
             change_owner(end, process, verb);
     }
     void change_owner(User& end, const Process&, const char* verb);
-    void meet(Process& self, Entrant* attempt) {
-        const Executive *own = self.executive(), *other = waiting_->executive();
-        if (own != other && own && other)
-            refuse_without_carrier(self, *waiting_);
-        if (attempt)
+    void* soft_partner(const Process& self, void* partner, bool out_of_order, Entrant* attempt, const char* verb) const {
+        if (out_of_order)
+            refuse_unreset(self, verb);
+        if (carrier_)
+            return nullptr;
+        if (partner && attempt)
             attempt->entered();
-        note_communication(self.kernel());
+        return partner;
     }
+    void note_particulars();
     void part(Process& self, const WireForm& form, bool& inside) {
         message_ = slot_ = nullptr;
         Process& partner = *waiting_;
@@ -273,7 +290,7 @@ private:
     void* message_ = nullptr;           ///< set while an outputter is in the channel
     void* slot_ = nullptr;              ///< set while an inputter is
     Process* waiting_ = nullptr;        ///< on a soft channel, the first to arrive
-    WireForm waiting_form_{0};          ///< of its message, if it is the outputter
+    const WireForm* waiting_form_ = nullptr; ///< of its message, if it is the outputter
     Listener* listener_ = nullptr;      ///< for an inputter that sleeps on several channels
     Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
     Entrant* input_attempt_ = nullptr;
@@ -282,6 +299,7 @@ private:
     bool inputter_inside_ = false;     ///< the same, or has a guard on the channel
     bool output_out_of_order_ = false; ///< a message was given up at that end, which must be reset
     bool input_out_of_order_ = false;
+    bool is_particular_ = false; ///< it is hard, or an attempt is at one of its ends: one question does for both
 };
 
 template <class T>
@@ -377,8 +395,8 @@ private:
         const WireForm form = wire_form(message);
         Process& self = Kernel::here().running();
         begin_output(self, form);
-        if (void* slot = soft_slot()) {
-            meet_inputter(self);
+        if (void* slot = soft_slot(self)) {
+            meet(self);
             copy(&message, slot);
             part_from_inputter(self, form);
         } else {
@@ -388,8 +406,8 @@ private:
     void input_into(std::optional<T>& slot, const SourceLocation& where) {
         Process& self = Kernel::here().running();
         begin_input(self);
-        if (void* message = soft_message()) {
-            meet_outputter(self);
+        if (void* message = soft_message(self)) {
+            meet(self);
             copy(message, &slot);
             part_from_outputter(self);
         } else {

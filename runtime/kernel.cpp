@@ -71,24 +71,32 @@ void Kernel::refuse_outside_a_run() {
 
 /// The running process may have been doing such things for ever.
 void Kernel::heed_operations() {
-    if (interrupted_.load(std::memory_order_relaxed))
+    if (circumstances_.any_of(Circumstances::interrupted))
         return give_way();
     if (operations_at_once_ > most_operations_at_once)
         throw std::logic_error(fmt::format("process {} computes for ever without any time passing", running_->path()));
 }
 
-Kernel::Kernel() = default;
+Kernel::Kernel() { circumstances_.set(Circumstances::nobody_left); }
 Kernel::~Kernel() = default;
 
 void Kernel::add(Process& p) {
     p.ordinal_ = next_ordinal_++;
     p.slot_ = processes_.size();
     processes_.push_back(&p);
-    ++program_processes_;
+    if (program_processes_++ == 0)
+        circumstances_.set(Circumstances::nobody_left, false);
+}
+
+/// A process of the program has ended, or is none.
+void Kernel::count_out() {
+    if (--program_processes_ == 0)
+        circumstances_.set(Circumstances::nobody_left);
 }
 
 void Kernel::remove(Process& p) {
-    program_processes_ -= !p.ended() && !p.serves_machine();
+    if (!p.ended() && !p.serves_machine())
+        count_out();
     processes_[p.slot_] = processes_.back();
     processes_[p.slot_]->slot_ = p.slot_;
     processes_.pop_back();
@@ -104,22 +112,17 @@ void Kernel::tell_and_make_ready(Process& p) {
 }
 
 inline bool Kernel::over() const {
-    return program_processes_ == 0 || failure_ || limit_reached_ || interrupted_.load(std::memory_order_relaxed);
-}
-
-inline Process* Kernel::choose_ready() {
-    if (shuffle_)
-        put_off_some(ready_, *shuffle_);
-    return ready_.pop_front();
+    return circumstances_.any_of(Circumstances::nobody_left | Circumstances::failed | Circumstances::at_the_limit |
+                                 Circumstances::interrupted);
 }
 
 /// Lets the next event happen, unless the run ends before it.
 [[gnu::noinline]] void Kernel::pass_to(Time next) {
-    limit_reached_ = next > limit_;
-    if (limit_reached_) {
+    if (next > limit_) {
         now_ = limit_;
+        circumstances_.set(Circumstances::at_the_limit);
     } else if (next == Time::max()) {
-        failure_ = beyond_the_end_of_time(*this);
+        fail_with(beyond_the_end_of_time(*this));
     } else {
         now_ = next;
         between_programs_ = true;
@@ -140,12 +143,16 @@ inline bool Kernel::begin_communication(Process& p) {
 }
 
 Process* Kernel::choose_next() {
-    while (!over()) {
-        if (Process* p = choose_ready()) {
+    for (;;) {
+        if (circumstances_.any()) [[unlikely]] {
+            if (over())
+                return nullptr;
+            if (shuffle_)
+                put_off_some(ready_, *shuffle_);
+        }
+        if (Process* p = ready_.pop_front()) {
             if (p->communication_ && begin_communication(*p))
                 continue;
-            if (stacks_exceed_cache_) [[unlikely]]
-                Worker::fetch_stack(running_, *p);
             return p;
         }
         if (!future_.empty())
@@ -153,7 +160,6 @@ Process* Kernel::choose_next() {
         else if (!go_on_after_work())
             return nullptr;
     }
-    return nullptr;
 }
 
 /// Ends the work and wakes those that wait for this; returns whether there are any.
@@ -171,6 +177,7 @@ void Kernel::end_work() {
     if (std::exchange(work_over_, true))
         return;
     tell(observer_.work_over);
+    circumstances_.set(Circumstances::traced, false);
     if (TraceSink* trace = std::exchange(trace_, nullptr))
         tell([&] { trace->over(now_); });
 }
@@ -181,18 +188,29 @@ void Kernel::tell(const std::function<void()>& observer) {
         if (!failure_)
             observer();
     } catch (...) {
-        failure_ = std::current_exception();
+        fail_with(std::current_exception());
     }
+}
+
+[[gnu::cold, gnu::noinline]] void Kernel::fail_with(std::exception_ptr what) {
+    failure_ = std::move(what);
+    circumstances_.set(Circumstances::failed);
 }
 
 /// The process to run next, with a fiber to run on; null when the run is over.
 Process* Kernel::next_with_worker() {
     Process* next = choose_next();
-    return !next || next->worker_ || employ(*next) ? next : nullptr;
+    if (!next || (!next->worker_ && !employ(*next)))
+        return nullptr;
+    if (circumstances_.any_of(Circumstances::out_of_cache)) [[unlikely]]
+        Worker::fetch_stack(running_, *next);
+    return next;
 }
 
 bool Kernel::pass_time(Time until) {
-    if (!ready_.empty() || until > limit_ || until == Time::max() || unwinding_ || over())
+    if (!ready_.empty() || until > limit_ || until == Time::max())
+        return false;
+    if (circumstances_.any() && (circumstances_.any_of(Circumstances::unwinding) || over())) [[unlikely]]
         return false;
     if (!future_.empty() && future_.next_time() <= until)
         return false;
@@ -204,10 +222,11 @@ bool Kernel::pass_time(Time until) {
 void Kernel::switch_to(Process* p) {
     running_ = p;
     SwitchedStack& from = *stack_in_use_;
-    SwitchedStack& to = p ? p->worker_->stack : host_stack_;
-    stack_left_ = &from;
-    stack_in_use_ = &to;
-    from.leave_for(to);
+    if constexpr (SwitchedStack::watched) {
+        stack_left_ = &from;
+        stack_in_use_ = p ? &p->worker_->stack : &host_stack_;
+        from.leave_for(*stack_in_use_);
+    }
     if (p)
         p->worker_->resume();
     else
@@ -221,10 +240,13 @@ void Kernel::switch_to(Process* p) {
         if (idle_.empty()) {
             workers_.push_back(std::make_unique<Worker>(*this, stacks_.allocate()));
             idle_.push_back(workers_.back().get());
-            stacks_exceed_cache_ = workers_.size() > stacks_in_a_cache;
+            if (!stacks_.all_guarded())
+                circumstances_.set(Circumstances::unguarded);
+            if (workers_.size() > stacks_in_a_cache)
+                circumstances_.set(Circumstances::out_of_cache);
         }
     } catch (...) {
-        failure_ = std::current_exception();
+        fail_with(std::current_exception());
         return false;
     }
     p.worker_ = idle_.back();
@@ -235,21 +257,26 @@ void Kernel::switch_to(Process* p) {
 
 void Kernel::wait(Process* successor) {
     Process& self = *running_;
-    if (self.executive_ && !unwinding_)
+    if (self.executive_ && !circumstances_.any_of(Circumstances::unwinding))
         self.executive_->leave(self, successor);
     give_way();
 }
 
 void Kernel::give_way() {
     Process& self = *running_;
-    if (!unwinding_) {
-        if (!stacks_.all_guarded()) [[unlikely]]
-            require_own_stack(self);
-        Process* next = next_with_worker();
-        if (next != &self)
-            switch_to(next);
-    }
+    if (circumstances_.any()) [[unlikely]]
+        may_give_way(self);
+    Process* next = next_with_worker();
+    if (next != &self)
+        switch_to(next);
     throw_if_unwinding();
+}
+
+/// Not if it is unwound.
+[[gnu::noinline]] void Kernel::may_give_way(const Process& process) {
+    throw_if_unwinding();
+    if (circumstances_.any_of(Circumstances::unguarded))
+        require_own_stack(process);
 }
 
 namespace {
@@ -276,9 +303,9 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
 
 /// The process that ran on the worker throws. Only the first failure counts.
 void Kernel::fail(const Process& p) noexcept {
-    if (failure_ || unwinding_)
+    if (circumstances_.any_of(Circumstances::failed | Circumstances::unwinding))
         return;
-    failure_ = std::current_exception();
+    fail_with(std::current_exception());
     who_failed_ = {p.path(), now_, text_of(p.place_in_program())};
 }
 
@@ -288,12 +315,13 @@ void Kernel::finish(Process& p) noexcept {
         require_own_stack(p);
     p.activity_ = Activity::ended;
     p.stands_still();
-    program_processes_ -= !p.serves_machine();
+    if (!p.serves_machine())
+        count_out();
     fingerprint_.mix(static_cast<std::uint64_t>(now_.count()));
     fingerprint_.mix(p.ordinal_);
     idle_.push_back(p.worker_);
     p.worker_ = nullptr;
-    if (unwinding_)
+    if (circumstances_.any_of(Circumstances::unwinding))
         return;
     if (trace_)
         trace_->ended(p, now_);
@@ -307,7 +335,7 @@ void Kernel::finish(Process& p) noexcept {
 Ending Kernel::run(Time limit, Observer observer) {
     if (current_)
         throw std::logic_error("a simulation is already running on this thread");
-    if (unwinding_)
+    if (circumstances_.any_of(Circumstances::unwinding))
         throw std::logic_error("a simulation runs only once");
     limit_ = limit;
     observer_ = std::move(observer);
@@ -333,9 +361,9 @@ Ending Kernel::run(Time limit, Observer observer) {
 Ending Kernel::ending() const {
     if (living().empty())
         return Ending::completed;
-    if (interrupted_)
+    if (circumstances_.any_of(Circumstances::interrupted))
         return Ending::interrupted;
-    return limit_reached_ ? Ending::time_limit : Ending::stuck;
+    return circumstances_.any_of(Circumstances::at_the_limit) ? Ending::time_limit : Ending::stuck;
 }
 
 std::vector<Process*> Kernel::by_age() const {
@@ -353,7 +381,7 @@ void Kernel::introduce_to_trace() {
 
 /// The youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
-    unwinding_ = attentive_ = true;
+    circumstances_.set(Circumstances::unwinding);
     std::vector<Process*> left = by_age();
     std::ranges::reverse(left);
     for (Process* p : left) {

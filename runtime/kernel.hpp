@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/circumstances.hpp"
 #include "runtime/event.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/process.hpp"
@@ -9,7 +10,6 @@
 #include "runtime/switched_stack.hpp"
 #include "runtime/time.hpp"
 
-#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -84,7 +84,7 @@ public:
     Fingerprint& fingerprint() { return fingerprint_; }
     /// Null if no trace is wanted.
     TraceSink* trace() const { return trace_; }
-    void trace_to(TraceSink& sink) { trace_ = &sink; }
+    void trace_to(TraceSink& sink) { trace_ = &sink, circumstances_.set(Circumstances::traced); }
     /// The first of so many successive ranks for the events of one more device. Devices rank in the order in which they
     /// ask.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
@@ -106,23 +106,29 @@ public:
     /// Throws Unwinding when the simulation is over. Ends the program with a message when the running process has
     /// caught it many times.
     void throw_if_unwinding() {
-        if (unwinding_)
+        if (circumstances_.any_of(Circumstances::unwinding)) [[unlikely]]
             unwind_running();
     }
     /// Whether processes are unwound, or keep histories.
-    bool is_attentive() const { return attentive_; }
+    bool is_attentive() const {
+        return circumstances_.any_of(Circumstances::unwinding | Circumstances::histories);
+    }
+    const Circumstances& circumstances() const { return circumstances_; }
     /// Ends the running process where the run is interrupted or over. One with a history may be asked nowhere else.
     void heed_interruption() {
-        if (unwinding_ || interrupted_.load(std::memory_order_relaxed)) [[unlikely]]
+        if (circumstances_.any_of(Circumstances::unwinding | Circumstances::interrupted)) [[unlikely]]
             give_way();
     }
     /// The running process does something that takes no time. Lets the run be interrupted; throws std::logic_error when
     /// it has done so `most_operations_at_once` times since time last passed: nothing else would ever happen.
-    void takes_no_time() { takes_no_time(0); }
+    void takes_no_time() {
+        throw_if_unwinding();
+        takes_no_time(0);
+    }
     /// The same of reading the clock, but destructors may do that: it does not throw while a process is unwound, nor
     /// before much has been done since time last passed.
     void reads_clock() {
-        if (!unwinding_)
+        if (!circumstances_.any_of(Circumstances::unwinding)) [[likely]]
             takes_no_time(most_operations_at_once / 1000);
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
@@ -148,9 +154,12 @@ public:
     Ending run(Time limit, Observer);
     /// Runs ready processes in an order drawn from the seed instead of the order in which they became ready: another of
     /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
-    void shuffle(std::uint64_t seed) { shuffle_.emplace(seed, "ready queue"); }
+    void shuffle(std::uint64_t seed) {
+        shuffle_.emplace(seed, "ready queue");
+        circumstances_.set(Circumstances::shuffled);
+    }
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
-    void interrupt() { interrupted_.store(true, std::memory_order_relaxed); }
+    void interrupt() { circumstances_.set(Circumstances::interrupted); }
 
     /// The process that ended the run by throwing, if one did.
     const std::optional<Failure>& who_failed() const { return who_failed_; }
@@ -165,7 +174,6 @@ private:
     [[noreturn]] static void refuse_outside_a_run();
     [[noreturn]] void unwind_running();
     void takes_no_time(std::uint64_t operations_unheeded) {
-        throw_if_unwinding();
         if (std::exchange(operations_at_, now_) != now_)
             operations_at_once_ = 0;
         if (++operations_at_once_ > operations_unheeded)
@@ -176,13 +184,14 @@ private:
 
     void add(Process&);
     void remove(Process&);
+    void count_out();
     bool over() const;
     std::vector<Process*> by_age() const;
     void introduce_to_trace();
-    Process* choose_ready();
     Process* choose_next();
     bool begin_communication(Process&);
     void pass_to(Time next);
+    void fail_with(std::exception_ptr);
     bool go_on_after_work();
     void end_work();
     void tell(const std::function<void()>&);
@@ -190,6 +199,7 @@ private:
     void switch_to(Process*);
     static std::optional<StackUser> who_overflowed(const void* address);
     static void require_own_stack(const Process&);
+    void may_give_way(const Process&);
     bool employ(Process&);
     void fail(const Process&) noexcept;
     void finish(Process&) noexcept;
@@ -199,6 +209,7 @@ private:
     static constinit thread_local Kernel* current_; // constinit: it is read without asking whether it exists
 
     Time now_{}, limit_{Time::max()};
+    Circumstances circumstances_;
     ProcessQueue ready_;
     ProcessQueue after_work_;
     EventQueue future_;
@@ -206,27 +217,22 @@ private:
     TraceSink* trace_ = nullptr;
     Process* running_ = nullptr;
     std::vector<Process*> processes_;   ///< all that exist, in no order
-    std::size_t program_processes_ = 0; ///< how many of the program have not ended
+    std::size_t program_processes_ = 0; ///< how many of the program have not ended; none: Circumstances::nobody_left
     std::uint32_t next_ordinal_ = 0;
     std::uint64_t ranks_ = 0; ///< how many were given out
 
     StackArena stacks_;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> idle_; ///< workers without a process
-    bool stacks_exceed_cache_ = false;
     FiberScheduler* scheduler_ = nullptr;
     Observer observer_;
     bool between_programs_ = false;
     bool work_over_ = false;
-    bool unwinding_ = false;
-    bool attentive_ = false; ///< unwinding_, or a process keeps a history: so that one question does for both
-    bool limit_reached_ = false;
-    std::atomic<bool> interrupted_{false};
-    std::exception_ptr failure_; ///< what a process threw
+    std::exception_ptr failure_; ///< what a process threw: Circumstances::failed
     std::optional<Failure> who_failed_;
     Time operations_at_{};                 ///< when the operations were done that took no time
     std::uint64_t operations_at_once_ = 0; ///< and how many
-    std::optional<RandomStream> shuffle_;
+    std::optional<RandomStream> shuffle_; ///< Circumstances::shuffled
     SwitchedStack host_stack_; ///< of the fiber that called run
     SwitchedStack* stack_in_use_ = nullptr;
     SwitchedStack* stack_left_ = nullptr;

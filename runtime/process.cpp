@@ -28,10 +28,13 @@ Process::~Process() { kernel_.remove(*this); }
 
 void Process::keep(History& history) {
     history_ = &history;
-    kernel_.attentive_ = true;
+    kernel_.circumstances_.set(Circumstances::histories);
 }
 
-void Process::serve_machine() { kernel_.program_processes_ -= !std::exchange(machine_, true); }
+void Process::serve_machine() {
+    if (!std::exchange(machine_, true))
+        kernel_.count_out();
+}
 
 std::string Process::path() const { return join_ ? fmt::format("{}/{}", join_->parent.path(), index_) : name_; }
 
@@ -54,15 +57,21 @@ void Process::stands_still() {
 
 inline void Process::note_wait(Activity activity) {
     activity_ = activity;
-    if (TraceSink* trace = kernel_.trace())
-        trace->waits(*this, kernel_.now());
+    if (kernel_.circumstances().any()) [[unlikely]]
+        tell_trace(&TraceSink::waits);
     stands_still();
 }
 
 inline void Process::note_end_of_wait() {
-    if (TraceSink* trace = kernel_.trace())
-        trace->goes_on(*this, kernel_.now());
+    if (kernel_.circumstances().any()) [[unlikely]]
+        tell_trace(&TraceSink::goes_on);
     activity_ = Activity::ready;
+}
+
+/// If there is one.
+[[gnu::noinline]] void Process::tell_trace(void (TraceSink::*what)(const Process&, Time)) const {
+    if (TraceSink* trace = kernel_.trace())
+        (trace->*what)(*this, kernel_.now());
 }
 
 inline void Process::finish_wait(Process* successor) {

@@ -54,16 +54,16 @@ std::int32_t as_word(std::int64_t number, int bits) {
 
 } // namespace
 
-Time now() {
-    Kernel& kernel = Kernel::here();
+namespace {
+
+inline Time now(Kernel& kernel) {
     if (kernel.is_attentive()) [[unlikely]]
         return now_as_seen(kernel);
     kernel.reads_clock();
     return kernel.now();
 }
 
-void wait_until(Time due, const SourceLocation& where) {
-    Kernel& kernel = Kernel::here();
+inline void wait_until(Kernel& kernel, Time due, const SourceLocation& where) {
     Process& self = kernel.running();
     if (kernel.is_attentive() && only_repeats(self, due)) [[unlikely]]
         return;
@@ -78,7 +78,16 @@ void wait_until(Time due, const SourceLocation& where) {
     self.wait_for(Activity::delayed, nullptr, where);
 }
 
-void wait_for(Time how_long, const SourceLocation& where) { wait_until(later(now(), how_long), where); }
+} // namespace
+
+Time now() { return now(Kernel::here()); }
+
+void wait_until(Time due, const SourceLocation& where) { wait_until(Kernel::here(), due, where); }
+
+void wait_for(Time how_long, const SourceLocation& where) {
+    Kernel& kernel = Kernel::here();
+    wait_until(kernel, later(now(kernel), how_long), where);
+}
 
 void wait_until_work_is_over(const SourceLocation& where) {
     Kernel& kernel = Kernel::here();

@@ -63,7 +63,7 @@ void Worker::work(Kernel& kernel) {
         }
         process = nullptr;
         kernel.finish(self);
-        Process* next = kernel.unwinding_ ? nullptr : kernel.next_with_worker();
+        Process* next = kernel.circumstances_.any_of(Circumstances::unwinding) ? nullptr : kernel.next_with_worker();
         if (next && next->worker_ == this)
             kernel.running_ = next;
         else
