@@ -1,9 +1,10 @@
 // The machine of Figure E.2, sixteen transputers, as a sweep runs it: how many seconds of the machine's time pass in a
-// second of one core, and how many runs are made. Of runs that differ in their seeds the machine is simulated for the
+// second of one core, and how many runs are made. An event is a generation of one of its four islands. Of runs that differ in their seeds the machine is simulated for the
 // first one; of those with other links, for each.
 
 #include "bench/measure.hpp"
 #include "text/user_error.hpp"
+#include "workbench/study/measure.hpp"
 #include "workbench/study/sweep.hpp"
 
 #include <fmt/format.h>
@@ -18,12 +19,17 @@ using namespace placedpar::bench;
 namespace {
 
 struct Figures {
-    double seconds = 0, simulated_seconds = 0;
+    double seconds = 0, simulated_seconds = 0, generations = 0;
+    double bytes = 0;              ///< of memory that the runs took
     std::uint64_t fingerprint = 0; ///< of the last run
 };
 
+constexpr double processes = 17; ///< the host, four masters, twelve slaves
+
 /// The runs of the study, on one core.
 Figures run_all(const Study& study) {
+    const StudyMeasure generations("sum(master.generations)");
+    const double before = resident_bytes();
     Figures figures;
     StudyWorker worker(study);
     Interruption never;
@@ -32,17 +38,20 @@ Figures run_all(const Study& study) {
         StudyOutcome outcome = *worker.outcome_of(*study.at(i), never);
         if (outcome.ended != "completed")
             throw UserError(outcome.ended + " " + outcome.refused);
+        figures.generations += generations.of(outcome.figures).value().value;
         figures.simulated_seconds += std::chrono::duration<double>(outcome.time).count();
         figures.fingerprint = outcome.fingerprint;
     }
     figures.seconds = watch.seconds();
+    figures.bytes = resident_bytes() - before;
     return figures;
 }
 
 void print_row(const char* what, long runs, const Figures& figures) {
-    fmt::print("{:<28} {:7.1f} simulated s/s {:8.1f} runs/s   fingerprint {:016x}\n", what,
-               figures.simulated_seconds / figures.seconds, static_cast<double>(runs) / figures.seconds,
-               figures.fingerprint);
+    fmt::print("{:<24} {:7.1f} simulated s/s {:8.1f} runs/s {:8.1f} ns/event   {:8.0f} bytes/process   "
+               "fingerprint {:016x}\n",
+               what, figures.simulated_seconds / figures.seconds, static_cast<double>(runs) / figures.seconds,
+               1e9 * figures.seconds / figures.generations, figures.bytes / processes, figures.fingerprint);
 }
 
 Study study_of(const std::string& setting, long seeds) {

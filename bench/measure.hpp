@@ -10,6 +10,7 @@
 #include <ctime>
 #include <fstream>
 #include <string>
+#include <thread>
 
 namespace placedpar::bench {
 
@@ -34,6 +35,13 @@ inline double resident_bytes() {
     double size = 0, resident = 0;
     statm >> size >> resident;
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Calls it in a thread of its own: without the stacks that a thread keeps from one simulation for the next, so that
+/// what it takes of memory can be measured.
+template <class Measurement>
+void in_a_thread_of_its_own(Measurement measurement) {
+    std::thread(measurement).join();
 }
 
 /// One row of a benchmark's table.

@@ -15,10 +15,8 @@ public:
         interrupted = 8,   ///< from outside
         unwinding = 16,    ///< the run is over, and its processes are unwound
         histories = 32,    ///< a process keeps one
-        traced = 64,       ///< the run is
-        shuffled = 128,    ///< the ready queue is
-        unguarded = 256,   ///< some stacks are not guarded
-        out_of_cache = 512 ///< there are so many stacks that each is looked at in memory
+        shuffled = 64,     ///< the ready queue is
+        unguarded = 128    ///< some stacks are not
     };
 
     bool any() const { return which_.load(std::memory_order_relaxed) != 0; }

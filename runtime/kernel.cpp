@@ -177,7 +177,6 @@ void Kernel::end_work() {
     if (std::exchange(work_over_, true))
         return;
     tell(observer_.work_over);
-    circumstances_.set(Circumstances::traced, false);
     if (TraceSink* trace = std::exchange(trace_, nullptr))
         tell([&] { trace->over(now_); });
 }
@@ -202,7 +201,7 @@ Process* Kernel::next_with_worker() {
     Process* next = choose_next();
     if (!next || (!next->worker_ && !employ(*next)))
         return nullptr;
-    if (circumstances_.any_of(Circumstances::out_of_cache)) [[unlikely]]
+    if (stacks_exceed_cache_) [[unlikely]]
         Worker::fetch_stack(running_, *next);
     return next;
 }
@@ -242,8 +241,7 @@ void Kernel::switch_to(Process* p) {
             idle_.push_back(workers_.back().get());
             if (!stacks_.all_guarded())
                 circumstances_.set(Circumstances::unguarded);
-            if (workers_.size() > stacks_in_a_cache)
-                circumstances_.set(Circumstances::out_of_cache);
+            stacks_exceed_cache_ = workers_.size() > stacks_in_a_cache;
         }
     } catch (...) {
         fail_with(std::current_exception());
@@ -264,20 +262,17 @@ void Kernel::wait(Process* successor) {
 
 void Kernel::give_way() {
     Process& self = *running_;
-    if (circumstances_.any()) [[unlikely]]
-        may_give_way(self);
+    if (circumstances_.any()) [[unlikely]] {
+        throw_if_unwinding();
+        if (circumstances_.any_of(Circumstances::unguarded))
+            require_own_stack(self);
+    }
     Process* next = next_with_worker();
     if (next != &self)
         switch_to(next);
     throw_if_unwinding();
 }
 
-/// Not if it is unwound.
-[[gnu::noinline]] void Kernel::may_give_way(const Process& process) {
-    throw_if_unwinding();
-    if (circumstances_.any_of(Circumstances::unguarded))
-        require_own_stack(process);
-}
 
 namespace {
 

@@ -84,7 +84,7 @@ public:
     Fingerprint& fingerprint() { return fingerprint_; }
     /// Null if no trace is wanted.
     TraceSink* trace() const { return trace_; }
-    void trace_to(TraceSink& sink) { trace_ = &sink, circumstances_.set(Circumstances::traced); }
+    void trace_to(TraceSink& sink) { trace_ = &sink; }
     /// The first of so many successive ranks for the events of one more device. Devices rank in the order in which they
     /// ask.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
@@ -113,7 +113,6 @@ public:
     bool is_attentive() const {
         return circumstances_.any_of(Circumstances::unwinding | Circumstances::histories);
     }
-    const Circumstances& circumstances() const { return circumstances_; }
     /// Ends the running process where the run is interrupted or over. One with a history may be asked nowhere else.
     void heed_interruption() {
         if (circumstances_.any_of(Circumstances::unwinding | Circumstances::interrupted)) [[unlikely]]
@@ -199,7 +198,6 @@ private:
     void switch_to(Process*);
     static std::optional<StackUser> who_overflowed(const void* address);
     static void require_own_stack(const Process&);
-    void may_give_way(const Process&);
     bool employ(Process&);
     void fail(const Process&) noexcept;
     void finish(Process&) noexcept;
@@ -224,6 +222,7 @@ private:
     StackArena stacks_;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> idle_; ///< workers without a process
+    bool stacks_exceed_cache_ = false;
     FiberScheduler* scheduler_ = nullptr;
     Observer observer_;
     bool between_programs_ = false;

@@ -57,21 +57,15 @@ void Process::stands_still() {
 
 inline void Process::note_wait(Activity activity) {
     activity_ = activity;
-    if (kernel_.circumstances().any()) [[unlikely]]
-        tell_trace(&TraceSink::waits);
+    if (TraceSink* trace = kernel_.trace())
+        trace->waits(*this, kernel_.now());
     stands_still();
 }
 
 inline void Process::note_end_of_wait() {
-    if (kernel_.circumstances().any()) [[unlikely]]
-        tell_trace(&TraceSink::goes_on);
-    activity_ = Activity::ready;
-}
-
-/// If there is one.
-[[gnu::noinline]] void Process::tell_trace(void (TraceSink::*what)(const Process&, Time)) const {
     if (TraceSink* trace = kernel_.trace())
-        (trace->*what)(*this, kernel_.now());
+        trace->goes_on(*this, kernel_.now());
+    activity_ = Activity::ready;
 }
 
 inline void Process::finish_wait(Process* successor) {

@@ -17,7 +17,6 @@ class Executive;
 class History;
 class Kernel;
 class Process;
-class TraceSink;
 class Worker;
 
 /// What a computation is made of: where its code can be left, in cycles of its executive, at least 1 each; and what of
@@ -154,7 +153,6 @@ private:
     friend class ProcessQueue;
 
     void note_wait(Activity);
-    void tell_trace(void (TraceSink::*)(const Process&, Time)) const;
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
     bool computes_at_once(Cycles, const Grain&);

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs bench/commstime and the same network on other kernels by turns, three times, on one processor.
+# Runs bench/commstime and the same network on other kernels by turns, three times, on one processor: on the least that
+# Boost.Fiber, bare contexts and stackless coroutines allow, and on those of others.
 # usage: bench/rivals/run.sh [BUILD FOLDER]    build/release; needs libsystemc-dev, golang-go, python3-simpy3 and
 # libsimgrid-dev of Debian, and passes over those that are missing. libsimgrid-dev asks for a Boost that excludes ours:
 # install libsimgrid3.32, unpack the other package (dpkg -x), and name its usr/include by the variable SIMGRID.
@@ -9,7 +10,9 @@ build=${1:-$here/../../build/release}
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 
-g++ -std=c++20 -O2 "$here/commstime_fiber.cpp" -lboost_fiber -lboost_context -o "$made/fiber"
+for least in fiber context coroutine; do
+    g++ -std=c++20 -O2 "$here/commstime_$least.cpp" -l:libboost_fiber.a -l:libboost_context.a -o "$made/$least"
+done
 [ -f /usr/include/systemc.h ] && g++ -O2 "$here/commstime_systemc.cpp" -lsystemc -o "$made/systemc"
 simgrid=${SIMGRID:-/usr/include}
 [ -f "$simgrid/simgrid/s4u.hpp" ] &&
@@ -18,8 +21,10 @@ command -v go >/dev/null && GOCACHE="$made/cache" go build -o "$made/go" "$here/
 for turn in 1 2 3; do
     echo "turn $turn"
     taskset -c 0 "$build/bench/commstime"
-    taskset -c 0 "$made/fiber"
-    taskset -c 0 "$made/fiber" 1000000 pauses
+    for least in fiber context coroutine; do
+        taskset -c 0 "$made/$least"
+        taskset -c 0 "$made/$least" 1000000 pauses
+    done
     if [ -x "$made/systemc" ]; then
         SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000
         SYSTEMC_DISABLE_COPYRIGHT_MESSAGE=1 taskset -c 0 "$made/systemc" 300000 pauses
