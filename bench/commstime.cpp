@@ -77,7 +77,8 @@ void measure(const char* what, Time pause, long loops) {
     Timing timing;
     in_a_thread_of_its_own([&] { timing = commstime(loops, pause); });
     fmt::print("{:<28} {:7.1f} ns/loop {:7.1f} ns/event   {:8.0f} bytes/process   fingerprint {:016x}\n", what,
-               timing.nanoseconds_per_loop, timing.nanoseconds_per_loop / 4, timing.bytes_per_process, timing.fingerprint);
+               timing.nanoseconds_per_loop, timing.nanoseconds_per_loop / 4, timing.bytes_per_process,
+               timing.fingerprint);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // The machine of Figure E.2, sixteen transputers, as a sweep runs it: how many seconds of the machine's time pass in a
-// second of one core, and how many runs are made. An event is a generation of one of its four islands. Of runs that differ in their seeds the machine is simulated for the
-// first one; of those with other links, for each.
+// second of one core, and how many runs are made. An event is a generation of one of its four islands. Of runs that
+// differ in their seeds the machine is simulated for the first one; of those with other links, for each.
 
 #include "bench/measure.hpp"
 #include "text/user_error.hpp"

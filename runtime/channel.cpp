@@ -51,9 +51,7 @@ void AnyChannel::put_on(Carrier& carrier) {
     note_particulars();
 }
 
-void AnyChannel::note_particulars() {
-    is_particular_ = carrier_ || output_attempt_ || input_attempt_;
-}
+void AnyChannel::note_particulars() { is_particular_ = carrier_ || output_attempt_ || input_attempt_; }
 
 void AnyChannel::expect_outputter(const Process& process) { own(outputter_, process, "outputs to"); }
 

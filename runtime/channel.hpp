@@ -254,7 +254,8 @@ private:
             change_owner(end, process, verb);
     }
     void change_owner(User& end, const Process&, const char* verb);
-    void* soft_partner(const Process& self, void* partner, bool out_of_order, Entrant* attempt, const char* verb) const {
+    void* soft_partner(const Process& self, void* partner, bool out_of_order, Entrant* attempt,
+                       const char* verb) const {
         if (out_of_order)
             refuse_unreset(self, verb);
         if (carrier_)
@@ -287,12 +288,12 @@ private:
     std::uint64_t identity_;
     Carrier* carrier_ = nullptr; ///< null if the channel is soft
     User outputter_, inputter_;
-    void* message_ = nullptr;           ///< set while an outputter is in the channel
-    void* slot_ = nullptr;              ///< set while an inputter is
-    Process* waiting_ = nullptr;        ///< on a soft channel, the first to arrive
+    void* message_ = nullptr;                ///< set while an outputter is in the channel
+    void* slot_ = nullptr;                   ///< set while an inputter is
+    Process* waiting_ = nullptr;             ///< on a soft channel, the first to arrive
     const WireForm* waiting_form_ = nullptr; ///< of its message, if it is the outputter
-    Listener* listener_ = nullptr;      ///< for an inputter that sleeps on several channels
-    Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
+    Listener* listener_ = nullptr;           ///< for an inputter that sleeps on several channels
+    Entrant* output_attempt_ = nullptr;      ///< null if the outputter waits as long as it takes
     Entrant* input_attempt_ = nullptr;
     Cargo cargo_;
     bool outputter_inside_ = false;    ///< a process outputs, until its program goes on

@@ -9,14 +9,14 @@ namespace placedpar {
 class Circumstances {
 public:
     enum Circumstance : unsigned {
-        nobody_left = 1,   ///< every process of the program has ended
-        failed = 2,        ///< a process or an observer has thrown
-        at_the_limit = 4,  ///< the next event lies behind the time limit
-        interrupted = 8,   ///< from outside
-        unwinding = 16,    ///< the run is over, and its processes are unwound
-        histories = 32,    ///< a process keeps one
-        shuffled = 64,     ///< the ready queue is
-        unguarded = 128    ///< some stacks are not
+        nobody_left = 1,  ///< every process of the program has ended
+        failed = 2,       ///< a process or an observer has thrown
+        at_the_limit = 4, ///< the next event lies behind the time limit
+        interrupted = 8,  ///< from outside
+        unwinding = 16,   ///< the run is over, and its processes are unwound
+        histories = 32,   ///< a process keeps one
+        shuffled = 64,    ///< the ready queue is
+        unguarded = 128   ///< some stacks are not
     };
 
     bool any() const { return which_.load(std::memory_order_relaxed) != 0; }

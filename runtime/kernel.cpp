@@ -273,7 +273,6 @@ void Kernel::give_way() {
     throw_if_unwinding();
 }
 
-
 namespace {
 
 StackUser stack_user(const Process& process) { return {process.outermost().name(), process.parent() != nullptr}; }

@@ -110,9 +110,7 @@ public:
             unwind_running();
     }
     /// Whether processes are unwound, or keep histories.
-    bool is_attentive() const {
-        return circumstances_.any_of(Circumstances::unwinding | Circumstances::histories);
-    }
+    bool is_attentive() const { return circumstances_.any_of(Circumstances::unwinding | Circumstances::histories); }
     /// Ends the running process where the run is interrupted or over. One with a history may be asked nowhere else.
     void heed_interruption() {
         if (circumstances_.any_of(Circumstances::unwinding | Circumstances::interrupted)) [[unlikely]]
@@ -231,8 +229,8 @@ private:
     std::optional<Failure> who_failed_;
     Time operations_at_{};                 ///< when the operations were done that took no time
     std::uint64_t operations_at_once_ = 0; ///< and how many
-    std::optional<RandomStream> shuffle_; ///< Circumstances::shuffled
-    SwitchedStack host_stack_; ///< of the fiber that called run
+    std::optional<RandomStream> shuffle_;  ///< Circumstances::shuffled
+    SwitchedStack host_stack_;             ///< of the fiber that called run
     SwitchedStack* stack_in_use_ = nullptr;
     SwitchedStack* stack_left_ = nullptr;
 };
