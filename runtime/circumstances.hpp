@@ -24,12 +24,7 @@ public:
     bool any_of(unsigned these) const { return (which_.load(std::memory_order_relaxed) & these) != 0; }
     /// Also in a signal handler.
     void set(Circumstance which) { which_.fetch_or(which, std::memory_order_relaxed); }
-    void set(Circumstance which, bool so) {
-        if (so)
-            set(which);
-        else
-            which_.fetch_and(~unsigned{which}, std::memory_order_relaxed);
-    }
+    void clear(Circumstance which) { which_.fetch_and(~unsigned{which}, std::memory_order_relaxed); }
 
 private:
     static_assert(std::atomic<unsigned>::is_always_lock_free);

@@ -85,7 +85,7 @@ void Kernel::add(Process& p) {
     p.slot_ = processes_.size();
     processes_.push_back(&p);
     if (program_processes_++ == 0)
-        circumstances_.set(Circumstances::nobody_left, false);
+        circumstances_.clear(Circumstances::nobody_left);
 }
 
 /// A process of the program has ended, or is none.
