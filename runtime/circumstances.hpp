@@ -19,7 +19,8 @@ public:
         unguarded = 128   ///< some stacks are not
     };
 
-    bool any() const { return which_.load(std::memory_order_relaxed) != 0; }
+    /// But for histories, which nobody asks about who does not keep one.
+    bool any() const { return any_of(~unsigned{histories}); }
     /// One of these, which are a sum.
     bool any_of(unsigned these) const { return (which_.load(std::memory_order_relaxed) & these) != 0; }
     /// Also in a signal handler.
