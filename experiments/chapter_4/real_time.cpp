@@ -31,7 +31,7 @@ std::vector<Proposal> proposals() {
         {"32 T800: 4 islands of 30, 7 slaves each", {{"processors", "32"}}},
         {"32 T800: on two links of each master", {{"processors", "32"}, {"chains", "2"}}},
         {"32 T800: 8 islands of 15, 3 slaves each", {{"processors", "32"}, {"islands", "8"}}},
-        {"64 T800: 4 islands of 30, 15 slaves each", {{"processors", "64"}, {"chains", "2"}}},
+        {"64 T800: on two links of each master", {{"processors", "64"}, {"chains", "2"}}},
         {"64 T800: 8 islands of 15, 7 slaves each", {{"processors", "64"}, {"islands", "8"}}},
         {"64 T800: 8 islands, 7 slaves, occam's channels", {{"processors", "64"}, {"islands", "8"}, {"calls", "0"}}},
         {"16 processors ten times as fast, T800 links", {{"clock", "200M"}}},

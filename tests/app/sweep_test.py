@@ -161,7 +161,14 @@ class Sweep(InFolder):
         self.assertEqual(lines[1], "relative to master.trials = 10, slaves = 0")
         self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
         report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
-        self.assertEqual([line.split()[-1] for line in report[4:8]], ["0.5", "1", "1.5", "-"]) # with trials 10 as well
+        self.assertEqual([line.split()[-1] for line in report[5:9]], ["0.5", "1", "1.5", "-"])  # with trials 10 as well
+        self.assertEqual(report[2], "without figures, since none with these settings is otherwise the same and ended so: 1 run")
+
+    def test_a_run_that_was_stopped_is_not_compared_with_one_that_ended(self):
+        self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
+        report = placedpar("report", "commstime.cfs", "--relative-to", "count=10", folder=self.folder).stdout.splitlines()
+        self.assertEqual([line.split()[2] for line in report[5:8]][::2], ["1", "-"])
+        self.assertIn("ended so: 1 run", report[2])
 
     def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
         self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
@@ -197,12 +204,13 @@ class BadInput(InFolder):
         self.assertIn("nowhere.sqlite: there is no such file", placedpar("report", "nowhere.cfs").stderr)
 
     def test_nothing_is_relative_to_what_no_run_has(self):
-        message = "no combination has slaves = 9, so figures cannot be relative to it"
+        message = "no combination has slaves = 9, so figures cannot be relative to it; they set "
         self.study(f'netlist = "{FIGURE_E2}"\nrelative_to = {{slaves = 9}}\n[set]\nslaves = "0..2"\n')
         self.assertIn(message, self.sweep("study.toml", code=1))
         self.assertFalse((self.folder / "study.sqlite").exists())  # nothing was run
         self.sweep(FIGURE_E2, "slaves=0,1", "master.trials=5")
-        for setting, said in (("slaves=9", message), ("slavs=0", "no combination has slavs = 0, "),
+        for setting, said in (("slaves=9", message + "slaves, master.trials"),
+                              ("slavs=0", "no combination has slavs = 0, "),
                               ("slaves", "--relative-to slaves: it takes NAME=VALUE, such as --relative-to slaves=3")):
             done = placedpar("report", "figure-e2.cfs", "--relative-to", setting, folder=self.folder)
             self.assertEqual((done.returncode, done.stdout), (1, ""))

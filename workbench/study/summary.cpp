@@ -32,20 +32,28 @@ public:
         if (!relative_to.empty())
             results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
                 if (reference_of(run) == run)
-                    measured_[run] = measured(outcome, measures);
+                    references_[run] = {outcome.ended, measured(outcome, measures)};
             });
     }
 
-    Measured relative(const StudyRun& run, Measured figures) const {
+    Measured relative(const StudyRun& run, const StudyOutcome& outcome, Measured figures) {
         if (relative_to_.empty())
             return figures;
-        auto found = measured_.find(reference_of(run));
+        auto found = references_.find(reference_of(run));
+        const bool compares = found != references_.end() && found->second.ended == outcome.ended;
+        without_ += !compares && std::ranges::any_of(figures, [](const auto& figure) { return figure.has_value(); });
         for (std::size_t i = 0; i < figures.size(); ++i)
-            figures[i] = found == measured_.end() ? std::nullopt : ratio(figures[i], found->second[i]);
+            figures[i] = compares ? ratio(figures[i], found->second.figures[i]) : std::nullopt;
         return figures;
     }
+    /// Runs with figures that were divided by none.
+    std::uint64_t without() const { return without_; }
 
 private:
+    struct Reference {
+        std::string ended;
+        Measured figures;
+    };
     static std::optional<StudyFigure> ratio(const std::optional<StudyFigure>& figure,
                                             const std::optional<StudyFigure>& reference) {
         if (!figure || !reference || reference->value == 0)
@@ -60,7 +68,8 @@ private:
     }
 
     const Overrides& relative_to_;
-    std::map<StudyRun, Measured> measured_;
+    std::map<StudyRun, Reference> references_;
+    std::uint64_t without_ = 0;
 };
 
 /// The runs of one combination while they are added.
@@ -179,8 +188,9 @@ StudySummary summary_of(StudyResults& results, std::vector<std::string> measures
     std::map<Overrides, Gathered> all;
     results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
         if (!of_study || study->has(run.set))
-            all[run.set].add(outcome, references.relative(run, measured(outcome, wanted)), summary.units);
+            all[run.set].add(outcome, references.relative(run, outcome, measured(outcome, wanted)), summary.units);
     });
+    summary.unrelated = references.without();
     add_names(summary, all);
     add_lines(summary, all);
     return summary;

@@ -39,6 +39,7 @@ struct StudySummary {
     std::vector<std::string> axes = {}; ///< that have several values
     Overrides fixed = {};               ///< what all combinations set to the same
     Overrides relative_to = {};         ///< figures are relative to those with these settings; none: as they are
+    std::uint64_t unrelated = 0;        ///< runs with figures for which there is none of these
     std::vector<std::string> measures = {}, units = {};
     std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
 
@@ -49,7 +50,8 @@ struct StudySummary {
 
 /// Of the runs that are kept; of a study that is swept, of those with its combinations, whatever their seeds. Without
 /// measures, of those that were asked for last. Relative to some settings, each figure is divided by that of the run
-/// that has them and is otherwise the same, its seed too; where there is none of these, there is no figure.
+/// that has them and is otherwise the same, its seed too, and ended in the same way; where there is none of these,
+/// there is no figure.
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 

@@ -1,5 +1,7 @@
 #include "workbench/study/summary_cells.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,8 +21,9 @@ std::string shown_settings(const Overrides& set) {
 
 } // namespace
 
-std::string there_is_no_reference(const Overrides& set) {
-    return fmt::format("no combination has {}, so figures cannot be relative to it", shown_settings(set));
+std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set) {
+    return fmt::format("no combination has {}, so figures cannot be relative to it; {}", shown_settings(wanted),
+                       set.empty() ? "nothing is set in them" : fmt::format("they set {}", fmt::join(set, ", ")));
 }
 
 bool has_intervals(const StudySummary& summary) {
@@ -54,6 +57,11 @@ std::vector<std::string> said_of_all(const StudySummary& summary) {
         said.push_back("all with " + shown_settings(summary.fixed));
     if (!summary.relative_to.empty())
         said.push_back("relative to " + shown_settings(summary.relative_to));
+    if (summary.unrelated > 0)
+        said.push_back(
+            fmt::format("without figures, since none with these settings is otherwise the same and ended so: "
+                        "{}",
+                        counted(summary.unrelated, "run")));
     return said;
 }
 

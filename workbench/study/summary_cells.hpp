@@ -20,8 +20,9 @@ std::string ended_of(const StudyLine&);
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 /// Whether some combination was run with several seeds.
 bool has_intervals(const StudySummary&);
-/// What is wrong with settings that no run has, where figures are to be relative to those with them: a sentence.
-std::string there_is_no_reference(const Overrides&);
+/// What is wrong with settings that no run has, where figures are to be relative to those with them: a sentence, with
+/// the names of what runs set.
+std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set);
 /// What holds for all lines: "all with samples = 12", "relative to slaves = 0".
 std::vector<std::string> said_of_all(const StudySummary&);
 
