@@ -51,12 +51,8 @@ StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
 }
 
 void require_reference_line(const StudySummary& summary) {
-    if (summary.relative_to.empty() || summary.has_some(summary.relative_to))
-        return;
-    std::vector<std::string> names = summary.axes;
-    for (const auto& [name, value] : summary.fixed)
-        names.push_back(name);
-    throw UserError(there_is_no_reference(summary.relative_to, names));
+    if (!summary.relative_to.empty() && !summary.has_some(summary.relative_to))
+        throw UserError(there_is_no_reference(summary.relative_to, summary.names()));
 }
 
 void write_outputs(const StudySummary& summary, const ReportOptions& options) {

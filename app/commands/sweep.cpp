@@ -28,7 +28,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 
 namespace placedpar {
 
@@ -90,13 +89,8 @@ Study study_of(const SweepOptions& options) {
 }
 
 void require_reference_run(const Study& study) {
-    if (study.relative_to.empty() || study.has_some(study.relative_to))
-        return;
-    std::set<std::string> names;
-    for (const StudyProduct& product : study.products)
-        for (const StudyAxis& axis : product.axes)
-            names.insert(axis.name);
-    throw UserError(there_is_no_reference(study.relative_to, {names.begin(), names.end()}));
+    if (!study.relative_to.empty() && !study.has_some(study.relative_to))
+        throw UserError(there_is_no_reference(study.relative_to, study.names()));
 }
 
 std::filesystem::path results_of(const SweepOptions& options) {

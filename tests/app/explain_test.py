@@ -173,6 +173,16 @@ class Explain(unittest.TestCase):
             self.assertLess(none["time_ps"], document["time_ps"])
             self.assertEqual(none["time_ps"], time_of_what_if(netlist, none))
 
+    def test_constants_that_differ_are_asked_about_together(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "two.cfs"
+            netlist.write_text(re.sub(r"bytes = \d+", "bytes = 100 + 40 * i", TWO_BUSES), encoding="utf-8")
+            _, document = explained(netlist)
+            half = next(what for what in document["what_if"] if what["what"] == "bytes half")
+            self.assertEqual(half["set"], {"source[0].bytes": "50", "source[1].bytes": "70"})
+            self.assertLess(half["time_ps"], document["time_ps"])
+            self.assertEqual(half["time_ps"], time_of_what_if(netlist, half))
+
     def test_the_path_goes_over_the_bus_and_what_is_slower_is_so_for_a_reason(self):
         run, document = explained(os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs"))
         spent = collections.Counter()

@@ -210,6 +210,24 @@ class Pages(unittest.TestCase):
         self.assertEqual(seen[0].count('class="curve"'), 12)
 
     @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_what_is_cut_off_is_not_said_to_last_for_ever(self):
+        for options in (("--trace-from", "1ms", "--trace-until", "2ms"), ("--until", "2ms")):
+            self.page(COMMSTIME, *options)
+            pages = [self.browse(f"at=1&process={name}") for name in ("prefix", "delta", "successor", "consumer")]
+            said = [re.search(rf'id="{part}">(.*?)</{kind}>', page, re.S).group(1)
+                    for page in pages for part, kind in (("chosen", "aside"), ("measures", "section"))]
+            self.assertFalse([text for text in said if "for ever" in text])
+            self.assertTrue([text for text in said if "until 2.0" in text and "at least</li>" in text])
+        self.assertTrue([text for text in said if re.search(r"\d %, the last wait since", text)])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_a_moment_in_the_address_is_exact(self):
+        run = data_of(self.page(COMMSTIME)[1])["timeline"]
+        page = self.browse("at=0.500012345&from=0.5&to=0.5001")
+        seen = re.search(r'<output id="now">([\d.]+) ms<', page).group(1)
+        self.assertAlmostEqual(float(seen) * 1e9, run["begin"] + 0.500012345 * (run["end"] - run["begin"]), delta=1000)
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
     def test_the_cycle_of_the_philosophers_shows(self):
         self.page(PHILOSOPHERS, "--set", "butler=0", exit_code=2)
         page = self.browse("process=philosopher[0]")

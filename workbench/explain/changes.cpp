@@ -262,30 +262,37 @@ private:
                 add_process(process);
     }
 
-    /// Of those costs that have the same value wherever they are.
+    /// By what has it: a node, a process.
+    using Costs = std::map<std::string, std::int64_t>;
+
     template <class Map>
-    static void note_costs(const Map& values, std::map<std::string, std::set<std::int64_t>>& costs) {
+    static void note_costs(const std::string& owner, const Map& values, std::map<std::string, Costs>& costs) {
         for (const auto& [name, value] : values)
             if (auto cost = cost_of(name, value))
-                costs[name].insert(*cost);
+                costs[name][owner] = *cost;
     }
 
     void add_constants() {
-        std::map<std::string, std::set<std::int64_t>> costs;
+        std::map<std::string, Costs> costs;
         for (const Node& node : network_.nodes)
-            note_costs(node.attributes, costs);
+            note_costs(node.name, node.attributes, costs);
         for (const ProcessInstance& process : network_.processes)
-            note_costs(process.parameters, costs);
-        for (const auto& [name, values] : costs)
-            if (values.size() == 1)
-                add_constant(name, *values.begin());
+            note_costs(process.name, process.parameters, costs);
+        for (const auto& [name, by_owner] : costs)
+            for (const Factor& factor : factors)
+                add_constant(name, by_owner, factor);
     }
 
-    /// Of 4 cycles none is a tenth.
-    void add_constant(const std::string& name, std::int64_t value) {
-        for (const Factor& factor : factors)
-            if (std::string lesser = less(value, factor); lesser != std::to_string(value))
-                changes_.push_back({Change::Of::constant, name, factor.less, {{name, lesser}}});
+    /// By its name where it is the same everywhere, else of each that has it. Of 4 cycles none is a tenth.
+    void add_constant(const std::string& name, const Costs& costs, const Factor& factor) {
+        const std::int64_t one = costs.begin()->second;
+        const bool same = std::ranges::all_of(costs, [one](const auto& cost) { return cost.second == one; });
+        Change change{Change::Of::constant, name, factor.less, {}};
+        for (const auto& [owner, cost] : costs)
+            if (std::string lesser = less(cost, factor); lesser != std::to_string(cost))
+                change.set[same ? name : owner + "." + name] = lesser;
+        if (!change.set.empty())
+            changes_.push_back(std::move(change));
     }
 
     static std::string text_of(const std::string& path) {

@@ -15,7 +15,8 @@ function sumsOf(levels) {
 
 const span = Math.max(run.end - run.begin, 1);
 // What waits for ever is drawn beyond the end.
-const drawnEnd = run.end + (report.deadlock ? 0.06 * span : 0);
+const endsInDeadlock = report.deadlock && run.end >= report.time_ps;
+const drawnEnd = run.end + (endsInDeadlock ? 0.06 * span : 0);
 
 function pathOf(flat) {
   const parts = [];
@@ -39,7 +40,15 @@ function isOfProcess(track) { return track.kind === "process" || track.kind === 
 function stateOf(slice) {
   if (runningWork.has(slice.doing)) return "running";
   if (slice.doing === "ready") return "ready";
-  return slice.open && slice.doing !== "delayed" && report.deadlock ? "stuck" : "waiting";
+  return slice.open && slice.doing !== "delayed" && endsInDeadlock ? "stuck" : "waiting";
+}
+
+// What is cut off by the beginning or the end of what is shown may have begun before, and may go on.
+const beginText = (slice, precision) => timeText(slice.begin, precision) + (slice.begin <= run.begin && run.begin > 0 ? " or before" : "");
+
+function endText(slice, precision) {
+  if (!slice.open) return "until " + timeText(slice.end, precision);
+  return stateOf(slice) === "stuck" ? "and for ever" : `until ${timeText(run.end, precision)} at least`;
 }
 
 function sumUntil(sums, moment) {

@@ -116,8 +116,7 @@ function followAddress() {
     lookAt(momentAt(from), momentAt(to));
   }
   if (!said.has("at")) return;
-  slider.value = Math.round(Number(said.get("at")) * steps);
-  slider.dispatchEvent(new Event("input"));
+  goTo(run.begin + Number(said.get("at")) * span); // the slider has 10,000 steps
 }
 
 function begin() {

@@ -5,10 +5,9 @@ const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCo
 const processLink = name => trackNamed.has(outermostName(name)) ? `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>` : escaped(name);
 
 function waitText({ slice, channel, partner }, moment) {
-  const since = timeText(slice.begin, lengthInSight()), end = slice.open ? "and for ever" : `until ${timeText(slice.end, lengthInSight())}`;
   const who = partner ? processLink(partner) : "nobody yet";
   const what = channel ? `${slice.doing} ${slice.doing === "outputs" ? "to" : "from"} ${who} on <i>${escaped(channel)}</i>` : describe(slice);
-  return `<li>${what}, since ${since} ${end}</li>`;
+  return `<li>${what}, since ${beginText(slice, lengthInSight())} ${endText(slice, lengthInSight())}</li>`;
 }
 
 function stateText(track, moment) {
@@ -26,7 +25,7 @@ function chainText(name, moment) {
 
 function sharesText(track, from, to) {
   const running = runningShare(track, from, to), all = runningShare(track, run.begin, run.end);
-  return `<p>Running ${(100 * running).toFixed(0)} % of the time around this moment, ${(100 * all).toFixed(1)} % of the run.</p>`;
+  return `<p>Running ${(100 * running).toFixed(0)} % of the time around this moment, ${(100 * all).toFixed(0)} % of ${run.begin > 0 || run.end < report.time_ps ? "all that is shown" : "the run"}.</p>`;
 }
 
 function showChosen(name, moment, from, to) {
@@ -50,7 +49,9 @@ function busyText(processor) {
 }
 
 function waitingText(process) {
-  return process.waits_since_ps === undefined ? percent(process.waiting) : `for ever, from ${timeText(process.waits_since_ps, span)} on`;
+  if (process.waits_since_ps === undefined) return percent(process.waiting);
+  const since = timeText(process.waits_since_ps, report.time_ps);
+  return report.deadlock ? `for ever, from ${since} on` : `${percent(process.waiting)}, the last wait since ${since}`;
 }
 
 function tableOf(heading, heads, rows) {

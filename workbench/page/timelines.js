@@ -237,7 +237,7 @@ function textAt({ track, moment }) {
   if (!track || moment === null) return "";
   const slice = sliceAt(track, moment), precision = lengthInSight(), part = pathAt(track, moment);
   if (part) return `critical path, ${part.name}; from ${timeText(part.begin, precision)} to ${timeText(part.end, precision)}: ${timeText(part.end - part.begin, part.end - part.begin)}`;
-  if (slice && slice.open) return `${track.name}: ${describe(slice)} from ${timeText(slice.begin, precision)} on, and that does not end`;
+  if (slice && slice.open) return `${track.name}: ${describe(slice)} since ${beginText(slice, precision)} ${endText(slice, precision)}`;
   if (slice) return `${track.name}: ${describe(slice)}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
   const from = moment - run.bin / 2, share = sums => (100 * shareOf(sums, from, from + run.bin)).toFixed(0) + " %";
   return `${track.name} at ${timeText(moment, precision)}` + (isKnownAt(moment) ? "" : `, summarised: running ${share(track.running)}, ready ${share(track.ready)} of ${timeText(run.bin, run.bin)}`);

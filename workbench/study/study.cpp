@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace placedpar {
@@ -97,6 +98,14 @@ std::optional<StudyRun> Study::at(std::uint64_t index) const {
 
 bool Study::has(const Overrides& set) const {
     return std::ranges::any_of(products, [&](const StudyProduct& product) { return product.has(set); });
+}
+
+std::vector<std::string> Study::names() const {
+    std::set<std::string> names;
+    for (const StudyProduct& product : products)
+        for (const StudyAxis& axis : product.axes)
+            names.insert(axis.name);
+    return {names.begin(), names.end()};
 }
 
 bool Study::has_some(const Overrides& set) const {

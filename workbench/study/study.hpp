@@ -63,6 +63,8 @@ struct Study {
     bool has(const Overrides&) const;
     /// Whether it has some, whatever else they set, were it not for a condition.
     bool has_some(const Overrides&) const;
+    /// What it sets.
+    std::vector<std::string> names() const;
 };
 
 } // namespace placedpar

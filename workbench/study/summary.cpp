@@ -165,6 +165,13 @@ std::uint64_t StudySummary::runs() const {
     return sum;
 }
 
+std::vector<std::string> StudySummary::names() const {
+    std::vector<std::string> names = axes;
+    for (const auto& [name, value] : fixed)
+        names.push_back(name);
+    return names;
+}
+
 bool StudySummary::has_some(const Overrides& set) const {
     return std::ranges::any_of(lines, [&](const StudyLine& line) {
         return std::ranges::all_of(set, [&](const auto& setting) {

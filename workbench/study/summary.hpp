@@ -44,6 +44,8 @@ struct StudySummary {
     std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
 
     std::uint64_t runs() const;
+    /// What its runs set.
+    std::vector<std::string> names() const;
     /// Whether some line has all of these settings.
     bool has_some(const Overrides&) const;
 };
