@@ -1,6 +1,7 @@
 """placedpar explain: the critical path adds up to the run, and what changes would gain is what changed runs take."""
 
 import collections
+import contextlib
 import glob
 import json
 import os
@@ -51,6 +52,14 @@ rep i = 0 for 2 {
     connect source[i].out to sink[i].in;
 }
 """
+
+
+@contextlib.contextmanager
+def netlist_file(text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "two.cfs"
+        path.write_text(text, encoding="utf-8")
+        yield path
 
 
 def explained(netlist, *options):
@@ -129,9 +138,7 @@ class Explain(unittest.TestCase):
             self.assertEqual(answer["time_ps"], time_of_what_if(FIGURE_E2, answer), what)
 
     def test_each_bus_and_all_of_them_are_asked_about(self):
-        with tempfile.TemporaryDirectory() as folder:
-            netlist = pathlib.Path(folder) / "two.cfs"
-            netlist.write_text(TWO_BUSES, encoding="utf-8")
+        with netlist_file(TWO_BUSES) as netlist:
             run, document = explained(netlist)
             answers = {what["what"]: what for what in document["what_if"]}
             left = {"10 % faster": ("545", "282", "182"), "twice as fast": ("300", "155", "100"), "as fast as can be": ("1", "1", "0")}
@@ -161,10 +168,9 @@ class Explain(unittest.TestCase):
         self.assertEqual(memory["time_ps"], time_of_what_if(netlist, memory))
 
     def test_what_bytes_cost_between_two_orders_is_asked_about(self):
-        with tempfile.TemporaryDirectory() as folder:
-            netlist = pathlib.Path(folder) / "sun.cfs"
-            netlist.write_text(TWO_BUSES.replace("BBKV2 m[4];", "BBKV2 m[3];\nworkstation sun;").replace("m[3].bus", "sun.bus").replace(
-                "place sink[i] on m[2 * i + 1];", "if i == 0 place sink[i] on m[1]; else place sink[i] on sun;"), encoding="utf-8")
+        to_the_sun = TWO_BUSES.replace("BBKV2 m[4];", "BBKV2 m[3];\nworkstation sun;").replace("m[3].bus", "sun.bus").replace(
+            "place sink[i] on m[2 * i + 1];", "if i == 0 place sink[i] on m[1]; else place sink[i] on sun;")
+        with netlist_file(to_the_sun) as netlist:
             _, document = explained(netlist)
             answers = {what["what"]: what for what in document["what_if"]}
             self.assertEqual({what: answer["set"] for what, answer in answers.items() if what.startswith("conversion")},
@@ -174,9 +180,7 @@ class Explain(unittest.TestCase):
             self.assertEqual(none["time_ps"], time_of_what_if(netlist, none))
 
     def test_constants_that_differ_are_asked_about_together(self):
-        with tempfile.TemporaryDirectory() as folder:
-            netlist = pathlib.Path(folder) / "two.cfs"
-            netlist.write_text(re.sub(r"bytes = \d+", "bytes = 100 + 40 * i", TWO_BUSES), encoding="utf-8")
+        with netlist_file(re.sub(r"bytes = \d+", "bytes = 100 + 40 * i", TWO_BUSES)) as netlist:
             _, document = explained(netlist)
             half = next(what for what in document["what_if"] if what["what"] == "bytes half")
             self.assertEqual(half["set"], {"source[0].bytes": "50", "source[1].bytes": "70"})
