@@ -62,20 +62,18 @@ bool is_written_as_it_goes(const fs::path& destination) {
     return is_standard_stream(destination) || fs::is_other(destination, error);
 }
 
-/// Standard output stays open when the file is closed.
+/// Closing it leaves the descriptor open.
+std::FILE* stream_to(int descriptor) {
+    int copy = ::dup(descriptor);
+    return copy < 0 ? nullptr : ::fdopen(copy, "wb");
+}
+
 std::FILE* open_for_writing(const fs::path& path) {
     if (!is_standard_stream(path))
         return std::fopen(path.c_str(), "wb");
     std::fflush(stdout);
     give_standard_output_to_a_file();
-    int copy = ::dup(STDOUT_FILENO);
-    return copy < 0 ? nullptr : ::fdopen(copy, "wb");
-}
-
-fs::path temporary_beside(const fs::path& path) {
-    fs::path temporary = path;
-    temporary += fmt::format(".{}.part", ::getpid());
-    return temporary;
+    return stream_to(STDOUT_FILENO);
 }
 
 bool are_one_file(const fs::path& a, const fs::path& b) {
@@ -96,24 +94,22 @@ bool takes_standard_output(const fs::path& path) {
 
 } // namespace
 
-OutputFile::OutputFile(const fs::path& path)
-    : name_(path), destination_(destination_of(path)),
-      written_(is_written_as_it_goes(destination_) ? destination_ : temporary_beside(destination_)),
-      file_(open_for_writing(written_)) {
+OutputFile::OutputFile(const fs::path& path) : name_(path), destination_(destination_of(path)) {
+    if (is_written_as_it_goes(destination_))
+        file_ = open_for_writing(destination_);
+    else if (temporary_.emplace(destination_).descriptor() >= 0)
+        file_ = stream_to(temporary_->descriptor());
     if (!file_)
         refuse(name_, errno);
     struct stat before = {};
-    if (written_ != destination_ && ::stat(destination_.c_str(), &before) == 0 &&
+    if (temporary_ && ::stat(destination_.c_str(), &before) == 0 &&
         ::fchmod(::fileno(file_), before.st_mode & 07777) != 0)
         note_error();
 }
 
 OutputFile::~OutputFile() {
-    if (!file_)
-        return;
-    close();
-    if (written_ != destination_)
-        std::remove(written_.c_str());
+    if (file_)
+        close();
 }
 
 void OutputFile::note_error() noexcept {
@@ -134,12 +130,9 @@ void OutputFile::write(std::string_view text) noexcept {
 
 void OutputFile::finish() {
     close();
-    if (written_ != destination_) {
-        if (error_ == 0 && std::rename(written_.c_str(), destination_.c_str()) != 0)
-            note_error();
-        if (error_ != 0)
-            std::remove(written_.c_str());
-    }
+    if (error_ == 0 && temporary_ && !temporary_->take_place())
+        note_error();
+    temporary_.reset();
     if (error_ != 0 && !(is_standard_stream(name_) && error_ == EPIPE))
         refuse(name_, error_);
 }

@@ -1,13 +1,16 @@
 #pragma once
 
+#include "text/temporary_file.hpp"
+
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
 
 namespace placedpar {
 
-/// A file that is written whole or not at all: to a temporary file beside it, which takes its name at the end.
+/// A file that is written whole or not at all: to a temporary file, which takes its place at the end.
 /// A symbolic link stays one, and what it leads to is written; a file that is there already keeps its permissions.
 /// A device or a pipe has no name to take: it is written as it goes, and so is "-", standard output
 /// (text/standard_streams.hpp).
@@ -29,9 +32,9 @@ private:
     void note_error() noexcept;
     void close() noexcept;
 
-    std::filesystem::path name_;        ///< as the user gave it
-    std::filesystem::path destination_; ///< what takes the content in the end
-    std::filesystem::path written_;     ///< the temporary file, or the destination where that is no file
+    std::filesystem::path name_;             ///< as the user gave it
+    std::filesystem::path destination_;      ///< what takes the content in the end
+    std::optional<TemporaryFile> temporary_; ///< what takes it before, where the destination is a file
     std::FILE* file_ = nullptr;
     int error_ = 0;
 };

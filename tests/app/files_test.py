@@ -152,6 +152,13 @@ class Files(unittest.TestCase):
         self.assertEqual(path.stat().st_mode & 0o777, 0o640)
         self.assertNotEqual(path.read_text(encoding="utf-8"), "precious")
 
+    def test_a_new_file_has_the_permissions_of_any_new_file(self):
+        for mask, permissions in ((0o022, 0o644), (0o077, 0o600), (0o002, 0o664)):
+            path = self.folder / f"{mask}.json"
+            subprocess.run([PROGRAM, "run", str(COMMSTIME), "--set", "count=5", "--json", str(path)], stdout=subprocess.DEVNULL,
+                           timeout=60, check=True, umask=mask)
+            self.assertEqual(path.stat().st_mode & 0o7777, permissions)
+
     def test_a_full_standard_output_is_no_success(self):
         for arguments in (["run", COMMSTIME, "--set", "count=5"], ["check", COMMSTIME], ["show", COMMSTIME], ["kinds"],
                           ["show", COMMSTIME, "--format", "dot"], ["show", FIGURE_E2, "--format", "json"], ["kinds", "ga.master"],

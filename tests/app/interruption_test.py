@@ -1,8 +1,10 @@
 """A long run can be stopped, and says what it has."""
 
+import contextlib
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
@@ -10,7 +12,7 @@ import tempfile
 import time
 import unittest
 
-from program import EXAMPLES, PROGRAM
+from program import EXAMPLES, FIGURE_E2, PROGRAM
 
 LONG = ["run", str(EXAMPLES / "01-commstime" / "commstime.cfs"), "--set", "count=1000000000"]
 
@@ -24,6 +26,16 @@ def wait_until_it_listens(process, number, seconds=20):
             return
         time.sleep(0.005)
     raise AssertionError("it never listened to signals")
+
+
+def written_in(folder, process):
+    """How many bytes are in the files that the program has open there, whether they have a name or not."""
+    sizes = [0]
+    for each in pathlib.Path(f"/proc/{process.pid}/fd").iterdir():
+        with contextlib.suppress(FileNotFoundError): # it may be closed meanwhile
+            if os.readlink(each).startswith(str(folder)):
+                sizes.append(each.stat().st_size)
+    return max(sizes)
 
 
 def long_examples(folder):
@@ -79,21 +91,53 @@ class Interruption(unittest.TestCase):
                 self.assertEqual((run.returncode, output), (130, ""), errors)
                 self.assertIn("no table or plot of it was made\n" + said, errors)
 
-    def test_the_trace_grows_beside_its_place_and_is_whole_in_the_end(self):
+    def test_the_trace_grows_in_its_folder_and_is_whole_in_the_end(self):
+        for before in (None, "of an earlier run"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder) / "trace.json"
+                if before:
+                    path.write_text(before, encoding="utf-8")
+                code = self.signal_while_it_traces(path, signal.SIGINT)
+                self.assertEqual(code, 130)
+                self.assertEqual(list(path.parent.iterdir()), [path])
+                self.assertTrue(json.loads(path.read_text(encoding="utf-8"))["traceEvents"])
+
+    def test_nothing_is_left_of_a_trace_when_the_program_is_killed(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "trace.json"
-            with subprocess.Popen([PROGRAM, *LONG, "--trace", str(path)], stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE, text=True) as run:
-                deadline = time.monotonic() + 20
-                while sum(part.stat().st_size for part in path.parent.iterdir()) < 1_000_000:
-                    self.assertLess(time.monotonic(), deadline, "nothing is written while the run goes on")
-                    time.sleep(0.01)
-                self.assertFalse(path.exists())
-                run.send_signal(signal.SIGINT)
-                run.communicate(timeout=20)
-            self.assertEqual(run.returncode, 130)
-            self.assertEqual(list(path.parent.iterdir()), [path])
-            self.assertTrue(json.loads(path.read_text(encoding="utf-8"))["traceEvents"])
+            self.require_files_without_a_name(folder)
+            self.assertEqual(self.signal_while_it_traces(pathlib.Path(folder) / "trace.json", signal.SIGKILL), -signal.SIGKILL)
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_nothing_is_left_of_a_page_when_the_program_is_killed_while_it_writes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.require_files_without_a_name(folder)
+            page = pathlib.Path(folder) / "run.html"
+            page.write_text("of an earlier run", encoding="utf-8")
+            run = subprocess.run([PROGRAM, "run", str(FIGURE_E2), "--page", str(page)], capture_output=True, check=False,
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192)))
+            self.assertEqual(run.returncode, -signal.SIGXFSZ) # which kills in the middle of what is written
+            self.assertEqual(os.listdir(folder), ["run.html"])
+            self.assertEqual(page.read_text(encoding="utf-8"), "of an earlier run")
+
+    def signal_while_it_traces(self, path, number):
+        """What it then ends with."""
+        before = path.read_bytes() if path.exists() else None
+        with subprocess.Popen([PROGRAM, *LONG, "--trace", str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as run:
+            deadline = time.monotonic() + 20
+            while written_in(path.parent, run) < 1_000_000:
+                self.assertLess(time.monotonic(), deadline, "nothing is written while the run goes on")
+                time.sleep(0.01)
+            self.assertEqual(path.read_bytes() if path.exists() else None, before)
+            run.send_signal(number)
+            run.communicate(timeout=20)
+        return run.returncode
+
+    def require_files_without_a_name(self, folder):
+        try:
+            os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
+        except OSError as error:
+            self.skipTest(f"the file system has no files without a name: {error}")
 
 
 if __name__ == "__main__":
