@@ -70,24 +70,29 @@ DeclaredWith declaring_with(const NetlistOptions& options, const ParsedNetlist& 
     };
 }
 
-/// Runs it, and draws the critical path where that is asked for.
-Explanation explain(const Network& network, const ExplainOptions& options, const std::string& typed,
-                    Interruption& interruption) {
+/// Who is told of the run while it goes on.
+struct Listeners {
+    Listeners(const Network& network, const RecordedFiles& files)
+        : recorders(network, files, &path), searches(log_of(network)) {}
+
     CriticalPath path;
-    Recorders recorders(network, options.recorded, &path);
-    GenerationLog searches = log_of(network);
+    Recorders recorders;
+    GenerationLog searches;
+};
+
+Explanation run_explained(const Network& network, const ExplainOptions& options, Listeners& listeners,
+                          Interruption& interruption) {
     Explanation explanation;
     explanation.report = run_netlist(network, known_problems(options.seed),
                                      {.seed = options.seed,
                                       .until = options.until,
-                                      .trace = recorders.sink(),
-                                      .observer = &searches,
+                                      .trace = listeners.recorders.sink(),
+                                      .observer = &listeners.searches,
                                       .interruption = &interruption});
-    explanation.accounts = path.accounts();
-    explanation.waits_at_links = path.waits_at_links();
-    explanation.path = path.parts();
-    explanation.path_too_long = path.too_long();
-    recorders.finish({network, explanation.report, options.manifest(typed), searches}, marks_of(explanation.path));
+    explanation.accounts = listeners.path.accounts();
+    explanation.waits_at_links = listeners.path.waits_at_links();
+    explanation.path = listeners.path.parts();
+    explanation.path_too_long = listeners.path.too_long();
     return explanation;
 }
 
@@ -143,12 +148,15 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
     Network network = load_network(options.netlist);
     for (const std::string& included : network.included_paths)
         require_apart(options.outputs(), included);
+    Listeners listeners(network, options.recorded);
     InterruptedBySignals interruption;
-    Explanation explanation = explain(network, options, typed, interruption);
+    Explanation explanation = run_explained(network, options, listeners, interruption);
     if (!options.no_what_if)
         add_answers(explanation, network, options, interruption);
     print_out(print_explanation(explanation, network));
     write_output(explanation, network, options);
+    listeners.recorders.finish({network, explanation.report, options.manifest(typed), listeners.searches},
+                               marks_of(explanation.path));
     return exit_code_of(explanation);
 }
 

@@ -238,6 +238,14 @@ class Explain(unittest.TestCase):
         self.assertIn("master[0]", {timeline["texts"][name].split()[-3] for track, _, _, name in line
                                     if timeline["tracks"][track]["name"] == "t[0][0]" and " on " in timeline["texts"][name]})
 
+    def test_what_is_found_is_told_also_where_a_page_or_a_trace_cannot_be_written(self):
+        told = subprocess.run([PROGRAM, "explain", FIGURE_E2, "--no-what-if"], capture_output=True, text=True, check=True).stdout
+        for option in ("--page", "--trace", "--json"):
+            run = subprocess.run([PROGRAM, "explain", FIGURE_E2, "--no-what-if", option, "/dev/full"], capture_output=True,
+                                 text=True, check=False)
+            self.assertEqual((run.returncode, run.stdout), (1, told), option)
+            self.assertEqual(run.stderr, "placedpar: /dev/full: cannot be written: No space left on device\n")
+
     def test_a_flag_is_shown_as_it_is_typed(self):
         run = subprocess.run([PROGRAM, "explain", "--help"], capture_output=True, text=True, check=True)
         self.assertRegex(run.stdout, r"(?m)^  --no-what-if +does not try out")
