@@ -18,8 +18,10 @@ Recorders::Recorders(const Network& network, const RecordedFiles& files, TraceSi
 }
 
 void Recorders::finish(const PageContent& content, std::span<const PathMark> critical_path) {
-    if (page_)
+    if (page_) {
         write_whole(page_path_, page_->html(content, critical_path));
+        print_warnings(page_->warnings(page_path_));
+    }
     if (trace_)
         print_warnings(trace_->finish(content.report.result, critical_path));
 }

@@ -183,6 +183,24 @@ class Pages(unittest.TestCase):
         run = data_of(page)["timeline"]
         self.assertEqual((run["begin"], run["end"]), (10**9, 2 * 10**9))
 
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_a_part_is_said_to_be_one(self):
+        for options, said in ((("--trace-from", "1ms", "--trace-until", "2.5ms"), "from 1.000 ms to 2.500 ms, of 9.540 ms."),
+                              (("--trace-from", "1ms"), "from 1.000 ms to 9.540 ms, of 9.540 ms."),
+                              (("--trace-until", "2.5ms"), "from 0 to 2.500 ms, of 9.540 ms."),
+                              (("--trace-from", "1s"), "<b>Nothing of the run</b>"), ((), None), (("--until", "5ms"), None)):
+            self.page(COMMSTIME, *options)
+            hidden, text = re.search(r'<p id="part"( hidden="")?>(.*?)</p>', self.browse(""), re.S).groups()
+            self.assertEqual((bool(hidden), bool(text)), (said is None, said is not None), options)
+            self.assertIn(said or "", text)
+
+    def test_a_part_after_the_run_is_empty_and_says_so(self):
+        for begin, empty in (("1s", True), ("9.54ms", True), ("9.53ms", False), ("0s", False)):
+            run, _ = self.page(COMMSTIME, "--trace-from", begin)
+            said = f"{self.folder / 'run.html'}: the page's timelines are empty: the run was over at 9.540000 ms, and the part that is wanted begins at "
+            self.assertEqual(run.stderr.startswith(said), empty)
+            self.assertTrue(empty or not run.stderr)
+
     def test_what_is_refused(self):
         for options, message in [(("--page", self.folder / "nowhere" / "run.html"), "nowhere"),
                                  (("--page", self.folder / "run.html", "--seeds", "2"), "a page is of one run"),

@@ -84,11 +84,20 @@ function extentText() {
   return all + (run.lost ? ` ${count(run.left_out)} more, of the middle, are ${bins}.` : "");
 }
 
+// Where the timelines are of a part of the run, as the tables and the curves are not.
+function partText() {
+  if (run.begin <= 0 && run.end >= report.time_ps) return "";
+  if (run.begin >= run.end) return "<b>Nothing of the run</b> is in the timelines and the drawing: it was over before the part that they are of. Tables and curves are of the whole run.";
+  return `<b>A part of the run</b> is in the timelines and the drawing: from ${run.begin && timeText(run.begin, span)} to ${timeText(run.end, span)}, of ${timeText(report.time_ps, span)}. Tables and curves are of the whole run.`;
+}
+
 function showOutcome() {
   document.getElementById("heading").textContent = report.manifest.netlist;
   const well = report.outcome === "completed" || report.outcome === "time limit";
   d3.select("#outcome").html(`<span class="${well ? "" : "bad"}">${escaped(report.outcome)}</span> at ${timeText(report.time_ps, span)}, ` +
     `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${extentText()}`);
+  const part = partText();
+  if (part) d3.select("#part").attr("hidden", null).html(part);
   if (!report.deadlock) return;
   const cycle = report.deadlock.cycle, around = cycle.length ? [...cycle, cycle[0]].map(processLink).join(" &rarr; ") : "no cycle: a partner has ended, or there never was one";
   d3.select("#deadlock").attr("hidden", null).html(`<b>Deadlock.</b> Each waits for the next: ${around}`)

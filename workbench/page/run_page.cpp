@@ -1,5 +1,6 @@
 #include "workbench/page/run_page.hpp"
 
+#include "text/standard_streams.hpp"
 #include "text/utf8.hpp"
 #include "workbench/page/encoding.hpp"
 #include "workbench/page/parts.hpp"
@@ -149,6 +150,11 @@ std::string RunPage::html(const PageContent& content, std::span<const PathMark> 
                           {"@STRETCHES@", stretch_elements(recorder_.stretches())},
                           {"@PROGRAM@", page::program_js()}};
     return filled(page::frame_html(), parts);
+}
+
+std::string RunPage::warnings(const std::filesystem::path& path) const {
+    std::string why = timeline_.why_empty();
+    return why.empty() ? "" : fmt::format("{}: the page's timelines are empty: {}\n", shown_output(path), why);
 }
 
 } // namespace placedpar

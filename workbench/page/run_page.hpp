@@ -4,6 +4,7 @@
 #include "workbench/run_report.hpp"
 #include "workbench/trace/timeline.hpp"
 
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -31,6 +32,9 @@ public:
     /// With the critical path as a line through the timelines, where it is known. REQUIRES: the run is over; called
     /// once.
     std::string html(const PageContent&, std::span<const PathMark> critical_path = {});
+    /// What the user should know about what is not on it, in lines of text that name the file. REQUIRES: the run is
+    /// over.
+    std::string warnings(const std::filesystem::path&) const;
 
 private:
     Tracks tracks_;

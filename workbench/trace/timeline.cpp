@@ -49,6 +49,13 @@ const TraceWindow& require_time_in(const TraceWindow& window) {
 Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& writer)
     : tracks_(tracks), window_(window), writer_(writer) {}
 
+std::string Timeline::why_empty() const {
+    if (window_.from == Time{} || *end_ > window_.from)
+        return "";
+    return fmt::format("the run was over at {}, and the part that is wanted begins at {}", to_string(*end_),
+                       to_string(window_.from));
+}
+
 void Timeline::finish(const RunResult& result) {
     for (auto& [ordinal, lane] : lanes_)
         finish(lane, result);

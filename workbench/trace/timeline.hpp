@@ -34,8 +34,8 @@ public:
 
     /// When the trace was full, if it was.
     std::optional<Time> full_at() const { return full_at_; }
-    /// REQUIRES, as finish(): the run is over.
-    Time end() const { return *end_; }
+    /// Why nothing of the run lies in the window, where that is so; else "". REQUIRES, as finish(): the run is over.
+    std::string why_empty() const;
     /// Of the run. A wait is left open where it never ended, or ended behind the trace; not one that ended after the
     /// work (see wait_until_work_is_over), which is not traced.
     void finish(const RunResult&);

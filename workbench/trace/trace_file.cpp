@@ -54,9 +54,8 @@ std::string TraceFile::warnings() const {
         return fmt::format("{}: the trace is full at {}, with {} entries; the rest of the run is not in it. Choose a "
                            "part of the run with --trace-from and --trace-until, or more with --trace-limit\n",
                            shown_output(path_), to_string(*full), window_.most_entries);
-    if (timeline_.end() < window_.from)
-        return fmt::format("{}: the trace is empty: the run was over at {}, before {}\n", shown_output(path_),
-                           to_string(timeline_.end()), to_string(window_.from));
+    if (std::string why = timeline_.why_empty(); !why.empty())
+        return fmt::format("{}: the trace is empty: {}\n", shown_output(path_), why);
     return "";
 }
 
