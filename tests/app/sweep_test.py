@@ -203,6 +203,24 @@ class BadInput(InFolder):
         self.assertFalse((self.folder / "figure-e2.sqlite").exists())  # nothing was run
         self.assertIn("nowhere.sqlite: there is no such file", placedpar("report", "nowhere.cfs").stderr)
 
+    def test_equal_values_are_one_however_they_are_spelled(self):
+        head = f'netlist = "{FIGURE_E2}"\nmeasure = "processors"\n'
+        self.study(head + 'relative_to = {linkspeed = 20000000, slaves = "1.0"}\n[set]\nlinkspeed = ["5M", "20M", 5000000]\n'
+                   'slaves = ["1", "3", "1.0"]\n')
+        swept = self.sweep("study.toml")
+        self.assertEqual(swept.splitlines()[0], f"{FIGURE_E2}: 4 runs of 4 combinations")
+        self.assertEqual(swept.splitlines()[1], "relative to linkspeed = 20M, slaves = 1")
+        self.assertEqual([line.split() for line in swept.splitlines()[4:8]],
+                         [["5M", "1", "1", "1"], ["5M", "3", "1", "2"], ["20M", "1", "1", "1"], ["20M", "3", "1", "2"]])
+        self.assertEqual(len(rows(self.folder / "study.sqlite")), 4)
+        reported = placedpar("report", "study.toml", "--relative-to", "linkspeed=5000k", "--relative-to", "slaves=1.0", folder=self.folder)
+        self.assertIn("relative to linkspeed = 5M, slaves = 1\n", reported.stdout, reported.stderr)
+        self.study(head + '[set]\nlinkspeed = [5000000, "20M"]\nslaves = "1..3"\n')  # and its runs are there in part
+        self.assertEqual([line.split() for line in self.report("study.toml").splitlines()[3:]],
+                         [["5000000", "1", "1", "8"], ["5000000", "3", "1", "16"], ["20M", "1", "1", "8"], ["20M", "3", "1", "16"]])
+        self.sweep("study.toml")  # those that are spelled otherwise are not counted twice
+        self.assertEqual(self.report("study.toml").splitlines()[0], f"{FIGURE_E2}: 6 runs of 6 combinations")
+
     def test_nothing_is_relative_to_what_no_run_has(self):
         message = "no combination has slaves = 9, so figures cannot be relative to it; they set "
         self.study(f'netlist = "{FIGURE_E2}"\nrelative_to = {{slaves = 9}}\n[set]\nslaves = "0..2"\n')

@@ -22,7 +22,7 @@ Study study_of(const Study& study, const std::vector<Overrides>& all) {
     for (const Overrides& settings : all) {
         StudyProduct& product = some.products.emplace_back();
         for (const auto& [name, value] : settings)
-            product.axes.push_back({name, {StudyValues(value)}});
+            product.axes.push_back({name, {StudyValues(name, value)}});
     }
     return some;
 }

@@ -1,7 +1,6 @@
 #include "workbench/study/axis.hpp"
 
 #include "text/user_error.hpp"
-#include "workbench/study/condition.hpp"
 
 #include <fmt/format.h>
 
@@ -57,9 +56,21 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
+/// Where the same is there, in the better spelling of both.
+void add_part(std::vector<StudyValues>& parts, const std::string& name, const std::string& text) {
+    StudyValues part(name, text);
+    SettingValue value(name, text);
+    auto has_it = [&](const StudyValues& each) { return each.find(value).has_value(); };
+    auto same = part.is_range() ? parts.end() : std::ranges::find_if(parts, has_it);
+    if (same == parts.end())
+        parts.push_back(part);
+    else if (!same->is_range() && better_spelt(*same->find(value), value).spelling() == text)
+        *same = part;
+}
+
 } // namespace
 
-StudyValues::StudyValues(std::string_view text) : only_(text) {
+StudyValues::StudyValues(const std::string& name, std::string_view text) : name_(name), only_(name, std::string(text)) {
     bool begins_with_number =
         !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '+');
     if (std::size_t dots = text.find(".."); begins_with_number && dots != text.npos)
@@ -100,21 +111,20 @@ void StudyValues::count_steps(std::string_view text, double from, double to) {
 
 std::string StudyValues::at(std::uint64_t index) const {
     if (!is_range_)
-        return only_;
+        return only_.spelling();
     auto i = static_cast<double>(index);
     double value = multiplies_ ? from_ * std::pow(step_, i) : from_ + step_ * i;
     return whole_ ? fmt::format("{:.0f}", value) : fmt::format("{:.12g}", value);
 }
 
-bool StudyValues::contain(const std::string& value) const {
-    std::optional<double> number = is_range_ ? number_of_setting(value) : std::nullopt;
-    if (!number)
-        return value == only_ && !is_range_;
-    double steps = steps_to(*number);
-    if (std::isnan(steps)) // of a multiplied range, below 0
-        return false;
+std::optional<SettingValue> StudyValues::find(const SettingValue& value) const {
+    std::optional<double> number = is_range_ ? value.number() : std::nullopt;
+    double steps = number ? steps_to(*number) : 0;
+    if (is_range_ && (!number || std::isnan(steps))) // of a multiplied range, below 0
+        return std::nullopt;
     double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() rounds
-    return at(static_cast<std::uint64_t>(nearest)) == value;
+    SettingValue found = is_range_ ? SettingValue(name_, at(static_cast<std::uint64_t>(nearest))) : only_;
+    return found == value ? std::optional(found) : std::nullopt;
 }
 
 std::uint64_t StudyAxis::count() const {
@@ -138,8 +148,12 @@ std::string StudyAxis::at(std::uint64_t index) const {
     return "";
 }
 
-bool StudyAxis::has(const std::string& value) const {
-    return std::ranges::any_of(parts, [&](const StudyValues& part) { return part.contain(value); });
+std::optional<SettingValue> StudyAxis::find(const SettingValue& value) const {
+    std::optional<SettingValue> found;
+    for (const StudyValues& part : parts)
+        if (std::optional<SettingValue> same = part.find(value))
+            found = found ? better_spelt(*found, *same) : *same;
+    return found;
 }
 
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text) {
@@ -152,7 +166,7 @@ std::vector<StudyValues> read_values(const std::string& name, const std::string&
                                         "range, such as {}=1,2,5 or {}=0..7",
                                         name, text, name, name));
         try {
-            values.emplace_back(part);
+            add_part(values, name, part);
         } catch (const UserError& refused) {
             throw UserError(fmt::format("{}={}", name, refused.what()));
         }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "workbench/study/setting_value.hpp"
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,22 +13,25 @@ namespace placedpar {
 /// Values that are written as one: a single one, or those of a range, which are never all written out.
 class StudyValues {
 public:
-    /// "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" each twice the one before. A range counts upwards and has
-    /// its last value if a step meets it. Throws UserError where it is empty or its ends are no numbers.
-    explicit StudyValues(std::string_view text);
+    /// Of a setting of this name: "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" each twice the one before. A
+    /// range counts upwards and has its last value if a step meets it. Throws UserError where it is empty or its ends
+    /// are no numbers.
+    StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
     /// As --set takes it. REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
-    /// Whether it is one of them, written as at() writes it.
-    bool contain(const std::string& value) const;
+    bool is_range() const { return is_range_; }
+    /// The one that is equal to it.
+    std::optional<SettingValue> find(const SettingValue&) const;
 
 private:
     void read_range(std::string_view text, std::size_t dots);
     double steps_to(double value) const;
     void count_steps(std::string_view text, double from, double to);
 
-    std::string only_; ///< of no range
+    std::string name_;
+    SettingValue only_; ///< of no range
     double from_ = 0, step_ = 1;
     bool is_range_ = false, multiplies_ = false, whole_ = true;
     std::uint64_t count_ = 1;
@@ -40,12 +46,14 @@ struct StudyAxis {
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
-    bool has(const std::string& value) const;
+    /// The one that is equal to it, if it has that.
+    std::optional<SettingValue> find(const SettingValue&) const;
 };
 
 /// "slaves=0..7,10": parts with commas between them, but for those in quotes, parentheses or braces. Throws UserError.
 StudyAxis read_axis(const std::string& text);
-/// Parts of what stands behind the `=`. Throws UserError, which names the axis.
+/// Parts of what stands behind the `=`; a single value that is equal to one before it is left out. Throws UserError,
+/// which names the axis.
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text);
 
 } // namespace placedpar

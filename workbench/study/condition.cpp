@@ -4,6 +4,7 @@
 #include "netlist/elaborate/overrides.hpp"
 #include "netlist/language/parser.hpp"
 #include "text/user_error.hpp"
+#include "workbench/study/setting_value.hpp"
 
 #include <utility>
 
@@ -20,21 +21,6 @@ ExpressionPointer parsed_expression(const std::shared_ptr<const SourceFile>& sou
     return reporter.failed() ? nullptr : std::move(expression);
 }
 
-/// Without a netlist: its names mean nothing here.
-std::optional<Constant> constant_of_setting(const std::string& text, const Scopes& scopes) {
-    Reporter reporter;
-    ExpressionPointer expression = parsed_expression(std::make_shared<const SourceFile>("", text), reporter);
-    std::optional<Constant> constant;
-    if (expression)
-        attempt([&] { constant = Evaluator(scopes, reporter).evaluate(*expression); });
-    return constant;
-}
-
-const Scopes& no_names() {
-    static const Scopes scopes{Catalogue()};
-    return scopes;
-}
-
 /// "master.trials" is also "trials", unless something else is called so.
 Overrides named_plainly(const Overrides& set) {
     Overrides named = set;
@@ -43,16 +29,52 @@ Overrides named_plainly(const Overrides& set) {
     return named;
 }
 
+template <class Visit>
+void visit_operands(Expression& expression, Visit visit) {
+    std::visit(
+        [&](auto& form) {
+            if constexpr (requires { form.operand; })
+                visit(*form.operand);
+            if constexpr (requires { form.left; })
+                visit(*form.left), visit(*form.right);
+            if constexpr (requires { form.otherwise; })
+                visit(*form.condition), visit(*form.then), visit(*form.otherwise);
+        },
+        expression.form);
+}
+
+bool has_frequency(Expression& expression) {
+    const auto* use = std::get_if<NameUse>(&expression.form);
+    bool found = use && is_frequency(use->name);
+    visit_operands(expression, [&](Expression& operand) { found |= has_frequency(operand); });
+    return found;
+}
+
+void read_as_frequency(Expression& expression) {
+    if (auto* literal = std::get_if<IntegerLiteral>(&expression.form))
+        literal->value.value = literal->value.decimal;
+    visit_operands(expression, read_as_frequency);
+}
+
+/// What a clock or the speed of a link is compared with is one, too: 20M is 20 million there.
+void read_frequencies(Expression& expression) {
+    const auto* operation = std::get_if<BinaryOperation>(&expression.form);
+    if (operation && operation->symbol != "&&" && operation->symbol != "||" && has_frequency(expression))
+        read_as_frequency(expression);
+    else
+        visit_operands(expression, read_frequencies);
+}
+
+Constant constant_of(const std::string& name, const std::string& text) {
+    Constant constant = constant_of_setting(text).value_or(Constant{text});
+    if (auto* integer = std::get_if<Integer>(&constant.value); integer && is_frequency(name))
+        integer->value = integer->decimal;
+    return constant;
+}
+
 [[noreturn]] void refuse_condition(Reporter& reporter) { throw RefusedInput(render(reporter.take())); }
 
 } // namespace
-
-std::optional<double> number_of_setting(const std::string& text) {
-    std::optional<Constant> constant = constant_of_setting(text, no_names());
-    if (!constant || !constant->is_number())
-        return std::nullopt;
-    return constant->integer() ? static_cast<double>(constant->integer()->decimal) : *constant->real();
-}
 
 struct StudyCondition::Parsed {
     ExpressionPointer expression;
@@ -60,7 +82,7 @@ struct StudyCondition::Parsed {
 
     void declare(const Overrides& set) {
         for (const auto& [name, text] : named_plainly(set))
-            scopes.declare(name, {constant_of_setting(text, no_names()).value_or(Constant{text}), {}});
+            scopes.declare(name, {constant_of(name, text), {}});
     }
 };
 
@@ -73,6 +95,7 @@ StudyCondition::StudyCondition(const std::string& text) {
         refuse_condition(reporter);
     parsed_ = std::make_unique<Parsed>();
     parsed_->expression = std::move(expression);
+    read_frequencies(*parsed_->expression);
 }
 
 StudyCondition::~StudyCondition() = default;

@@ -3,16 +3,13 @@
 #include "netlist/read.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace placedpar {
 
-/// The number that a value of --set is, as it means a clock or the speed of a link: 5M is 5 million. None for a text.
-std::optional<double> number_of_setting(const std::string& text);
-
 /// Which of a study's products are run: an expression of the netlist language over what the study sets,
-/// `slaves * clusters <= 16`. There `master.trials` is `trials`.
+/// `slaves * clusters <= 16`. There `master.trials` is `trials`, and in what is compared with a clock or the speed of a
+/// link 20M is 20 million.
 class StudyCondition {
 public:
     /// "" always holds. Throws RefusedInput.

@@ -237,6 +237,14 @@ void StudyResults::for_each(const std::function<void(const StudyRun&, const Stud
     });
 }
 
+void StudyResults::for_each_setting(const std::function<void(const Overrides&)>& tell) {
+    guarded([&] {
+        store::Statement rows(*database_, "SELECT DISTINCT settings FROM runs ORDER BY settings");
+        while (rows.step())
+            tell(settings_from(rows.text(0)));
+    });
+}
+
 void StudyResults::set_measures(const std::vector<std::string>& measures) {
     guarded([&] {
         store::Statement(*database_, "UPDATE study SET measures = ?1")

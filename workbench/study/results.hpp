@@ -57,6 +57,9 @@ public:
     /// By settings and seed, in an order that does not depend on when they were kept.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
+    /// What some of its runs set, each once.
+    void for_each_setting(const std::function<void(const Overrides&)>&);
+
     /// What was to be known of the runs when they were added to last.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();

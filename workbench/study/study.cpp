@@ -64,7 +64,7 @@ Overrides StudyProduct::at(std::uint64_t index) const {
 bool StudyProduct::has(const Overrides& set) const {
     auto agrees = [&](const StudyAxis& axis) {
         auto found = set.find(axis.name);
-        return found != set.end() && axis.has(found->second);
+        return found != set.end() && axis.find({axis.name, found->second}).has_value();
     };
     return set.size() == axes.size() && std::ranges::all_of(axes, agrees) && where.holds(set);
 }
@@ -108,11 +108,21 @@ std::vector<std::string> Study::names() const {
     return {names.begin(), names.end()};
 }
 
+std::optional<SettingValue> Study::find(const std::string& name, const SettingValue& value) const {
+    std::optional<SettingValue> found;
+    for (const StudyProduct& product : products)
+        for (const StudyAxis& axis : product.axes)
+            if (axis.name == name)
+                if (std::optional<SettingValue> same = axis.find(value))
+                    found = found ? better_spelt(*found, *same) : *same;
+    return found;
+}
+
 bool Study::has_some(const Overrides& set) const {
     return std::ranges::any_of(products, [&](const StudyProduct& product) {
         return std::ranges::all_of(set, [&](const auto& setting) {
             auto axis = std::ranges::find(product.axes, setting.first, &StudyAxis::name);
-            return axis != product.axes.end() && axis->has(setting.second);
+            return axis != product.axes.end() && axis->find({axis->name, setting.second}).has_value();
         });
     });
 }

@@ -59,12 +59,14 @@ struct Study {
     std::uint64_t count() const;
     /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// Whether it has runs with these settings.
+    /// Whether it has runs with these settings, however they are spelled.
     bool has(const Overrides&) const;
     /// Whether it has some, whatever else they set, were it not for a condition.
     bool has_some(const Overrides&) const;
     /// What it sets.
     std::vector<std::string> names() const;
+    /// Its value of that name that is equal to this one, if it has that.
+    std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #include "workbench/study/summary.hpp"
 
 #include "runtime/kernel.hpp"
+#include "workbench/study/spellings.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -27,10 +28,10 @@ Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& 
 /// What the runs with some settings measured, for others to be divided by.
 class References {
 public:
-    References(StudyResults& results, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
+    References(Spellings& spellings, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
         : relative_to_(relative_to) {
         if (!relative_to.empty())
-            results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
+            spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
                 if (reference_of(run) == run)
                     references_[run] = {outcome.ended, measured(outcome, measures)};
             });
@@ -187,13 +188,15 @@ bool StudySummary::has_some(const Overrides& set) const {
 StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study,
                         const Overrides& relative_to) {
     const bool of_study = study && !study->search; // a search asks for what it has tried, of a space that may be vast
-    StudySummary summary{.netlist = results.netlist(), .version = results.version(), .relative_to = relative_to};
+    Spellings spellings(results, study);
+    StudySummary summary{
+        .netlist = results.netlist(), .version = results.version(), .relative_to = spellings.of(relative_to)};
     summary.measures = measures.empty() ? results.measures() : std::move(measures);
     summary.units.resize(summary.measures.size());
     std::vector<StudyMeasure> wanted(summary.measures.begin(), summary.measures.end());
-    References references(results, wanted, relative_to);
+    References references(spellings, wanted, summary.relative_to);
     std::map<Overrides, Gathered> all;
-    results.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
+    spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
         if (!of_study || study->has(run.set))
             all[run.set].add(outcome, references.relative(run, outcome, measured(outcome, wanted)), summary.units);
     });

@@ -53,7 +53,7 @@ struct StudySummary {
 /// Of the runs that are kept; of a study that is swept, of those with its combinations, whatever their seeds. Without
 /// measures, of those that were asked for last. Relative to some settings, each figure is divided by that of the run
 /// that has them and is otherwise the same, its seed too, and ended in the same way; where there is none of these,
-/// there is no figure.
+/// there is no figure. Settings that are equal are one, as the study spells them (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 
