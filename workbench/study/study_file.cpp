@@ -72,6 +72,7 @@ private:
         handlers["search"] = [&](const toml::node& node) { read_search(node); };
         handlers["relative_to"] = [&](const toml::node& node) { read_reference(node); };
         handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
+        of_whole_study_ = names_of(handlers);
         read_table(top, handlers);
         if (study_.netlist.empty())
             report(top.source().begin, "it names no netlist", "netlist = \"figure-e2.cfs\"");
@@ -93,7 +94,10 @@ private:
             return report(node.source().begin, "a further product is a table", "[[also]]");
         for (const toml::node& each : *tables) {
             StudyProduct product;
-            read_table(*each.as_table(), of_product(product));
+            Handlers handlers = of_product(product);
+            for (const std::string& name : of_whole_study_)
+                handlers.emplace(name, [&](const toml::node& misplaced) { report_misplaced(name, misplaced); });
+            read_table(*each.as_table(), handlers);
             study_.products.push_back(std::move(product));
         }
     }
@@ -133,6 +137,12 @@ private:
                        "a study is relative to one value of each");
     }
 
+    /// What stands below a line in brackets is of that table.
+    void report_misplaced(const std::string& name, const toml::node& node) {
+        report(node.source().begin, fmt::format("\"{}\" is of the whole study, not of this part of it", name),
+               "it stands above [set] and [[also]]");
+    }
+
     /// Each member by what takes it.
     void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
         for (const auto& [key, node] : table) {
@@ -169,7 +179,9 @@ private:
             return std::pair(one.line, one.column) < std::pair(other.line, other.column);
         });
         for (const auto& [key, value] : members)
-            if (value->is_table())
+            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // which no process will be called
+                report_misplaced("relative_to", *value);
+            else if (value->is_table())
                 read_axes(*value, prefix + std::string(key->str()) + ".", axes);
             else
                 read_axis_of(prefix + std::string(key->str()), *value, axes);
@@ -285,6 +297,7 @@ private:
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
     Study study_;
+    std::vector<std::string> of_whole_study_;
 };
 
 } // namespace
