@@ -2,6 +2,7 @@
 
 #include "text/nearest.hpp"
 #include "text/user_error.hpp"
+#include "workbench/problems.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -37,6 +38,37 @@ std::string name_of_array(const std::string& figure) {
 std::string say_there_is_no(const std::string& measure, const std::set<std::string>& known) {
     std::vector<std::string> names(known.begin(), known.end());
     return there_is_no("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
+}
+
+/// How many of these it describes.
+std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::string>& measured) {
+    return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
+}
+
+/// As the kind of a process describes it that measured some other things: the figures do not say which kind that is,
+/// but one that describes most of them. "" where none of these does.
+std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {
+    std::ptrdiff_t most = 1;
+    for (const auto& each : kinds.kinds())
+        most = std::max(most, count_described(each.second, measured));
+    for (const auto& each : kinds.kinds())
+        if (count_described(each.second, measured) == most)
+            for (const MeasurementDescription& described : each.second.measurements)
+                if (described.name == name)
+                    return described.about;
+    return "";
+}
+
+/// What no process of this name has come to measure. "" where some did, or none is known that could.
+std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures) {
+    std::string name = measure.name_without_subscripts(), process = name.substr(0, name.rfind('.') + 1);
+    name = name.substr(process.size());
+    std::set<std::string> measured;
+    for (const auto& each : figures)
+        if (std::string figure = name_of_array(each.first); !process.empty() && figure.starts_with(process))
+            measured.insert(figure.substr(process.size()));
+    const ProblemRegistry problems = known_problems(0); // which the kinds know
+    return measured.empty() || measured.contains(name) ? "" : description_of(name, measured, known_kinds(problems));
 }
 
 /// Boost.JSON 1.81 reads some numbers a last bit off.
@@ -133,6 +165,8 @@ std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
 std::string StudyMeasure::name_without_subscripts() const { return name_of_array(name_); }
 
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
+    if (std::string about = not_come_to(measure, figures); !about.empty())
+        return fmt::format("no run has come to a figure for \"{}\": {}", measure.text(), about);
     std::set<std::string> names;
     for (const auto& each : figures)
         names.insert(name_of_array(each.first));

@@ -51,7 +51,8 @@ private:
     Way way_ = Way::mean;
 };
 
-/// What may have been meant by a measure that a run does not have: a sentence, with all that it has.
+/// What is so of a measure that a run does not have, a sentence: what it is, where the run was one of those that do not
+/// come to it; else what may have been meant, with all that it has.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
 /// What runs can measure, as far as their netlists say before any is made. What is measured only where it came to pass
