@@ -284,23 +284,26 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    std::string name_;
-    std::uint64_t identity_;
-    Carrier* carrier_ = nullptr; ///< null if the channel is soft
-    User outputter_, inputter_;
+    // In the order of use, in lines of the cache: what each communication needs, ...
+    Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is
     Process* waiting_ = nullptr;             ///< on a soft channel, the first to arrive
     const WireForm* waiting_form_ = nullptr; ///< of its message, if it is the outputter
     Listener* listener_ = nullptr;           ///< for an inputter that sleeps on several channels
-    Entrant* output_attempt_ = nullptr;      ///< null if the outputter waits as long as it takes
-    Entrant* input_attempt_ = nullptr;
-    Cargo cargo_;
+    bool is_particular_ = false;       ///< it is hard, or an attempt is at one of its ends: one question does for both
     bool outputter_inside_ = false;    ///< a process outputs, until its program goes on
     bool inputter_inside_ = false;     ///< the same, or has a guard on the channel
     bool output_out_of_order_ = false; ///< a message was given up at that end, which must be reset
     bool input_out_of_order_ = false;
-    bool is_particular_ = false; ///< it is hard, or an attempt is at one of its ends: one question does for both
+    User outputter_, inputter_;
+
+    // ... and what few do.
+    Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
+    Entrant* input_attempt_ = nullptr;
+    Cargo cargo_;
+    std::string name_;
+    std::uint64_t identity_;
 };
 
 template <class T>

@@ -25,10 +25,12 @@ EventQueue::~EventQueue() {
 void EventQueue::schedule(Event& event, Time time, Priority priority) { schedule(event, time, priority, inserted_++); }
 
 void EventQueue::schedule(Event& event, Time time, Priority priority, std::uint64_t rank) {
-    assert(!event.scheduled());
+    Entry entry{time, (std::uint64_t{priority} << 56) | rank, &event};
+    if (event.scheduled())
+        return place(entry, event.position_);
     heap_.emplace_back();
     event.queue_ = this;
-    sift_up({time, (std::uint64_t{priority} << 56) | rank, &event}, heap_.size() - 1);
+    sift_up(entry, heap_.size() - 1);
 }
 
 void EventQueue::cancel(Event& event) {
@@ -48,12 +50,16 @@ void EventQueue::happen_next() {
 void EventQueue::remove(std::size_t position) {
     Entry last = heap_.back();
     heap_.pop_back();
-    if (position == heap_.size())
-        return;
-    if (position > 0 && last.before(heap_[(position - 1) / children]))
-        sift_up(last, position);
+    if (position < heap_.size())
+        place(last, position);
+}
+
+/// In the place of an entry that is there no more.
+inline void EventQueue::place(Entry entry, std::size_t position) {
+    if (position > 0 && entry.before(heap_[(position - 1) / children]))
+        sift_up(entry, position);
     else
-        sift_down(last, position);
+        sift_down(entry, position);
 }
 
 void EventQueue::put(Entry entry, std::size_t position) {

@@ -45,11 +45,11 @@ public:
     /// REQUIRES: the event is scheduled.
     Time time_of(const Event& event) const { return heap_[event.position_].time; }
 
-    /// Of one time and priority, events happen in the order in which they were scheduled. REQUIRES: the event is not
-    /// scheduled.
+    /// Of one time and priority, events happen in the order in which they were scheduled. One that is scheduled already
+    /// is not any more, as if it had been cancelled.
     void schedule(Event&, Time, Priority);
     /// The same, but in the order of their ranks (Kernel::new_ranks), so that it makes no difference how early a device
-    /// foresaw them. REQUIRES: the event is not scheduled, and no other event of that time and priority has its rank.
+    /// foresaw them. REQUIRES: no other event of that time and priority has its rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
     /// No effect on an event that is not scheduled.
     void cancel(Event&);
@@ -72,6 +72,7 @@ private:
     void put(Entry, std::size_t position);
     void sift_up(Entry, std::size_t position);
     void sift_down(Entry, std::size_t position);
+    void place(Entry, std::size_t position);
     void remove(std::size_t position);
 
     std::vector<Entry> heap_;

@@ -237,7 +237,7 @@ void Kernel::switch_to(Process* p) {
 [[gnu::cold, gnu::noinline]] bool Kernel::employ(Process& p) {
     try {
         if (idle_.empty()) {
-            workers_.push_back(std::make_unique<Worker>(*this, stacks_.allocate()));
+            workers_.push_back(Worker::make(*this, stacks_.allocate()));
             idle_.push_back(workers_.back().get());
             if (!stacks_.all_guarded())
                 circumstances_.set(Circumstances::unguarded);

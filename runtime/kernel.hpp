@@ -30,6 +30,11 @@ enum class Ending { completed, stuck, time_limit, interrupted };
 /// "completed", "deadlock", ...
 const char* name_of(Ending);
 
+/// Leaves the memory, a part of the worker's own stack, as it is.
+struct EndWorker {
+    void operator()(Worker*) const;
+};
+
 /// Thrown through a process that still waits when its simulation is over, so that its stack is unwound. A process
 /// that catches everything must let this exception pass, and no destructor may communicate, compute or wait.
 class Unwinding {};
@@ -218,7 +223,7 @@ private:
     std::uint64_t ranks_ = 0; ///< how many were given out
 
     StackArena stacks_;
-    std::vector<std::unique_ptr<Worker>> workers_;
+    std::vector<std::unique_ptr<Worker, EndWorker>> workers_;
     std::vector<Worker*> idle_; ///< workers without a process
     bool stacks_exceed_cache_ = false;
     FiberScheduler* scheduler_ = nullptr;

@@ -11,13 +11,13 @@
 namespace placedpar {
 
 Process::Process(Kernel& kernel, std::string name, Body body, Executive* executive, Priority priority)
-    : kernel_(kernel), name_(std::move(name)), body_(std::move(body)), executive_(executive), priority_(priority) {
+    : kernel_(kernel), executive_(executive), priority_(priority), name_(std::move(name)), body_(std::move(body)) {
     kernel_.add(*this);
 }
 
 Process::Process(Process& parent, std::size_t index, Body body, Priority priority, Join& join)
-    : kernel_(parent.kernel_), index_(index), body_(std::move(body)), executive_(parent.executive_),
-      priority_(priority), join_(&join), outermost_(parent.outermost_) {
+    : kernel_(parent.kernel_), executive_(parent.executive_), priority_(priority), outermost_(parent.outermost_),
+      index_(index), body_(std::move(body)), join_(&join) {
     kernel_.add(*this);
     goes_on();
     if (TraceSink* trace = kernel_.trace())

@@ -160,40 +160,39 @@ private:
     void goes_on();
     void stands_still();
 
+    // In the order of use, in few lines of the cache: what each of its turns and waits needs, ...
     Kernel& kernel_;
-    std::string name_;
-    std::size_t index_ = 0;
-    Body body_;
-    Executive* executive_; ///< null if it is not placed
+    Worker* worker_ = nullptr;              ///< the fiber that runs its body; null before its first turn
+    const std::byte* stack_ends_ = nullptr; ///< where its stack was left; null where nobody has noted that
+    Executive* executive_;                  ///< null if it is not placed
+    Process* next_ = nullptr;               ///< the next in the queue in which it stands
     Priority priority_;
     std::uint32_t ordinal_;
-
-    bool machine_ = false; ///< it serves the machine
     Activity activity_ = Activity::ready;
-    const AnyChannel* awaited_channel_ = nullptr;     ///< of its last wait, if that was for one
-    std::span<const AnyChannel* const> alternatives_; ///< while it waits for several
     bool awaits_timer_ = false;
     bool may_give_up_ = false;
-    SourceLocation where_; ///< where in its program it last waited
-
+    bool machine_ = false;                        ///< it serves the machine
+    bool communicates_ = false;                   ///< it waits in a communication that it has begun
+    Communication* communication_ = nullptr;      ///< which it begins at its next turn; null: its program goes on
+    const AnyChannel* awaited_channel_ = nullptr; ///< of its last wait, if that was for one
+    SourceLocation where_;                        ///< where in its program it last waited
+    Process* outermost_ = this;                   ///< see outermost()
     // Of a process at the outermost level, for itself and its components.
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended
     Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};
+    Time work_left_{}; ///< see Executive::work_left
+    Grain grain_{};    ///< see Executive::grain
 
+    // ... and what few do.
     History* history_ = nullptr;
-
-    Communication* communication_ = nullptr; ///< which it begins at its next turn; null: its program goes on
-    bool communicates_ = false;              ///< it waits in one that it has begun
-    Worker* worker_ = nullptr;               ///< the fiber that runs its body; null before its first turn
-    Process* next_ = nullptr;                ///< the next in the queue in which it stands
-    std::size_t slot_ = 0;                   ///< where the kernel lists it
-
+    std::span<const AnyChannel* const> alternatives_; ///< while it waits for several
+    std::string name_;
+    std::size_t index_ = 0;
+    Body body_;
+    std::size_t slot_ = 0; ///< where the kernel lists it
+    Join* join_ = nullptr; ///< the PAR of which it is a component
     unsigned times_unwound_ = 0;
-    Time work_left_{};          ///< see Executive::work_left
-    Grain grain_{};             ///< see Executive::grain
-    Join* join_ = nullptr;      ///< the PAR of which it is a component
-    Process* outermost_ = this; ///< see outermost()
 };
 
 /// First in, first out. Linked through the processes themselves, so that a process stands in at most one queue.

@@ -8,25 +8,36 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 
 namespace placedpar {
 
 namespace {
 
-/// The memory of a stack in the form in which Boost asks for it.
+/// Of a stack, in whole lines of the cache.
+constexpr std::size_t bytes_of_worker = (sizeof(Worker) + 63) / 64 * 64;
+
+/// The memory of a stack below its worker, in the form in which Boost asks for it.
 struct InArena {
     std::byte* bottom;
 
     boost::context::stack_context allocate() const {
         boost::context::stack_context context;
-        context.size = Stack::bytes;
-        context.sp = bottom + Stack::bytes;
+        context.size = Stack::bytes - bytes_of_worker;
+        context.sp = bottom + context.size;
         return context;
     }
     void deallocate(boost::context::stack_context&) const noexcept {}
 };
 
 } // namespace
+
+void EndWorker::operator()(Worker* worker) const { worker->~Worker(); }
+
+std::unique_ptr<Worker, EndWorker> Worker::make(Kernel& kernel, const Stack& stack) {
+    return std::unique_ptr<Worker, EndWorker>(new (stack.bottom + Stack::bytes - bytes_of_worker)
+                                                  Worker(kernel, stack));
+}
 
 Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory) {
     using boost::fibers::fiber;
@@ -40,13 +51,14 @@ Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory)
 
 // What a process looks at first are its registers, at the end of its stack, and its youngest frames above them: it
 // would wait for them line by line.
-void Worker::fetch_stack(const Process* leaves, const Process& next) {
+void Worker::fetch_stack(Process* leaves, const Process& next) {
     constexpr std::ptrdiff_t line = 64, lines_below = 2, lines_above = 8;
-    if (leaves && leaves->worker_)
-        leaves->worker_->stack_ends_ = static_cast<const std::byte*>(__builtin_frame_address(0));
-    if (const std::byte* end = next.worker_ ? next.worker_->stack_ends_ : nullptr)
+    if (leaves)
+        leaves->stack_ends_ = static_cast<const std::byte*>(__builtin_frame_address(0));
+    __builtin_prefetch(next.worker_);
+    if (next.stack_ends_)
         for (std::ptrdiff_t i = -lines_below; i < lines_above; ++i)
-            __builtin_prefetch(end + i * line);
+            __builtin_prefetch(next.stack_ends_ + i * line);
 }
 
 void Worker::work(Kernel& kernel) {

@@ -64,8 +64,9 @@ void Link::packet_begins() {
 
 LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes& times, Wire& out, Wire& back,
                              ClosedForm& closed_form, std::size_t number)
-    : kernel_(kernel), closed_form_(closed_form), part_(closed_form.part(number)), out_(out), back_(back),
-      times_(times), number_(static_cast<std::uint8_t>(number)), name_(std::move(name)) {}
+    : kernel_(kernel), closed_form_(closed_form), part_(closed_form.part(number)),
+      part_bytes_(closed_form.part_bytes(number)), out_(out), back_(back), number_(static_cast<std::uint8_t>(number)),
+      times_(times), name_(std::move(name)) {}
 
 void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
     if (memories_[1])
@@ -133,16 +134,24 @@ void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
     if (kernel_.now() >= may_start_)
         start_byte();
     else
-        start_byte_.schedule(may_start_);
+        await(Packet::byte, may_start_);
+    closed_form_.settle();
 }
 
 /// Returns whether the part is there already: then it is taken.
 bool LinkDirection::receive(Process& receiver) {
+    bool was_waited_for = waits_for_receiver();
     receiver_ = &receiver;
     bool all_here = std::exchange(first_byte_waits_, false) && !left_over_ && progress().bytes_left == 0;
-    if (std::exchange(acknowledge_owed_, false)) {
+    bool noticed_before = was_waited_for && next_due_ <= kernel_.now();
+    bool owed = std::exchange(acknowledge_owed_, false) || noticed_before;
+    if (owed || was_waited_for) {
         closed_form_.leave();
-        back_.ask_for_acknowledge(*this);
+        if (noticed_before)
+            await_none();
+        if (owed)
+            back_.ask_for_acknowledge(*this);
+        closed_form_.settle();
     }
     if (all_here) {
         for (auto& event : last_byte_arrived_)
@@ -202,6 +211,50 @@ LinkDirection::Ended LinkDirection::read_byte() {
     return ends_message ? Ended::message : ends_part ? Ended::part : Ended::nothing;
 }
 
+void LinkDirection::await(Packet packet, Time due) {
+    next_ = packet;
+    next_due_ = due;
+}
+
+/// A packet whose wire is busy beyond that moment needs no event of its own: it can ask for the wire at once.
+void LinkDirection::ask_early() {
+    if (next_ == Packet::byte && !writer_ && next_due_ < out_.free_at()) {
+        await_none();
+        out_.ask_for_byte(*this);
+    } else if (next_ == Packet::acknowledge && !reader_ && receiver_takes_byte() && next_due_ < back_.free_at()) {
+        await_none();
+        back_.ask_for_acknowledge(*this);
+    }
+}
+
+/// The receiver will not take the byte after all for whose acknowledge that has asked.
+void LinkDirection::ask_not_so_early() {
+    if (byte_comes_over_ && is_unnoticed() && back_.acknowledge_waits(*this)) {
+        back_.withdraw_acknowledge();
+        await(Packet::acknowledge, next_due_);
+    }
+}
+
+void LinkDirection::settle_next() {
+    ask_early();
+    Packet event = waits_for_receiver() ? Packet::none : next_;
+    if (event == scheduled_ && (event == Packet::none || kernel_.future().time_of(packet_due_) == next_due_))
+        return;
+    scheduled_ = event;
+    if (event == Packet::none)
+        cancel(packet_due_);
+    else
+        schedule(packet_due_, next_due_, next_ == Packet::byte ? EventQueue::start : EventQueue::request, 1);
+}
+
+void LinkDirection::next_packet_is_due() {
+    scheduled_ = Packet::none;
+    if (std::exchange(next_, Packet::none) == Packet::byte)
+        start_byte();
+    else
+        byte_noticed();
+}
+
 void LinkDirection::start_byte() {
     if (writer_)
         return may_be_written();
@@ -223,14 +276,14 @@ void LinkDirection::byte_started() {
     }
     if (!byte_comes_over_)
         stall();
-    closed_form_.look_ahead();
+    closed_form_.look_ahead(*this);
 }
 
 /// Of the byte that starts now.
 void LinkDirection::foresee_arrival() {
     Time now = kernel_.now();
-    byte_noticed_.schedule(later(now, times_.to_acknowledge));
-    if (part_.bytes_left + 1 == part_.bytes)
+    await(Packet::acknowledge, later(now, times_.to_acknowledge));
+    if (part_.bytes_left + 1 == part_bytes_)
         foresee_arrival_of_first();
     if (part_.bytes_left == 0)
         foresee_arrival_of_last(now);
@@ -287,9 +340,9 @@ void LinkDirection::acknowledge_started() {
         take_part();
         sending_ended_.schedule(later(kernel_.now(), times_.wire_delay + times_.acknowledge));
     } else {
-        start_byte_.schedule(may_start_);
+        await(Packet::byte, may_start_);
     }
-    closed_form_.look_ahead();
+    closed_form_.look_ahead(*this);
 }
 
 /// Bytes follow each other without a break from the first of a part to the last, except that the first may have to wait
@@ -323,29 +376,29 @@ void LinkDirection::note_speed() {
 }
 
 void LinkDirection::sending_ended() {
-    bytes_before_part_ += part_.bytes;
+    bytes_before_part_ += part_bytes_;
     leave_memories();
     Process& sender = *std::exchange(sender_, nullptr);
-    if (writer_)
-        start_byte_.schedule(std::max(may_start_, kernel_.now()));
-    else
-        kernel_.make_ready(sender);
+    if (!writer_)
+        return kernel_.make_ready(sender);
+    await(Packet::byte, std::max(may_start_, kernel_.now()));
+    settle_next();
 }
 
 void LinkDirection::enter_memories(std::uint32_t bytes) {
     for (MemoryOfEngines* memory : memories_)
         if (memory)
             ++memory->parts_under_way;
-    part_.bytes = part_.bytes_left = bytes;
+    part_bytes_ = part_.bytes_left = bytes;
 }
 
 void LinkDirection::leave_memories() {
     for (MemoryOfEngines* memory : memories_)
         if (memory) {
             --memory->parts_under_way;
-            memory->words_of_ended_parts += memory->words_in(part_.bytes - part_.bytes_left);
+            memory->words_of_ended_parts += memory->words_in(part_bytes_ - part_.bytes_left);
         }
-    part_.bytes = part_.bytes_left = 0;
+    part_bytes_ = part_.bytes_left = 0;
 }
 
 } // namespace placedpar::hardware

@@ -42,72 +42,71 @@ protected:
 
 class LinkDirection;
 
-/// The part of a message that is under way in one direction of a link.
-struct PartUnderWay {
-    std::uint32_t bytes = 0;      ///< 0 between two parts
-    std::uint32_t bytes_left = 0; ///< not yet started
-    Time last_start{};            ///< of a byte
-};
-
 /// The closed form of a link: packets that nobody can see need no events. When one begins, those that follow are
 /// computed at once, in both directions (LinkStreams), up to the first that others can see. The directions and the
 /// wires then go to that moment, and only the events that follow it are scheduled. If anybody acts on the link before,
 /// they come back to the moment at which he does.
 ///
-/// Processors ask for the progress of all their links whenever a computation begins or ends: what that takes stands in
-/// two lines of the cache.
-class alignas(64) ClosedForm {
+/// Of a link that comes back and looks ahead in one moment no event is scheduled in between, and cancelled again: what
+/// the directions and wires wait for is put into the future by settle(), when everything has been done.
+///
+/// Processors ask for the progress of all their links whenever a computation begins or ends: what that takes mostly
+/// stands in one line of the cache.
+class ClosedForm {
 public:
     ClosedForm(Kernel&, const PacketTimes&, LinkDirection& a_to_b, LinkDirection& b_to_a);
 
-    /// That of direction 0, from a to b, or 1. While the link is ahead, as it is then.
-    PartUnderWay& part(std::size_t direction) { return parts_[direction]; }
+    /// Of direction 0, from a to b, or 1, the part of a message that is under way. While the link is ahead, as it is
+    /// then.
+    LinkStreams::Progress& part(std::size_t direction) { return parts_[direction]; }
+    /// The length of that; 0 between two parts.
+    std::uint32_t& part_bytes(std::size_t direction) { return repetition_.part_bytes[direction]; }
 
-    /// Begins to fetch what progress looks at.
-    void fetch() const {
-        constexpr std::ptrdiff_t line = 64;
-        const auto* lines = reinterpret_cast<const std::byte*>(this);
-        __builtin_prefetch(lines);
-        __builtin_prefetch(lines + line);
-    }
+    /// Begins to fetch what bytes_begun_before looks at.
+    void fetch() const { __builtin_prefetch(&repetition_); }
 
-    /// REQUIRES: a packet has just begun.
-    void look_ahead();
+    /// And settles what that changes. REQUIRES: a packet of the direction has just begun.
+    void look_ahead(LinkDirection&);
     /// The directions and wires have the state of a moment that is still to come.
     bool is_ahead() const { return kernel_.now() < ahead_until_; }
-    /// They have that of now.
+    /// They have that of now. After what is done then settle() is to be called.
     void leave() {
         if (is_ahead())
             come_back();
     }
+    /// Schedules the events of the packets that are to come, where they are not scheduled as they are now.
+    void settle();
     /// What a direction has done by now, of the part under way.
     LinkStreams::Progress progress(std::size_t direction) {
         if (!is_ahead())
-            return {parts_[direction].bytes_left, parts_[direction].last_start};
+            return parts_[direction];
         return repetition_.is_simple(direction, kernel_.now()) ? repetition_.progress(direction, kernel_.now())
                                                                : passed_until_now(direction);
     }
-    /// One that begins now is not counted: whether it has begun yet depends on the order of this instant's events.
-    std::uint32_t bytes_begun_before_now(std::size_t direction) {
-        auto [bytes_left, last_start] = progress(direction);
-        std::uint32_t bytes = parts_[direction].bytes - bytes_left;
-        return bytes > 0 && last_start >= kernel_.now() ? bytes - 1 : bytes;
+    /// The same for bytes, now. One that begins now is not counted: whether it has begun yet depends on the order of
+    /// this instant's events.
+    std::uint32_t bytes_begun_before(Time now, std::size_t direction) {
+        auto [bytes_left, last_start] =
+            repetition_.is_simple(direction, now) ? repetition_.progress(direction, now) : progress(direction);
+        std::uint32_t bytes = repetition_.part_bytes[direction] - bytes_left;
+        return bytes > 0 && last_start >= now ? bytes - 1 : bytes;
     }
 
 private:
+    bool go_ahead();
     Time end_of_what_is_certain() const;
     void follow(Time before);
     void come_back();
     LinkStreams::Progress passed_until_now(std::size_t direction);
     void go_to(const LinkStreams&, Time);
 
+    Repetition repetition_; ///< between the moment of look_ahead() and ahead_until_; none if not ahead
     Kernel& kernel_;
     Time ahead_until_{};
-    std::array<PartUnderWay, 2> parts_;
-    Repetition repetition_; ///< between the moment of look_ahead() and ahead_until_
-    LinkStreams behind_;    ///< at a moment that has been
+    std::array<LinkStreams::Progress, 2> parts_;
     LinkDirection &a_to_b_, &b_to_a_;
     const PacketTimes& times_;
+    LinkStreams behind_; ///< at a moment that has been
 };
 
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
@@ -120,7 +119,7 @@ private:
 /// or reset, too. Ours: the real engines would take the rest of one message and the beginning of the next for one.
 ///
 /// Throws std::logic_error when a second channel uses it, and for a message without bytes.
-class LinkDirection final : public Carrier, private WireUser {
+class alignas(64) LinkDirection final : public Carrier, private WireUser {
 public:
     /// Its bytes travel on `out`, their acknowledges on `back`. The closed form is that of its link, in which this is
     /// direction 0, from a to b, or 1.
@@ -136,8 +135,14 @@ public:
     bool message_waits(const AnyChannel&) const override { return first_byte_waits_; }
 
     // For a link adapter, whose program is the sender or the receiver: a byte at a time.
-    void is_written_by(RegisterUser& user) { writer_ = &user; }
-    void is_read_by(RegisterUser& user) { reader_ = &user; }
+    void is_written_by(RegisterUser& user) {
+        writer_ = &user;
+        every_byte_ = true;
+    }
+    void is_read_by(RegisterUser& user) {
+        reader_ = &user;
+        every_byte_ = true;
+    }
     /// The running process begins to send a message on the channel.
     void begin_writing(AnyChannel&);
     /// It begins to send a part of it.
@@ -211,6 +216,7 @@ private:
     };
 
     // What happens to a byte, in this order.
+    void next_packet_is_due();
     void start_byte();
     void byte_started() override;
     void may_be_written();
@@ -249,8 +255,19 @@ private:
     /// By now.
     LinkStreams::Progress progress() const { return closed_form_.progress(number_); }
     bool must_be_seen() const;
-    bool is_sure_of_its_receiver() const;
+    bool receiver_takes_byte() const;
+    bool waits_for_receiver() const;
+    bool is_unnoticed() const;
+    bool is_sure_of_its_receiver() const { return part_.bytes_left > 0 && receiver_takes_byte(); }
     void go_to(const LinkStreams::Stream&, Time);
+    /// The packet that it asks a wire for next, at a moment that is known: its next byte, or the acknowledge of the
+    /// byte under way, once that is noticed.
+    enum class Packet : std::uint8_t { none, byte, acknowledge };
+    void await(Packet, Time due);
+    void await_none() { next_ = Packet::none; }
+    void ask_early();
+    void ask_not_so_early();
+    void settle_next();
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
     struct StepEvent final : Event {
@@ -262,54 +279,64 @@ private:
     void schedule(Event&, Time, EventQueue::Priority, std::uint64_t number);
     void cancel(Event&);
 
-    // In the order of use: what every message needs stands together, and not between what few do.
+    // In the order of use, in lines of the cache: what every packet needs, ...
     Kernel& kernel_;
     ClosedForm& closed_form_;
-    PartUnderWay& part_;
+    LinkStreams::Progress& part_;
+    std::uint32_t& part_bytes_;
     Wire& out_;
     Wire& back_;
-    const PacketTimes& times_;
-    AnyChannel* channel_ = nullptr;                      ///< whose messages it carries
-    std::array<MemoryOfEngines*, 2> memories_{};         ///< at its ends; null where nobody uses it
-    LinkFaults* faults_ = nullptr;                       ///< null if its link has none
-    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
 
     Process* sender_ = nullptr; ///< from the start of a part to the acknowledge of its last byte
     Process* receiver_ = nullptr;
-    Out output_{*this};
-    In input_{*this};
-    Time may_start_{}; ///< no byte before this
-
-    bool last_part_ = false;        ///< the part under way ends its message
-    bool first_byte_waits_ = false; ///< it has arrived, and no process has asked for it
-    bool acknowledge_owed_ = false; ///< to the first byte, once a process asks for it
+    AnyChannel* channel_ = nullptr; ///< whose messages it carries
+    LinkFaults* faults_ = nullptr;  ///< null if its link has none
+    Time may_start_{};              ///< no byte before this
+    Time next_due_{};               ///< when the next packet is asked for; if there is none, when the last one was
+    Packet next_ = Packet::none;
+    Packet scheduled_ = Packet::none; ///< for which packet_due_ is scheduled, if it is
+    const std::uint8_t number_;       ///< in its link: 0 or 1
+    bool every_byte_ = false;         ///< is to be seen, since a program writes or reads it, or as a reference
+    bool last_part_ = false;          ///< the part under way ends its message
+    bool first_byte_waits_ = false;   ///< it has arrived, and no process has asked for it
+    bool acknowledge_owed_ = false;   ///< to the first byte, once a process asks for it
     /// The receiver has been given the part, and either its last byte or that byte's acknowledge is still to come.
     bool taken_ = false;
-    bool took_last_part_ = false;  ///< the part that was taken last ended its message
-    bool stalled_ = false;         ///< the message under way gets no further
-    bool unacknowledged_ = false;  ///< the byte begun last: its acknowledge has not begun, or is lost
-    bool byte_comes_over_ = true;  ///< the byte begun last does
-    bool last_of_part_ = false;    ///< which event is that of the part under way: last_byte_arrived_[...]
-    bool receiver_left_ = false;   ///< the receiving end has given up the message under way
-    bool output_given_up_ = false; ///< the message under way, by its sender
-    bool input_given_up_ = false;  ///< the same, by its receiver
-    bool writable_ = true;         ///< the register for the next byte
-    bool readable_ = false;
-    bool every_byte_ = false;
-    bool trace_carries_ = false; ///< the trace was told that bytes follow each other
-    const std::uint8_t number_;  ///< in its link: 0 or 1
+    bool took_last_part_ = false; ///< the part that was taken last ended its message
+    bool stalled_ = false;        ///< the message under way gets no further
+    bool unacknowledged_ = false; ///< the byte begun last: its acknowledge has not begun, or is lost
+    bool byte_comes_over_ = true; ///< the byte begun last does
+    bool last_of_part_ = false;   ///< which event is that of the part under way: last_byte_arrived_[...]
+    bool receiver_left_ = false;  ///< the receiving end has given up the message under way
+    bool left_over_ = false;      ///< the receiving end is in a message that its sender has given up
+    bool trace_carries_ = false;  ///< the trace was told that bytes follow each other
 
-    StepEvent<&LinkDirection::start_byte, EventQueue::start, 1> start_byte_{*this};
-    StepEvent<&LinkDirection::byte_noticed, EventQueue::request, 1> byte_noticed_{*this};
-    StepEvent<&LinkDirection::first_byte_arrived, EventQueue::arrival, 1> first_byte_arrived_{*this};
+    // ... their events, ...
+    struct PacketDue final : Event {
+        explicit PacketDue(LinkDirection& d) : direction(d) {}
+        void happen() noexcept override { direction.next_packet_is_due(); }
+        LinkDirection& direction;
+    } packet_due_{*this};
     /// Two, since on a long wire the next part can start before the last byte of this one has arrived.
     StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
     StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
+    StepEvent<&LinkDirection::first_byte_arrived, EventQueue::arrival, 1> first_byte_arrived_{*this};
 
+    // ... what every message needs, ...
+    In input_{*this};
+    const PacketTimes& times_;
+    Out output_{*this};
+    std::array<MemoryOfEngines*, 2> memories_{}; ///< at its ends; null where nobody uses it
     std::uint64_t bytes_carried_ = 0;
     std::uint64_t bytes_before_part_ = 0; ///< of the message under way
-    /// The receiving end is in a message that its sender has given up: how many bytes of it came.
-    std::optional<std::uint64_t> left_over_;
+
+    // ... and what few do.
+    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
+    bool output_given_up_ = false;                       ///< the message under way, by its sender
+    bool input_given_up_ = false;                        ///< the same, by its receiver
+    bool writable_ = true;                               ///< the register for the next byte
+    bool readable_ = false;
+    std::uint64_t bytes_left_over_ = 0; ///< how many came of the message that its sender has given up
     std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes; until the end is reset
     // Of those carried the ones that travelled before the speed changed last.
     std::uint64_t bytes_at_old_speed_ = 0;
@@ -335,9 +362,9 @@ public:
     /// Begins to fetch what words_moved looks at.
     void fetch() const { closed_form_.fetch(); }
     /// How many words the engines at this memory have moved before now, of the parts that are under way.
-    std::uint64_t words_moved(const MemoryOfEngines& memory) {
-        return memory.words_in(closed_form_.bytes_begun_before_now(0)) +
-               memory.words_in(closed_form_.bytes_begun_before_now(1));
+    std::uint64_t words_moved(const MemoryOfEngines& memory, Time now) {
+        return memory.words_in(closed_form_.bytes_begun_before(now, 0)) +
+               memory.words_in(closed_form_.bytes_begun_before(now, 1));
     }
 
     /// Adds a fault. REQUIRES: before the run. What it does is found in the effect, which lasts as long as the link.
@@ -347,7 +374,10 @@ public:
     /// Its wires lead through something that may stop their packets. REQUIRES: before the run; it outlives the run.
     void lead_through(Passage&);
     /// A passage is about to change.
-    void way_changes() { closed_form_.leave(); }
+    void way_changes() {
+        closed_form_.leave();
+        closed_form_.settle();
+    }
 
 private:
     LinkFaults& faults();

@@ -10,21 +10,38 @@ namespace placedpar::hardware {
 ClosedForm::ClosedForm(Kernel& kernel, const PacketTimes& times, LinkDirection& a_to_b, LinkDirection& b_to_a)
     : kernel_(kernel), a_to_b_(a_to_b), b_to_a_(b_to_a), times_(times) {}
 
-void ClosedForm::look_ahead() {
+void ClosedForm::settle() {
+    for (LinkDirection* direction : {&a_to_b_, &b_to_a_}) {
+        direction->settle_next();
+        direction->out_.foresee_end();
+    }
+}
+
+void ClosedForm::look_ahead(LinkDirection& begun) {
+    if (go_ahead())
+        settle();
+    else
+        begun.settle_next();
+}
+
+/// Returns whether there was anything ahead.
+bool ClosedForm::go_ahead() {
     if (a_to_b_.must_be_seen() || b_to_a_.must_be_seen())
-        return;
+        return false;
     LinkStreams ahead{kernel_.now(),
                       {a_to_b_.stream(), b_to_a_.stream()},
                       {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()},
                       kernel_.trace() != nullptr};
     Time certain = end_of_what_is_certain();
     if (!ahead.may_advance(certain))
-        return;
+        return false;
     behind_ = ahead;
     repetition_.find(ahead, times_, certain);
     ahead_until_ = ahead.now;
-    if (is_ahead())
-        go_to(ahead, ahead_until_);
+    if (!is_ahead())
+        return false;
+    go_to(ahead, ahead_until_);
+    return true;
 }
 
 /// Lets the packets that are behind begin, up to that moment.
@@ -42,8 +59,9 @@ Time ClosedForm::end_of_what_is_certain() const {
     constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // later moments are rounded to it
     Time end = a_to_b_.faults_ ? std::min(end_of_time, a_to_b_.faults_->steady_until(kernel_.now())) : end_of_time;
     for (const LinkDirection* direction : {&a_to_b_, &b_to_a_})
-        if (direction->byte_noticed_.scheduled() && !direction->is_sure_of_its_receiver())
-            end = std::min(end, kernel_.future().time_of(direction->byte_noticed_));
+        if (direction->next_ == LinkDirection::Packet::acknowledge && !direction->waits_for_receiver() &&
+            !direction->is_sure_of_its_receiver())
+            end = std::min(end, direction->next_due_);
     return end;
 }
 
@@ -53,6 +71,7 @@ void ClosedForm::come_back() {
     Time after = kernel_.now() + Time{1};
     follow(after);
     ahead_until_ = kernel_.now();
+    repetition_.forget();
     go_to(behind_, after);
 }
 
@@ -77,34 +96,37 @@ void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
 
 /// What the packets of this direction that follow need of it.
 LinkStreams::Stream LinkDirection::stream() const {
-    LinkStreams::Stream stream{.bytes_left = part_.bytes_left, .last_start = part_.last_start};
-    const EventQueue& future = kernel_.future();
-    if (start_byte_.scheduled())
-        stream.due = future.time_of(start_byte_);
-    else if (byte_noticed_.scheduled())
-        stream.due = future.time_of(byte_noticed_);
-    else
-        stream.due = LinkStreams::past;
-    stream.acknowledge = byte_noticed_.scheduled() || back_.acknowledge_waits(*this);
-    stream.flows = stream.acknowledge || start_byte_.scheduled() || out_.byte_waits(*this);
+    LinkStreams::Stream stream{.bytes_left = part_.bytes_left, .last_start = part_.last_start, .due = next_due_};
+    stream.acknowledge = (next_ == Packet::acknowledge && !waits_for_receiver()) || back_.acknowledge_waits(*this);
+    stream.flows = stream.acknowledge || next_ == Packet::byte || out_.byte_waits(*this);
     return stream;
 }
 
 /// Whether events must stand for its next packets, if any are to come. A trace is told of the first byte after a break,
 /// which may be that behind an acknowledge that still waits for its wire.
 bool LinkDirection::must_be_seen() const {
-    bool begins = start_byte_.scheduled() || out_.byte_waits(*this);
-    bool first_byte_begins = begins && part_.bytes_left == part_.bytes;
+    bool begins = next_ == Packet::byte || out_.byte_waits(*this);
+    bool first_byte_begins = begins && part_.bytes_left == part_bytes_;
     bool to_be_traced = kernel_.trace() && !trace_carries_ && part_.bytes_left > 0 && stream().flows;
-    return every_byte_ || writer_ || reader_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
+    return every_byte_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
 }
 
-/// Of its receiver it is certain that he will take the byte under way, and others will follow. One that still waits for
-/// the end of the part before may not.
-bool LinkDirection::is_sure_of_its_receiver() const {
-    return receiver_ && part_.bytes_left > 0 && !last_byte_arrived_[0].scheduled() &&
-           !last_byte_arrived_[1].scheduled();
+/// It is certain that the receiver will take the byte under way. One that still waits for the end of the part before
+/// may not.
+bool LinkDirection::receiver_takes_byte() const {
+    bool is_last = part_.bytes_left == 0;
+    return receiver_ && (!last_byte_arrived_[0].scheduled() || (is_last && !last_of_part_)) &&
+           (!last_byte_arrived_[1].scheduled() || (is_last && last_of_part_));
 }
+
+/// The first byte under way waits for a process that asks for it: until then nothing follows, and whoever comes sees
+/// for himself whether it has been noticed yet. A trace is told when it is.
+bool LinkDirection::waits_for_receiver() const {
+    return next_ == Packet::acknowledge && !receiver_ && !taken_ && !reader_ && !kernel_.trace();
+}
+
+/// The byte under way, which comes over.
+bool LinkDirection::is_unnoticed() const { return unacknowledged_ && kernel_.now() < next_due_; }
 
 void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
     if (!stream.flows)
@@ -119,10 +141,8 @@ void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
     unacknowledged_ = stream.acknowledge;
     byte_comes_over_ = true;
     may_start_ = stream.acknowledge ? part_.last_start : std::max(part_.last_start, stream.due);
-    cancel(start_byte_);
-    cancel(byte_noticed_);
-    if (stream.due >= moment)
-        stream.acknowledge ? byte_noticed_.schedule(stream.due) : start_byte_.schedule(stream.due);
+    bool is_asked_for = stream.due < moment;
+    await(is_asked_for ? Packet::none : stream.acknowledge ? Packet::acknowledge : Packet::byte, stream.due);
 }
 
 } // namespace placedpar::hardware

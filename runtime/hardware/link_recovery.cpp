@@ -14,7 +14,7 @@ bool LinkDirection::is_lost(bool acknowledge) {
     using Message = FaultEffect::Hit::Message;
     const AnyChannel::Cargo& cargo = channel_->cargo();
     FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : channel_->name(), acknowledge,
-                         bytes_before_part_ + part_.bytes - part_.bytes_left};
+                         bytes_before_part_ + part_bytes_ - part_.bytes_left};
     if (cargo.channel)
         hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
     return faults_->take(hit, acknowledge != (number_ == 0));
@@ -30,26 +30,25 @@ void LinkDirection::stall() {
 /// whole. REQUIRES, here and below: the closed form is not ahead.
 std::uint64_t LinkDirection::bytes_taken() const {
     if (left_over_)
-        return *left_over_;
+        return bytes_left_over_;
     if (!channel_ || !channel_->output_waits() || receiver_left_)
         return 0;
     if (first_byte_waits_)
         return bytes_before_part_ + 1;
-    if (acknowledge_owed_ && !reader_)
+    if ((acknowledge_owed_ && !reader_) || waits_for_receiver())
         return bytes_before_part_;
-    bool on_its_way = unacknowledged_ && (!byte_comes_over_ || byte_noticed_.scheduled());
-    std::uint32_t started = part_.bytes - part_.bytes_left;
+    bool on_its_way = unacknowledged_ && (!byte_comes_over_ || is_unnoticed());
+    std::uint32_t started = part_bytes_ - part_.bytes_left;
     return bytes_before_part_ + started - (started > 0 && on_its_way);
 }
 
 std::uint64_t LinkDirection::bytes_acknowledged() const {
-    std::uint32_t started = part_.bytes - part_.bytes_left;
+    std::uint32_t started = part_bytes_ - part_.bytes_left;
     return bytes_before_part_ + started - (started > 0 && unacknowledged_);
 }
 
 /// A receiver that has been given its message may still wait for the arrival of the last byte.
 void LinkDirection::withdraw_acknowledge() {
-    cancel(byte_noticed_);
     if (back_.acknowledge_waits(*this))
         back_.withdraw_acknowledge();
     if (!last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled())
@@ -60,7 +59,7 @@ void LinkDirection::withdraw_acknowledge() {
 /// wire, and its receiver waits for it.
 void LinkDirection::drop_bytes_on_their_way() {
     cancel(first_byte_arrived_);
-    if (part_.bytes > 0 && part_.bytes_left == 0 && byte_comes_over_)
+    if (part_bytes_ > 0 && part_.bytes_left == 0 && byte_comes_over_)
         cancel(last_byte_arrived_[last_of_part_]);
     withdraw_acknowledge();
     acknowledge_owed_ = readable_ = false;
@@ -69,13 +68,13 @@ void LinkDirection::drop_bytes_on_their_way() {
 /// The sender stops in the middle of its message, if it is in one.
 void LinkDirection::drop_output() {
     if (channel_->output_waits()) {
-        if (std::uint64_t taken = bytes_taken())
-            left_over_ = taken;
+        bytes_left_over_ = bytes_taken();
+        left_over_ = bytes_left_over_ > 0;
         drop_bytes_on_their_way();
     } else {
         withdraw_acknowledge();
     }
-    cancel(start_byte_);
+    await_none();
     cancel(sending_ended_);
     out_.withdraw_byte();
     writable_ = true;
@@ -95,6 +94,7 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
         if (!writer_)
             kernel_.make_ready(sender);
     }
+    closed_form_.settle();
     if (writer_)
         writer_->register_ready(); // it may sleep until then
     return true;
@@ -105,7 +105,7 @@ void LinkDirection::receiver_leaves() {
     bool in_message = bytes_taken() > 0;
     if (in_message && !left_over_) {
         drop_bytes_on_their_way();
-        cancel(start_byte_);
+        await_none();
         out_.withdraw_byte();
         receiver_left_ = true;
         stall();
@@ -123,13 +123,16 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
         return false;
     closed_form_.leave();
     input_given_up_ = true;
+    ask_not_so_early();
     taken_when_given_up_ = bytes_taken();
-    bool first_byte_unnoticed = byte_noticed_.scheduled() && part_.bytes_left + 1 == part_.bytes;
+    bool first_byte_unnoticed = byte_comes_over_ && is_unnoticed() && part_.bytes_left + 1 == part_bytes_;
     if (first_byte_unnoticed && arrives_noticed() && !first_byte_arrived_.scheduled())
         first_byte_arrived_.schedule(arrival(part_.last_start));
     receiver_leaves();
-    if (receiver_)
-        kernel_.make_ready(*std::exchange(receiver_, nullptr));
+    Process* receiver = std::exchange(receiver_, nullptr);
+    closed_form_.settle();
+    if (receiver)
+        kernel_.make_ready(*receiver);
     if (reader_)
         reader_->register_ready();
     return true;
@@ -141,7 +144,8 @@ std::uint64_t LinkDirection::reset_input(AnyChannel&) {
     closed_form_.leave();
     std::uint64_t taken = std::max(std::exchange(taken_when_given_up_, 0), bytes_taken());
     receiver_leaves();
-    left_over_.reset();
+    closed_form_.settle();
+    left_over_ = false;
     return taken;
 }
 

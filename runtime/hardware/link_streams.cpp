@@ -80,18 +80,21 @@ void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time befor
             noted = streams;
         }
     }
-    until = streams.end_of_a_part();
+    until = std::min(streams.end_of_a_part(), streams.now);
 }
 
-/// Everything is as it was then.
+/// Everything is as it was then, so that it has repeated itself since: short periods are known from there on.
 void Repetition::begin(const LinkStreams& then, const LinkStreams& now) {
-    since = now.now;
     period = now.now - then.now;
-    first = now;
+    first = period <= longest_simple ? then : now;
+    since = first.now;
     for (std::size_t i : {0u, 1u}) {
         const LinkStreams::Stream& stream = now.streams[i];
-        flows[i] = {stream.bytes_left, then.streams[i].bytes_left - stream.bytes_left, stream.last_start,
-                    stream.start_before};
+        std::uint32_t bytes = then.streams[i].bytes_left - stream.bytes_left;
+        auto counted = [from = bytes > 0 ? now.now : since](Time start) {
+            return static_cast<std::int32_t>(std::max(start - from, -longest_simple).count());
+        };
+        flows[i] = {then.streams[i].bytes_left, bytes, counted(stream.last_start), counted(stream.start_before)};
     }
 }
 
@@ -111,7 +114,9 @@ void Repetition::pass_periods(LinkStreams& streams, Time before) const {
         stream.due += by;
         if (std::uint32_t bytes = flows[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
-            stream.last_start += by;
+            // Before the first period it may have been at another distance.
+            stream.last_start =
+                by + (stream.last_start < since ? since + Time{flows[i].last_start} : stream.last_start);
             stream.start_before += by;
         }
     }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace placedpar::hardware {
@@ -27,9 +28,6 @@ struct LinkStreams {
         Time due{};          ///< when the packet is asked for
         Time start_before{}; ///< of the byte before the last, if it began here
     };
-    /// When a packet is due that has been asked for already and waits for its wire.
-    static constexpr Time past{-1};
-
     Time now{}; ///< when the last packet began
     std::array<Stream, 2> streams;
     std::array<Time, 2> free_at{};    ///< wire number i carries the bytes of direction i, and is free from then on
@@ -64,42 +62,50 @@ private:
 /// After a few bytes the two directions of a link repeat themselves: each packet of one begins at the same distance
 /// from the packets of the other. From there on whole periods are passed at once, so that a long message costs what a
 /// short one does.
-struct Repetition {
-    Time since = Time::max(), until{}; ///< when it holds: from when it is known to the last byte of a part
+///
+/// What is asked for most stands together in one line of the cache.
+struct alignas(64) Repetition {
+    /// When it holds: from when it is known until the last byte of a part, or the end of what has been looked at.
+    Time since = Time::max(), until{};
     Time period{};
-    /// Of a direction at that moment, what is asked for most: it stands together in one line of the cache.
+    /// Of a direction at the moment `since`, from which its times count, in picoseconds.
     struct Flow {
         std::uint32_t bytes_left = 0, bytes_a_period = 0;
-        Time last_start{}, start_before{};
+        std::int32_t last_start = 0, start_before = 0;
     };
     std::array<Flow, 2> flows;
-    LinkStreams first; ///< all that the link does at that moment
+    std::array<std::uint32_t, 2> part_bytes{}; ///< of the parts under way: kept here for who asks how many have begun
+    LinkStreams first;                         ///< all that the link does at that moment
 
     /// Lets all packets begin as LinkStreams::advance does, and notes what the streams repeat from some moment on.
     void find(LinkStreams&, const PacketTimes&, Time before);
+    void forget() { since = Time::max(); }
 
     /// Passes as many whole periods as end before that moment and before the last byte of a part. REQUIRES: it is known
     /// at the moment of the streams.
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
     bool is_simple(std::size_t direction, Time moment) const {
-        return since <= moment && moment < until && flows[direction].bytes_a_period <= 2;
+        return since <= moment && moment < until && flows[direction].bytes_a_period <= 2 && period <= longest_simple;
     }
-    /// How far a direction is at that moment. REQUIRES: is_simple(direction, moment), and nothing has been seen by
-    /// then.
+    /// How far a direction is at that moment. REQUIRES: is_simple(direction, moment).
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
         const Flow& flow = flows[direction];
+        Time last_start = since + Time{flow.last_start};
         if (flow.bytes_a_period == 0)
-            return {flow.bytes_left, flow.last_start};
-        std::int64_t periods = (moment - flow.last_start) / period;
+            return {flow.bytes_left, last_start};
+        std::int64_t periods = (moment - last_start) / period;
         std::uint32_t left = flow.bytes_left - static_cast<std::uint32_t>(periods) * flow.bytes_a_period;
-        Time start = flow.last_start + periods * period, next = flow.start_before + (periods + 1) * period;
+        Time start = last_start + periods * period, next = since + Time{flow.start_before} + (periods + 1) * period;
         if (flow.bytes_a_period == 2 && next <= moment)
             return {left - 1, next};
         return {left, start};
     }
 
 private:
+    /// So that moments of the period before `since` fit a flow.
+    static constexpr Time longest_simple{std::numeric_limits<std::int32_t>::max()};
+
     void begin(const LinkStreams& then, const LinkStreams& now);
 };
 

@@ -45,9 +45,9 @@ void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
 } // namespace
 
 Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call, const Memory& memory)
-    : Executive(std::move(name), costs_with(channel_call, memory)), kernel_(kernel),
-      clock_(checked_clock(clock_hz, this->name())), engines_{.bytes_in_a_word =
-                                                                  static_cast<std::uint32_t>(memory.bytes_in_a_word)} {
+    : Executive(std::move(name), costs_with(channel_call, memory)),
+      kernel_(kernel), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)},
+      clock_(checked_clock(clock_hz, this->name())) {
     if (memory.access < Cycles{1} || (memory.bytes_in_a_word != 2 && memory.bytes_in_a_word != 4))
         throw std::logic_error("processor " + this->name() +
                                ": an access to its memory takes a cycle or more, and a word has 2 or 4 bytes");
@@ -62,17 +62,21 @@ void Processor::has_link(Link& link) {
 
 bool Processor::halted() const { return kernel_.now() >= halts_at_; }
 
-Time Processor::memory_taken_by_links() const { return times(words_moved_by_links(), access_); }
+Time Processor::memory_taken_by_links() { return times(words_moved_by_links(), access_); }
 
-std::int64_t Processor::words_moved_by_links() const {
-    std::uint64_t words = engines_.words_of_ended_parts;
-    if (engines_.parts_under_way > 0) {
-        for (Link* link : links_)
-            link->fetch();
-        for (Link* link : links_)
-            words += link->words_moved(engines_);
+std::int64_t Processor::words_moved_by_links() {
+    bool known = counted_at_ == kernel_.now() && ended_when_counted_ == engines_.words_of_ended_parts;
+    if (!known) {
+        counted_at_ = kernel_.now();
+        words_ = ended_when_counted_ = engines_.words_of_ended_parts;
+        if (engines_.parts_under_way > 0) {
+            for (Link* link : links_)
+                link->fetch();
+            for (Link* link : links_)
+                words_ += link->words_moved(engines_, counted_at_);
+        }
     }
-    return static_cast<std::int64_t>(words);
+    return static_cast<std::int64_t>(words_);
 }
 
 Time Processor::time_busy() const { return turn_.scheduled() ? busy_ + (kernel_.now() - turn_began_) : busy_; }
@@ -86,7 +90,6 @@ void Processor::make_ready(Process& p) {
             preempt();
         } else { // the current one may have had no rival so far: now its timeslice counts
             settle();
-            kernel_.future().cancel(turn_);
             schedule_end();
         }
     }

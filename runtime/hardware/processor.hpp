@@ -6,10 +6,11 @@
 #include "runtime/process.hpp"
 #include "runtime/time.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace placedpar {
 class Kernel;
@@ -69,7 +70,7 @@ public:
     /// How long it has computed so far, waiting for its memory included.
     Time time_busy() const;
     /// How long its memory has served link engines so far, while it computed or not.
-    Time memory_taken_by_links() const;
+    Time memory_taken_by_links();
 
     Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
     bool begin_computing(Process&, Cycles, const Grain&) override;
@@ -86,7 +87,7 @@ private:
     };
 
     Time duration(Cycles cycles) const { return clock_.duration(static_cast<std::int64_t>(cycles)); }
-    std::int64_t words_moved_by_links() const;
+    std::int64_t words_moved_by_links();
     void dispatch();
     void go_on(Process&);
     void begin_turn();
@@ -103,22 +104,28 @@ private:
     void account(const Process&, Time worked);
     void preempt();
 
+    // In the order of use, in lines of the cache.
+    alignas(64) Turn turn_{*this};
     Kernel& kernel_;
-    Clock clock_;
-    Time access_{}; ///< to a word of its memory
-    Time halts_at_ = Time::max();
-    MemoryOfEngines engines_;
-    std::vector<Link*> links_;
-
-    ProcessQueue high_, low_;      ///< the processes that wait for the processor
-    Process* current_ = nullptr;   ///< the process that has it
-    Process* preempted_ = nullptr; ///< the low-priority process that lost it to a high one
-    Time dispatched_at_{};         ///< when the current low-priority process got it
+    Process* current_ = nullptr; ///< the process that has it
     Time turn_began_{};
     Time settled_at_{}; ///< up to when the current process's work of its turn has been taken from what is left
+
     std::int64_t words_settled_ = 0; ///< words_moved_by_links() then
-    Time busy_{};                    ///< without the turn under way
-    Turn turn_{*this};
+    // What words_moved_by_links() has counted last: of one moment it is the same, unless a part ends.
+    Time counted_at_{-1};
+    std::uint64_t words_ = 0, ended_when_counted_ = 0;
+    MemoryOfEngines engines_;
+    Time access_{}; ///< to a word of its memory
+
+    boost::container::small_vector<Link*, 4> links_; ///< a transputer has no more
+    Process* preempted_ = nullptr;                   ///< the low-priority process that lost it to a high one
+
+    ProcessQueue high_, low_; ///< the processes that wait for the processor
+    Time dispatched_at_{};    ///< when the current low-priority process got it
+    Time busy_{};             ///< without the turn under way
+    Time halts_at_ = Time::max();
+    Clock clock_;
 };
 
 } // namespace placedpar::hardware

@@ -7,7 +7,7 @@
 namespace placedpar::hardware {
 
 Wire::Wire(Kernel& kernel, const PacketTimes& times)
-    : kernel_(kernel), times_(times), first_rank_(kernel.new_ranks(ranks_of_a_wire)) {}
+    : kernel_(kernel), first_rank_(kernel.new_ranks(ranks_of_a_wire)), times_(times) {}
 
 void Wire::serve() {
     Time now = kernel_.now();
@@ -26,16 +26,19 @@ void Wire::serve() {
 }
 
 void Wire::foresee_end() {
-    if ((acknowledge_for_ || byte_for_) && !freed_.scheduled())
-        kernel_.future().schedule(freed_, free_at_, EventQueue::start, first_rank_);
+    if (!acknowledge_for_ && !byte_for_)
+        return;
+    EventQueue& future = kernel_.future();
+    if (!freed_.scheduled() || future.time_of(freed_) != free_at_)
+        future.schedule(freed_, free_at_, EventQueue::start, first_rank_);
 }
 
 void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
-    kernel_.future().cancel(freed_);
     free_at_ = free_at;
     byte_for_ = byte_for;
     acknowledge_for_ = acknowledge_for;
-    foresee_end();
+    if (!byte_for_ && !acknowledge_for_)
+        kernel_.future().cancel(freed_);
 }
 
 } // namespace placedpar::hardware

@@ -43,8 +43,10 @@ public:
     std::uint64_t first_rank() const { return first_rank_; }
     /// The end of the packet that it carries or carried last.
     Time free_at() const { return free_at_; }
-    /// It is another moment for it: the end of the packet that it carries then, and who waits for that.
+    /// It is another moment for it: the end of the packet that it carries then, and who waits for that. Once no others
+    /// follow, foresee_end is to be called.
     void go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for);
+    void foresee_end();
 
     void watch(WireWatch& watch) { watch_ = &watch; }
 
@@ -70,16 +72,16 @@ private:
         Wire& wire;
     };
     void serve();
-    void foresee_end();
 
-    Kernel& kernel_;
-    const PacketTimes& times_;
-    std::uint64_t first_rank_;
+    // What each packet needs first.
     Time free_at_{};
     WireUser* byte_for_ = nullptr;        ///< the direction that waits to send a byte
     WireUser* acknowledge_for_ = nullptr; ///< the direction that waits to send an acknowledge
-    WireWatch* watch_ = nullptr;          ///< null if nobody wants to know
     Freed freed_{*this};
+    Kernel& kernel_;
+    std::uint64_t first_rank_;
+    WireWatch* watch_ = nullptr; ///< null if nobody wants to know
+    const PacketTimes& times_;
 };
 
 } // namespace placedpar::hardware
