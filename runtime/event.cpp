@@ -12,6 +12,10 @@ constexpr std::size_t children = 4;
 /// A rough figure of ours: more than these do not fit a second-level cache of one Mbyte.
 constexpr std::size_t events_in_a_cache = 30'000;
 
+constexpr std::uint64_t order(EventQueue::Priority priority, std::uint64_t rank) {
+    return (std::uint64_t{priority} << 56) | rank;
+}
+
 Event::~Event() {
     if (queue_)
         queue_->cancel(*this);
@@ -25,12 +29,21 @@ EventQueue::~EventQueue() {
 void EventQueue::schedule(Event& event, Time time, Priority priority) { schedule(event, time, priority, inserted_++); }
 
 void EventQueue::schedule(Event& event, Time time, Priority priority, std::uint64_t rank) {
-    Entry entry{time, (std::uint64_t{priority} << 56) | rank, &event};
-    if (event.scheduled())
-        return place(entry, event.position_);
+    assert(!event.scheduled());
     heap_.emplace_back();
     event.queue_ = this;
-    sift_up(entry, heap_.size() - 1);
+    sift_up({time, order(priority, rank), &event}, heap_.size() - 1);
+}
+
+void EventQueue::reschedule(Event& event, Time time, Priority priority) {
+    reschedule(event, time, priority, inserted_++);
+}
+
+void EventQueue::reschedule(Event& event, Time time, Priority priority, std::uint64_t rank) {
+    if (event.scheduled())
+        place({time, order(priority, rank), &event}, event.position_);
+    else
+        schedule(event, time, priority, rank);
 }
 
 void EventQueue::cancel(Event& event) {

@@ -45,12 +45,15 @@ public:
     /// REQUIRES: the event is scheduled.
     Time time_of(const Event& event) const { return heap_[event.position_].time; }
 
-    /// Of one time and priority, events happen in the order in which they were scheduled. One that is scheduled already
-    /// is not any more, as if it had been cancelled.
+    /// Of one time and priority, events happen in the order in which they were scheduled. REQUIRES: the event is not
+    /// scheduled.
     void schedule(Event&, Time, Priority);
     /// The same, but in the order of their ranks (Kernel::new_ranks), so that it makes no difference how early a device
-    /// foresaw them. REQUIRES: no other event of that time and priority has its rank.
+    /// foresaw them. REQUIRES: the event is not scheduled, and no other event of that time and priority has its rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
+    /// The same as to cancel the event, if it is scheduled, and to schedule it, but at less cost.
+    void reschedule(Event&, Time, Priority);
+    void reschedule(Event&, Time, Priority, std::uint64_t rank);
     /// No effect on an event that is not scheduled.
     void cancel(Event&);
     /// Takes the first event out of the queue and lets it happen. REQUIRES: not empty().

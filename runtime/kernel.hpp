@@ -30,7 +30,7 @@ enum class Ending { completed, stuck, time_limit, interrupted };
 /// "completed", "deadlock", ...
 const char* name_of(Ending);
 
-/// Leaves the memory, a part of the worker's own stack, as it is.
+/// Destroys the worker; its memory is a part of its own stack.
 struct EndWorker {
     void operator()(Worker*) const;
 };

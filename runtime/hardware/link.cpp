@@ -227,10 +227,10 @@ void LinkDirection::ask_early() {
     }
 }
 
-/// The receiver will not take the byte after all for whose acknowledge that has asked.
-void LinkDirection::ask_not_so_early() {
+/// The receiver will not take the byte after all.
+void LinkDirection::take_back_early_acknowledge() {
     if (byte_comes_over_ && is_unnoticed() && back_.acknowledge_waits(*this)) {
-        back_.withdraw_acknowledge();
+        back_.withdraw_acknowledge(true);
         await(Packet::acknowledge, next_due_);
     }
 }
@@ -244,7 +244,9 @@ void LinkDirection::settle_next() {
     if (event == Packet::none)
         cancel(packet_due_);
     else
-        schedule(packet_due_, next_due_, next_ == Packet::byte ? EventQueue::start : EventQueue::request, 1);
+        kernel_.future().reschedule(packet_due_, next_due_,
+                                    next_ == Packet::byte ? EventQueue::start : EventQueue::request,
+                                    out_.first_rank() + 1);
 }
 
 void LinkDirection::next_packet_is_due() {

@@ -264,9 +264,13 @@ private:
     /// byte under way, once that is noticed.
     enum class Packet : std::uint8_t { none, byte, acknowledge };
     void await(Packet, Time due);
+    /// It has asked.
     void await_none() { next_ = Packet::none; }
+    /// None will follow.
+    void await_no_more() { await(Packet::none, LinkStreams::past); }
+    bool has_asked_early() const { return kernel_.now() < next_due_; }
     void ask_early();
-    void ask_not_so_early();
+    void take_back_early_acknowledge();
     void settle_next();
 
     template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
@@ -292,11 +296,11 @@ private:
     AnyChannel* channel_ = nullptr; ///< whose messages it carries
     LinkFaults* faults_ = nullptr;  ///< null if its link has none
     Time may_start_{};              ///< no byte before this
-    Time next_due_{};               ///< when the next packet is asked for; if there is none, when the last one was
+    Time next_due_{};               ///< when the next packet asks for its wire, or would have if it had not early
     Packet next_ = Packet::none;
     Packet scheduled_ = Packet::none; ///< for which packet_due_ is scheduled, if it is
     const std::uint8_t number_;       ///< in its link: 0 or 1
-    bool every_byte_ = false;         ///< is to be seen, since a program writes or reads it, or as a reference
+    bool every_byte_ = false;         ///< is an event, for a program that writes or reads it, or as a reference
     bool last_part_ = false;          ///< the part under way ends its message
     bool first_byte_waits_ = false;   ///< it has arrived, and no process has asked for it
     bool acknowledge_owed_ = false;   ///< to the first byte, once a process asks for it

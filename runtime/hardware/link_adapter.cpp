@@ -125,7 +125,8 @@ void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& 
         program.wait_until_readable(channel, where);
         if (!link.input_is_given_up())
             program.access();
-        if (!link.input_is_given_up())
+        ended = LinkDirection::Ended::nothing;
+        if (!link.input_is_given_up() && link.can_be_read()) // else the sender has given up meanwhile
             ended = link.read_byte();
     }
 }

@@ -119,10 +119,11 @@ bool LinkDirection::receiver_takes_byte() const {
            (!last_byte_arrived_[1].scheduled() || (is_last && last_of_part_));
 }
 
-/// The first byte under way waits for a process that asks for it: until then nothing follows, and whoever comes sees
-/// for himself whether it has been noticed yet. A trace is told when it is.
+/// The byte under way, a first one, waits for a process that asks for it: until then nothing follows, and whoever comes
+/// sees for himself whether it has been noticed yet. A trace is told when it is. Without overlap it arrives before it
+/// is noticed, which is the last that happens in a run that gets stuck.
 bool LinkDirection::waits_for_receiver() const {
-    return next_ == Packet::acknowledge && !receiver_ && !taken_ && !reader_ && !kernel_.trace();
+    return next_ == Packet::acknowledge && !receiver_ && !taken_ && !reader_ && !kernel_.trace() && times_.overlaps();
 }
 
 /// The byte under way, which comes over.

@@ -50,7 +50,7 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
 /// A receiver that has been given its message may still wait for the arrival of the last byte.
 void LinkDirection::withdraw_acknowledge() {
     if (back_.acknowledge_waits(*this))
-        back_.withdraw_acknowledge();
+        back_.withdraw_acknowledge(has_asked_early());
     if (!last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled())
         taken_ = false;
 }
@@ -74,9 +74,9 @@ void LinkDirection::drop_output() {
     } else {
         withdraw_acknowledge();
     }
-    await_none();
     cancel(sending_ended_);
-    out_.withdraw_byte();
+    out_.withdraw_byte(has_asked_early());
+    await_no_more();
     writable_ = true;
     stall();
 }
@@ -105,8 +105,8 @@ void LinkDirection::receiver_leaves() {
     bool in_message = bytes_taken() > 0;
     if (in_message && !left_over_) {
         drop_bytes_on_their_way();
-        await_none();
-        out_.withdraw_byte();
+        out_.withdraw_byte(has_asked_early());
+        await_no_more();
         receiver_left_ = true;
         stall();
     }
@@ -123,7 +123,7 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
         return false;
     closed_form_.leave();
     input_given_up_ = true;
-    ask_not_so_early();
+    take_back_early_acknowledge();
     taken_when_given_up_ = bytes_taken();
     bool first_byte_unnoticed = byte_comes_over_ && is_unnoticed() && part_.bytes_left + 1 == part_bytes_;
     if (first_byte_unnoticed && arrives_noticed() && !first_byte_arrived_.scheduled())

@@ -114,9 +114,9 @@ void Repetition::pass_periods(LinkStreams& streams, Time before) const {
         stream.due += by;
         if (std::uint32_t bytes = flows[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
-            // Before the first period it may have been at another distance.
-            stream.last_start =
-                by + (stream.last_start < since ? since + Time{flows[i].last_start} : stream.last_start);
+            // One that began before the first period may have done so at another distance.
+            bool extrapolated = stream.last_start < since && period <= longest_simple;
+            stream.last_start = by + (extrapolated ? since + Time{flows[i].last_start} : stream.last_start);
             stream.start_before += by;
         }
     }

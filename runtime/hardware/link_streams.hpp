@@ -28,6 +28,8 @@ struct LinkStreams {
         Time due{};          ///< when the packet is asked for
         Time start_before{}; ///< of the byte before the last, if it began here
     };
+    static constexpr Time past{-1};
+
     Time now{}; ///< when the last packet began
     std::array<Stream, 2> streams;
     std::array<Time, 2> free_at{};    ///< wire number i carries the bytes of direction i, and is free from then on

@@ -189,7 +189,7 @@ void Processor::schedule_end() {
     Time end = std::min(later(kernel_.now(), work_left(*current_)), halts_at_);
     if (has_low_rivals())
         end = std::min(end, next_point_after_slice());
-    kernel_.future().schedule(turn_, end, EventQueue::turn);
+    kernel_.future().reschedule(turn_, end, EventQueue::turn);
 }
 
 void Processor::settle() {

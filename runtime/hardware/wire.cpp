@@ -30,7 +30,17 @@ void Wire::foresee_end() {
         return;
     EventQueue& future = kernel_.future();
     if (!freed_.scheduled() || future.time_of(freed_) != free_at_)
-        future.schedule(freed_, free_at_, EventQueue::start, first_rank_);
+        future.reschedule(freed_, free_at_, EventQueue::start, first_rank_);
+}
+
+/// Who has asked in time had an event for the wire's end: it happens, for nobody. It would end a run that gets stuck.
+void Wire::withdraw(WireUser*& user, bool has_asked_early) {
+    if (!user)
+        return;
+    foresee_end();
+    user = nullptr;
+    if (has_asked_early && !byte_for_ && !acknowledge_for_)
+        kernel_.future().cancel(freed_);
 }
 
 void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
@@ -39,6 +49,8 @@ void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
     acknowledge_for_ = acknowledge_for;
     if (!byte_for_ && !acknowledge_for_)
         kernel_.future().cancel(freed_);
+    else if (freed_.scheduled())
+        foresee_end();
 }
 
 } // namespace placedpar::hardware

@@ -43,8 +43,8 @@ public:
     std::uint64_t first_rank() const { return first_rank_; }
     /// The end of the packet that it carries or carried last.
     Time free_at() const { return free_at_; }
-    /// It is another moment for it: the end of the packet that it carries then, and who waits for that. Once no others
-    /// follow, foresee_end is to be called.
+    /// It is another moment for it: the end of the packet that it carries then, and who waits for that. foresee_end is
+    /// to be called when that will not change any more.
     void go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for);
     void foresee_end();
 
@@ -61,9 +61,10 @@ public:
     /// Whether the direction's byte or acknowledge has been asked for, and has yet to begin.
     bool byte_waits(const WireUser& user) const { return byte_for_ == &user; }
     bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
-    /// A direction does not want to send after all what has not begun yet.
-    void withdraw_byte() { byte_for_ = nullptr; }
-    void withdraw_acknowledge() { acknowledge_for_ = nullptr; }
+    /// A direction does not want to send after all what has not begun yet. Who has asked before his packet was due
+    /// leaves no trace.
+    void withdraw_byte(bool has_asked_early) { withdraw(byte_for_, has_asked_early); }
+    void withdraw_acknowledge(bool has_asked_early) { withdraw(acknowledge_for_, has_asked_early); }
 
 private:
     struct Freed final : Event {
@@ -72,6 +73,7 @@ private:
         Wire& wire;
     };
     void serve();
+    void withdraw(WireUser*&, bool has_asked_early);
 
     // What each packet needs first.
     Time free_at_{};

@@ -34,10 +34,15 @@ public:
     bool scheduled(std::size_t n) const { return events_[n]->scheduled(); }
     /// Events have ranks by number, or none, by priority.
     void schedule(std::size_t n, Time time, EventQueue::Priority priority) {
+        bool again = scheduled(n);
         forget(n);
         bool ranked = priority < EventQueue::turn;
-        if (ranked)
+        if (ranked && again)
+            queue_.reschedule(*events_[n], time, priority, n);
+        else if (ranked)
             queue_.schedule(*events_[n], time, priority, n);
+        else if (again)
+            queue_.reschedule(*events_[n], time, priority);
         else
             queue_.schedule(*events_[n], time, priority);
         keys_[n] = Key{time, priority, ranked ? n : inserted_++, n};
