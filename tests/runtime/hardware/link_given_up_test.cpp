@@ -1,0 +1,161 @@
+// What is left of messages that were given up: nothing arrives later, and a run that gets stuck ends with their last
+// packets.
+
+#include "runtime/alternation.hpp"
+#include "runtime/channel.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/random.hpp"
+#include "runtime/recovery.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "tests/runtime/hardware/adapter_host.hpp"
+#include "tests/seeds.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct TwoParts {
+    std::uint32_t head = 0, bytes = 1; ///< with a head it has two parts
+    WireForm wire_form() const { return head > 0 ? WireForm(head, bytes) : WireForm(bytes); }
+};
+
+/// A link with a channel each way.
+struct TwoWays {
+    TwoWays(const LinkTiming& timing, bool every_byte) : link(simulation.add<Link>(timing)) {
+        if (every_byte)
+            for (LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()})
+                direction->simulate_every_byte();
+    }
+    Simulation simulation;
+    Link& link;
+    Channel<TwoParts> there{"there", link.from_a_to_b()}, back{"back", link.from_b_to_a()};
+};
+
+/// When a run gets stuck in which nobody receives a message.
+Time end_without_receiver(bool overlapped, bool every_byte) {
+    TwoWays ways({.overlapped_acknowledge = overlapped}, every_byte);
+    ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 4}); });
+    RunResult result = ways.simulation.run();
+    CHECK(result.ending == Ending::stuck);
+    return result.time;
+}
+
+/// When a run gets stuck in which long messages both ways are given up at these moments.
+Time end_after_giving_up(Time there, Time back, bool every_byte) {
+    TwoWays ways({}, every_byte);
+    constexpr TwoParts megabyte{.bytes = 1'000'000};
+    ways.simulation.process("sender", [&] { output_or_fail(ways.there.out(), megabyte, there); });
+    ways.simulation.process("sender back", [&] { output_or_fail(ways.back.out(), megabyte, back); });
+    ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+    ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
+    return ways.simulation.run().time;
+}
+
+/// How long the wires of a link at 1000 bit/s have been occupied, of which one began to be used later.
+std::vector<Time> occupied_at_1000_bits_per_second(Time later, bool every_byte) {
+    TwoWays ways({.bits_per_second = 1000, .wire_delay = 40ms}, every_byte);
+    std::vector<Time> occupied;
+    ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 100}); });
+    ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+    ways.simulation.process("sender back", [&] { wait_for(later), ways.back.out().output({.bytes = 60}); });
+    ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
+    ways.simulation.process("observer", [&] {
+        for (int n = 0; n < 2; ++n) {
+            wait_for(4s + later);
+            for (const LinkDirection* direction : {&ways.link.from_a_to_b(), &ways.link.from_b_to_a()})
+                occupied.push_back(direction->time_occupied());
+        }
+    });
+    ways.simulation.run();
+    return occupied;
+}
+
+} // namespace
+
+TEST_CASE("a message that its receiver has given up twice does not arrive") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({.wire_delay = 5us}, every_byte);
+        std::size_t chosen = 0;
+        ways.simulation.process("sender", [&] { ways.there.out().output({.head = 1, .bytes = 1}); });
+        ways.simulation.process("receiver", [&] {
+            TwoParts message; // its second part begins at 10.56 us, and is noticed at 15.82
+            CHECK_FALSE(input_or_fail(ways.there.in(), message, Time{12us}));
+            CHECK(reset(ways.there.in()) == 1);
+            CHECK_FALSE(input_or_fail(ways.there.in(), message, Time{13us}));
+            CHECK(reset(ways.there.in()) == 0);
+            wait_until(Time{40us});
+            std::vector<Guard> guards{{Guard::input, &ways.there}, {Guard::timeout, nullptr, Time{50us}}};
+            chosen = select(guards);
+        });
+        ways.simulation.run();
+        CHECK(chosen == 1);
+    }
+}
+
+TEST_CASE("a run in which nobody receives ends when the first byte has arrived and has been noticed") {
+    for (bool every_byte : {false, true}) {
+        CHECK(end_without_receiver(true, every_byte) == 550ns);  // 11 bits
+        CHECK(end_without_receiver(false, every_byte) == 810ns); // 11 bits, then 5.2
+    }
+}
+
+TEST_CASE("a run whose long messages are given up ends soon after, as with every byte") {
+    for (Time there = 2us; there < 3us; there += 90ns)
+        for (Time back = 2us; back < 3us; back += 70ns) {
+            Time end = end_after_giving_up(there, back, false);
+            REQUIRE(end == end_after_giving_up(there, back, true));
+            REQUIRE(end < 4us);
+        }
+}
+
+TEST_CASE("periods that last longer than two milliseconds are passed as others are") {
+    for (Time later = 1ms; later < 120ms; later += 7ms)
+        REQUIRE(occupied_at_1000_bits_per_second(later, false) == occupied_at_1000_bits_per_second(later, true));
+}
+
+TEST_CASE("a sender gives up while an adapter's program fetches the byte: it is not there any more") {
+    constexpr int count = 200;
+    for (std::uint64_t seed : test::seeds(20, 1)) {
+        INFO(test::replay(seed));
+        test::Host host;
+        RandomStream random(seed, "patience");
+        Channel<TwoParts> c("c", host.driver.from_link());
+        int sent = 0, received = 0;
+        host.simulation.process(
+            "sender",
+            [&] {
+                for (int n = 0; n < count; ++n)
+                    if (output_or_fail(c.out(), {.bytes = 3},
+                                       now() + std::chrono::nanoseconds{1 + random.below(60'000)}))
+                        ++sent;
+                    else
+                        reset(c.out());
+            },
+            &host.t800);
+        host.simulation.process(
+            "receiver",
+            [&] {
+                TwoParts message;
+                for (int in_vain = 0; in_vain < 20;)
+                    if (input_or_fail(c.in(), message, now() + 1ms))
+                        ++received, in_vain = 0;
+                    else
+                        reset(c.in()), ++in_vain;
+            },
+            &host.sun);
+        CHECK(host.simulation.run().ending == Ending::completed);
+        CHECK(received >= sent);
+        CHECK(received < count);
+    }
+}
