@@ -47,11 +47,11 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
     return bytes_before_part_ + started - (started > 0 && unacknowledged_);
 }
 
-/// A receiver that has been given its message may still wait for the arrival of the last byte.
+/// An engine whose receiver has been given his message may still wait for the arrival of the last byte.
 void LinkDirection::withdraw_acknowledge() {
     if (back_.acknowledge_waits(*this))
         back_.withdraw_acknowledge(has_asked_early());
-    if (!last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled())
+    if (reader_ || (!last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled()))
         taken_ = false;
 }
 

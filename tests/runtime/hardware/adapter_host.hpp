@@ -16,7 +16,9 @@ inline constexpr hardware::LinkTiming adapter_timing{.overlapped_acknowledge = f
 
 /// A Sun on a bus with an adapter, whose link leads to a transputer.
 struct Host {
-    explicit Host(std::int64_t most_polls = 32) : program(hardware::bus_programs::sun_3_280) {
+    explicit Host(std::int64_t most_polls = 32, const hardware::LinkTiming& timing = adapter_timing)
+        : program(hardware::bus_programs::sun_3_280),
+          link(simulation.add<hardware::Link>(timing, "adapter.link[0]", "t800.link[0]")) {
         program.most_polls = most_polls;
     }
 
@@ -26,7 +28,7 @@ struct Host {
     hardware::Workstation& sun = simulation.add<hardware::Workstation>("sun");
     hardware::VmeMaster& master = simulation.add<hardware::VmeMaster>("sun", bus, hardware::VmePlace{}, program);
     hardware::Processor& t800 = simulation.add<hardware::Processor>("t800");
-    hardware::Link& link = simulation.add<hardware::Link>(adapter_timing, "adapter.link[0]", "t800.link[0]");
+    hardware::Link& link;
     hardware::LinkAdapter& adapter =
         simulation.add<hardware::LinkAdapter>("adapter", link, hardware::LinkAdapter::End::a);
     hardware::AdapterProgram& driver = simulation.add<hardware::AdapterProgram>(master, adapter);
