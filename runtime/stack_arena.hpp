@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// A fiber's stack. Below it lies a zone that nobody may write to.
+/// A fiber's stack. Below it lies a zone that nobody may write to; at its other end stands its Worker.
 struct Stack {
     std::byte* bottom = nullptr; ///< the lowest address of the stack; the zone ends here
     bool guarded = false;        ///< who writes to the zone is stopped at once

@@ -33,7 +33,8 @@ void Wire::foresee_end() {
         future.reschedule(freed_, free_at_, EventQueue::start, first_rank_);
 }
 
-/// Who has asked in time had an event for the wire's end: it happens, for nobody. It would end a run that gets stuck.
+/// Whose packet was due has an event at the moment when the wire is free. It happens, though nobody waits any more: it
+/// may be the last of a run that gets stuck. Who has asked early has none.
 void Wire::withdraw(WireUser*& user, bool has_asked_early) {
     if (!user)
         return;

@@ -61,8 +61,8 @@ public:
     /// Whether the direction's byte or acknowledge has been asked for, and has yet to begin.
     bool byte_waits(const WireUser& user) const { return byte_for_ == &user; }
     bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
-    /// A direction does not want to send after all what has not begun yet. Who has asked before his packet was due
-    /// leaves no trace.
+    /// A direction does not want to send after all what has not begun yet. Who asked early, before
+    /// his packet was due, leaves no event behind.
     void withdraw_byte(bool has_asked_early) { withdraw(byte_for_, has_asked_early); }
     void withdraw_acknowledge(bool has_asked_early) { withdraw(acknowledge_for_, has_asked_early); }
 
