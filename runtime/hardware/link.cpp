@@ -32,10 +32,24 @@ const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
 } // namespace
 
 Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const std::string& b)
-    : closed_form_(kernel, times_, a_to_b_, b_to_a_), kernel_(kernel), times_(checked(timing, a)),
-      wire_from_a_(kernel, times_), wire_from_b_(kernel, times_),
-      a_to_b_(kernel, a + " -> " + b, times_, wire_from_a_, wire_from_b_, closed_form_, 0),
-      b_to_a_(kernel, b + " -> " + a, times_, wire_from_b_, wire_from_a_, closed_form_, 1), timing_(timing) {}
+    : agenda_(kernel, *this), closed_form_(kernel, times_, a_to_b_, b_to_a_), kernel_(kernel),
+      times_(checked(timing, a)), wire_from_a_(kernel, agenda_, times_, 0), wire_from_b_(kernel, agenda_, times_, 1),
+      a_to_b_(kernel, a + " -> " + b, times_, wire_from_a_, wire_from_b_, agenda_, closed_form_, 0),
+      b_to_a_(kernel, b + " -> " + a, times_, wire_from_b_, wire_from_a_, agenda_, closed_form_, 1), timing_(timing) {}
+
+void Link::take(LinkStep step, std::size_t direction) {
+    if (step == LinkStep::wire_is_free)
+        (direction == 0 ? wire_from_a_ : wire_from_b_).serve();
+    else
+        (direction == 0 ? a_to_b_ : b_to_a_).take(step);
+}
+
+void Link::plan() {
+    a_to_b_.plan();
+    b_to_a_.plan();
+    wire_from_a_.plan();
+    wire_from_b_.plan();
+}
 
 const FaultEffect& Link::suffer(const LinkFault& fault) { return faults().add(fault); }
 
@@ -63,9 +77,9 @@ void Link::packet_begins() {
 }
 
 LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes& times, Wire& out, Wire& back,
-                             ClosedForm& closed_form, std::size_t number)
-    : kernel_(kernel), closed_form_(closed_form), part_(closed_form.part(number)),
-      part_bytes_(closed_form.part_bytes(number)), out_(out), back_(back), number_(static_cast<std::uint8_t>(number)),
+                             LinkAgenda& agenda, ClosedForm& closed_form, std::size_t number)
+    : kernel_(kernel), closed_form_(closed_form), agenda_(agenda), part_(closed_form.part(number)),
+      out_(out), back_(back), number_(static_cast<std::uint8_t>(number)),
       times_(times), name_(std::move(name)) {}
 
 void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
@@ -74,11 +88,17 @@ void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
     memories_[memories_[0] ? 1 : 0] = &memory;
 }
 
-void LinkDirection::schedule(Event& event, Time at, EventQueue::Priority priority, std::uint64_t number) {
-    kernel_.future().schedule(event, at, priority, out_.first_rank() + number);
+void LinkDirection::take(LinkStep step) {
+    switch (step) {
+    case LinkStep::acknowledge_is_due: return acknowledge_is_due();
+    case LinkStep::wire_is_free: return;
+    case LinkStep::byte_is_due: return byte_is_due();
+    case LinkStep::first_byte_arrives: return first_byte_arrived();
+    case LinkStep::last_byte_arrives:
+    case LinkStep::later_last_byte_arrives: return last_byte_arrived();
+    case LinkStep::sending_ends: return sending_ended();
+    }
 }
-
-void LinkDirection::cancel(Event& event) { kernel_.future().cancel(event); }
 
 void LinkDirection::serve(AnyChannel& channel) {
     if (channel_ && channel_ != &channel)
@@ -135,7 +155,7 @@ void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
         start_byte();
     else
         await(Packet::byte, may_start_);
-    closed_form_.settle();
+    agenda_.settle();
 }
 
 /// Returns whether the part is there already: then it is taken.
@@ -151,11 +171,13 @@ bool LinkDirection::receive(Process& receiver) {
             await_none();
         if (owed)
             back_.ask_for_acknowledge(*this);
-        closed_form_.settle();
     }
+    if (all_here)
+        for (LinkStep step : arrivals_of_last)
+            drop(step); // of this moment, if the arrival of the first byte woke an alternation
+    if (owed || was_waited_for || all_here)
+        agenda_.settle();
     if (all_here) {
-        for (auto& event : last_byte_arrived_)
-            cancel(event); // of this moment, if the arrival of the first byte woke an alternation
         take_part();
         receiver_ = nullptr;
     }
@@ -195,6 +217,7 @@ void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool la
 void LinkDirection::write_byte() {
     writable_ = false;
     out_.ask_for_byte(*this);
+    agenda_.settle();
 }
 
 void LinkDirection::may_be_written() {
@@ -208,6 +231,7 @@ LinkDirection::Ended LinkDirection::read_byte() {
     if (ends_part)
         take_part();
     back_.ask_for_acknowledge(*this);
+    agenda_.settle();
     return ends_message ? Ended::message : ends_part ? Ended::part : Ended::nothing;
 }
 
@@ -235,26 +259,21 @@ void LinkDirection::take_back_early_acknowledge() {
     }
 }
 
-void LinkDirection::settle_next() {
+void LinkDirection::plan() {
     ask_early();
-    Packet event = waits_for_receiver() ? Packet::none : next_;
-    if (event == scheduled_ && (event == Packet::none || kernel_.future().time_of(packet_due_) == next_due_))
-        return;
-    scheduled_ = event;
-    if (event == Packet::none)
-        cancel(packet_due_);
+    if (next_ == Packet::byte)
+        enter(LinkStep::byte_is_due, next_due_);
     else
-        kernel_.future().reschedule(packet_due_, next_due_,
-                                    next_ == Packet::byte ? EventQueue::start : EventQueue::request,
-                                    out_.first_rank() + 1);
+        drop(LinkStep::byte_is_due);
+    if (next_ == Packet::acknowledge && !waits_for_receiver())
+        enter(LinkStep::acknowledge_is_due, next_due_);
+    else
+        drop(LinkStep::acknowledge_is_due);
 }
 
-void LinkDirection::next_packet_is_due() {
-    scheduled_ = Packet::none;
-    if (std::exchange(next_, Packet::none) == Packet::byte)
-        start_byte();
-    else
-        byte_noticed();
+void LinkDirection::byte_is_due() {
+    await_none();
+    start_byte();
 }
 
 void LinkDirection::start_byte() {
@@ -278,14 +297,14 @@ void LinkDirection::byte_started() {
     }
     if (!byte_comes_over_)
         stall();
-    closed_form_.look_ahead(*this);
+    closed_form_.look_ahead();
 }
 
 /// Of the byte that starts now.
 void LinkDirection::foresee_arrival() {
     Time now = kernel_.now();
     await(Packet::acknowledge, later(now, times_.to_acknowledge));
-    if (part_.bytes_left + 1 == part_bytes_)
+    if (part_.bytes_left + 1 == part_bytes())
         foresee_arrival_of_first();
     if (part_.bytes_left == 0)
         foresee_arrival_of_last(now);
@@ -293,18 +312,21 @@ void LinkDirection::foresee_arrival() {
 
 /// Where a process waits for it, that makes no difference to anybody, unless it leaves before it is noticed.
 void LinkDirection::foresee_arrival_of_first() {
-    cancel(first_byte_arrived_); // of the part before, which was taken: it would change nothing
-    bool waited_for = receiver_ && !last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled();
+    bool waited_for = receiver_ && !last_byte_is_on_its_way();
     if (!waited_for || !arrives_noticed())
-        first_byte_arrived_.schedule(arrival(part_.last_start));
+        enter(LinkStep::first_byte_arrives, arrival(part_.last_start));
+    else
+        drop(LinkStep::first_byte_arrives); // of the part before, which was taken: it would change nothing
 }
 
 void LinkDirection::foresee_arrival_of_last(Time started) {
-    last_of_part_ = last_byte_arrived_[0].scheduled();
-    last_byte_arrived_[last_of_part_].schedule(arrival(started));
+    last_of_part_ = has(arrivals_of_last[0]);
+    enter(arrival_of_last(), arrival(started));
 }
 
-void LinkDirection::byte_noticed() {
+/// The byte is noticed.
+void LinkDirection::acknowledge_is_due() {
+    await_none();
     if (reader_) {
         readable_ = acknowledge_owed_ = true;
         reader_->register_ready();
@@ -340,11 +362,11 @@ void LinkDirection::acknowledge_started() {
     may_start_ = later(kernel_.now(), times_.to_next_byte);
     if (part_.bytes_left == 0) {
         take_part();
-        sending_ended_.schedule(later(kernel_.now(), times_.wire_delay + times_.acknowledge));
+        enter(LinkStep::sending_ends, later(kernel_.now(), times_.wire_delay + times_.acknowledge));
     } else {
         await(Packet::byte, may_start_);
     }
-    closed_form_.look_ahead(*this);
+    closed_form_.look_ahead();
 }
 
 /// Bytes follow each other without a break from the first of a part to the last, except that the first may have to wait
@@ -378,29 +400,29 @@ void LinkDirection::note_speed() {
 }
 
 void LinkDirection::sending_ended() {
-    bytes_before_part_ += part_bytes_;
+    bytes_before_part_ += part_bytes();
     leave_memories();
     Process& sender = *std::exchange(sender_, nullptr);
     if (!writer_)
         return kernel_.make_ready(sender);
     await(Packet::byte, std::max(may_start_, kernel_.now()));
-    settle_next();
+    plan();
 }
 
 void LinkDirection::enter_memories(std::uint32_t bytes) {
     for (MemoryOfEngines* memory : memories_)
         if (memory)
             ++memory->parts_under_way;
-    part_bytes_ = part_.bytes_left = bytes;
+    part_bytes() = part_.bytes_left = bytes;
 }
 
 void LinkDirection::leave_memories() {
     for (MemoryOfEngines* memory : memories_)
         if (memory) {
             --memory->parts_under_way;
-            memory->words_of_ended_parts += memory->words_in(part_bytes_ - part_.bytes_left);
+            memory->words_of_ended_parts += memory->words_in(part_bytes() - part_.bytes_left);
         }
-    part_bytes_ = part_.bytes_left = 0;
+    part_bytes() = part_.bytes_left = 0;
 }
 
 } // namespace placedpar::hardware

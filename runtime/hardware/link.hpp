@@ -1,7 +1,7 @@
 #pragma once
 
 #include "runtime/carrier.hpp"
-#include "runtime/event.hpp"
+#include "runtime/hardware/link_agenda.hpp"
 #include "runtime/hardware/link_faults.hpp"
 #include "runtime/hardware/link_streams.hpp"
 #include "runtime/hardware/link_timing.hpp"
@@ -44,11 +44,8 @@ class LinkDirection;
 
 /// The closed form of a link: packets that nobody can see need no events. When one begins, those that follow are
 /// computed at once, in both directions (LinkStreams), up to the first that others can see. The directions and the
-/// wires then go to that moment, and only the events that follow it are scheduled. If anybody acts on the link before,
-/// they come back to the moment at which he does.
-///
-/// Of a link that comes back and looks ahead in one moment no event is scheduled in between, and cancelled again: what
-/// the directions and wires wait for is put into the future by settle(), when everything has been done.
+/// wires then go to that moment, and only the steps that follow it stand in the agenda. If anybody acts on the link
+/// before, they come back to the moment at which he does.
 ///
 /// Processors ask for the progress of all their links whenever a computation begins or ends: what that takes mostly
 /// stands in one line of the cache.
@@ -65,17 +62,15 @@ public:
     /// Begins to fetch what bytes_begun_before looks at.
     void fetch() const { __builtin_prefetch(&repetition_); }
 
-    /// And settles what that changes. REQUIRES: a packet of the direction has just begun.
-    void look_ahead(LinkDirection&);
+    /// REQUIRES: a packet has just begun.
+    void look_ahead();
     /// The directions and wires have the state of a moment that is still to come.
     bool is_ahead() const { return kernel_.now() < ahead_until_; }
-    /// They have that of now. After what is done then settle() is to be called.
+    /// They have that of now.
     void leave() {
         if (is_ahead())
             come_back();
     }
-    /// Schedules the events of the packets that are to come, where they are not scheduled as they are now.
-    void settle();
     /// What a direction has done by now, of the part under way.
     LinkStreams::Progress progress(std::size_t direction) {
         if (!is_ahead())
@@ -93,7 +88,6 @@ public:
     }
 
 private:
-    bool go_ahead();
     Time end_of_what_is_certain() const;
     void follow(Time before);
     void come_back();
@@ -123,7 +117,7 @@ class alignas(64) LinkDirection final : public Carrier, private WireUser {
 public:
     /// Its bytes travel on `out`, their acknowledges on `back`. The closed form is that of its link, in which this is
     /// direction 0, from a to b, or 1.
-    LinkDirection(Kernel&, std::string name, const PacketTimes&, Wire& out, Wire& back, ClosedForm&,
+    LinkDirection(Kernel&, std::string name, const PacketTimes&, Wire& out, Wire& back, LinkAgenda&, ClosedForm&,
                   std::size_t number);
 
     /// One of its two engines moves the messages from this memory, or to it. Throws std::logic_error when both have a
@@ -180,6 +174,11 @@ public:
     /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
+    // For its link.
+    /// REQUIRES: the step is not its wire's.
+    void take(LinkStep);
+    void plan();
+
     /// "t[0].link[1] -> t[1].link[0]"
     const std::string& name() const { return name_; }
     /// Those that the wire has begun to carry.
@@ -216,7 +215,8 @@ private:
     };
 
     // What happens to a byte, in this order.
-    void next_packet_is_due();
+    void acknowledge_is_due();
+    void byte_is_due();
     void start_byte();
     void byte_started() override;
     void may_be_written();
@@ -226,7 +226,6 @@ private:
     bool arrives_noticed() const { return times_.overlaps() && !faults_; }
     void foresee_arrival_of_first();
     void foresee_arrival_of_last(Time started);
-    void byte_noticed();
     void first_byte_arrived();
     void last_byte_arrived();
     void acknowledge_started() override;
@@ -251,6 +250,7 @@ private:
 
     // For the closed form.
     friend class ClosedForm;
+    std::uint32_t& part_bytes() const { return closed_form_.part_bytes(number_); }
     LinkStreams::Stream stream() const;
     /// By now.
     LinkStreams::Progress progress() const { return closed_form_.progress(number_); }
@@ -271,23 +271,21 @@ private:
     bool has_asked_early() const { return kernel_.now() < next_due_; }
     void ask_early();
     void take_back_early_acknowledge();
-    void settle_next();
 
-    template <void (LinkDirection::*Step)(), EventQueue::Priority priority, std::uint64_t number>
-    struct StepEvent final : Event {
-        StepEvent(LinkDirection& d) : direction(d) {}
-        void happen() noexcept override { (direction.*Step)(); }
-        void schedule(Time at) { direction.schedule(*this, at, priority, number); }
-        LinkDirection& direction;
-    };
-    void schedule(Event&, Time, EventQueue::Priority, std::uint64_t number);
-    void cancel(Event&);
+    bool has(LinkStep step) const { return agenda_.has(step, number_); }
+    void enter(LinkStep step, Time at) { agenda_.enter(step, number_, at); }
+    void drop(LinkStep step) { agenda_.drop(step, number_); }
+    /// The steps of last bytes, of which those of two parts can be to come.
+    static constexpr std::array arrivals_of_last{LinkStep::last_byte_arrives, LinkStep::later_last_byte_arrives};
+    /// That of the part under way.
+    LinkStep arrival_of_last() const { return arrivals_of_last[last_of_part_]; }
+    bool last_byte_is_on_its_way() const { return has(arrivals_of_last[0]) || has(arrivals_of_last[1]); }
 
     // In the order of use, in lines of the cache: what every packet needs, ...
     Kernel& kernel_;
     ClosedForm& closed_form_;
+    LinkAgenda& agenda_;
     LinkStreams::Progress& part_;
-    std::uint32_t& part_bytes_;
     Wire& out_;
     Wire& back_;
 
@@ -298,9 +296,8 @@ private:
     Time may_start_{};              ///< no byte before this
     Time next_due_{};               ///< when the next packet asks for its wire, or would have if it had not early
     Packet next_ = Packet::none;
-    Packet scheduled_ = Packet::none; ///< for which packet_due_ is scheduled, if it is
-    const std::uint8_t number_;       ///< in its link: 0 or 1
-    bool every_byte_ = false;         ///< is an event, for a program that writes or reads it, or as a reference
+    const std::uint8_t number_; ///< in its link: 0 or 1
+    bool every_byte_ = false;   ///< is an event, for a program that writes or reads it, or as a reference
     bool last_part_ = false;          ///< the part under way ends its message
     bool first_byte_waits_ = false;   ///< it has arrived, and no process has asked for it
     bool acknowledge_owed_ = false;   ///< to the first byte, once a process asks for it
@@ -310,21 +307,10 @@ private:
     bool stalled_ = false;        ///< the message under way gets no further
     bool unacknowledged_ = false; ///< the byte begun last: its acknowledge has not begun, or is lost
     bool byte_comes_over_ = true; ///< the byte begun last does
-    bool last_of_part_ = false;   ///< which event is that of the part under way: last_byte_arrived_[...]
+    bool last_of_part_ = false;   ///< which is the step of the part under way: arrivals_of_last[...]
     bool receiver_left_ = false;  ///< the receiving end has given up the message under way
     bool left_over_ = false;      ///< the receiving end is in a message that its sender has given up
     bool trace_carries_ = false;  ///< the trace was told that bytes follow each other
-
-    // ... their events, ...
-    struct PacketDue final : Event {
-        explicit PacketDue(LinkDirection& d) : direction(d) {}
-        void happen() noexcept override { direction.next_packet_is_due(); }
-        LinkDirection& direction;
-    } packet_due_{*this};
-    /// Two, since on a long wire the next part can start before the last byte of this one has arrived.
-    StepEvent<&LinkDirection::last_byte_arrived, EventQueue::arrival, 2> last_byte_arrived_[2]{*this, *this};
-    StepEvent<&LinkDirection::sending_ended, EventQueue::arrival, 3> sending_ended_{*this};
-    StepEvent<&LinkDirection::first_byte_arrived, EventQueue::arrival, 1> first_byte_arrived_{*this};
 
     // ... what every message needs, ...
     In input_{*this};
@@ -350,7 +336,7 @@ private:
 };
 
 /// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
-class Link final : private WireWatch {
+class Link final : private WireWatch, private LinkWalker {
 public:
     /// The names are those of its ends, for reports. Throws std::logic_error unless bits_per_second > 0 and the wire's
     /// delay is not negative.
@@ -380,13 +366,16 @@ public:
     /// A passage is about to change.
     void way_changes() {
         closed_form_.leave();
-        closed_form_.settle();
+        agenda_.settle();
     }
 
 private:
     LinkFaults& faults();
     void packet_begins() override;
+    void take(LinkStep, std::size_t direction) override;
+    void plan() override;
 
+    LinkAgenda agenda_;
     ClosedForm closed_form_;
     Kernel& kernel_;
     PacketTimes times_;

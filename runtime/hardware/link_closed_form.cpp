@@ -10,38 +10,21 @@ namespace placedpar::hardware {
 ClosedForm::ClosedForm(Kernel& kernel, const PacketTimes& times, LinkDirection& a_to_b, LinkDirection& b_to_a)
     : kernel_(kernel), a_to_b_(a_to_b), b_to_a_(b_to_a), times_(times) {}
 
-void ClosedForm::settle() {
-    for (LinkDirection* direction : {&a_to_b_, &b_to_a_}) {
-        direction->settle_next();
-        direction->out_.foresee_end();
-    }
-}
-
-void ClosedForm::look_ahead(LinkDirection& begun) {
-    if (go_ahead())
-        settle();
-    else
-        begun.settle_next();
-}
-
-/// Returns whether there was anything ahead.
-bool ClosedForm::go_ahead() {
+void ClosedForm::look_ahead() {
     if (a_to_b_.must_be_seen() || b_to_a_.must_be_seen())
-        return false;
+        return;
     LinkStreams ahead{kernel_.now(),
                       {a_to_b_.stream(), b_to_a_.stream()},
                       {a_to_b_.out_.free_at(), b_to_a_.out_.free_at()},
                       kernel_.trace() != nullptr};
     Time certain = end_of_what_is_certain();
     if (!ahead.may_advance(certain))
-        return false;
+        return;
     behind_ = ahead;
     repetition_.find(ahead, times_, certain);
     ahead_until_ = ahead.now;
-    if (!is_ahead())
-        return false;
-    go_to(ahead, ahead_until_);
-    return true;
+    if (is_ahead())
+        go_to(ahead, ahead_until_);
 }
 
 /// Lets the packets that are behind begin, up to that moment.
@@ -106,7 +89,7 @@ LinkStreams::Stream LinkDirection::stream() const {
 /// which may be that behind an acknowledge that still waits for its wire.
 bool LinkDirection::must_be_seen() const {
     bool begins = next_ == Packet::byte || out_.byte_waits(*this);
-    bool first_byte_begins = begins && part_.bytes_left == part_bytes_;
+    bool first_byte_begins = begins && part_.bytes_left == part_bytes();
     bool to_be_traced = kernel_.trace() && !trace_carries_ && part_.bytes_left > 0 && stream().flows;
     return every_byte_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
 }
@@ -115,8 +98,8 @@ bool LinkDirection::must_be_seen() const {
 /// may not.
 bool LinkDirection::receiver_takes_byte() const {
     bool is_last = part_.bytes_left == 0;
-    return receiver_ && (!last_byte_arrived_[0].scheduled() || (is_last && !last_of_part_)) &&
-           (!last_byte_arrived_[1].scheduled() || (is_last && last_of_part_));
+    return receiver_ && (!has(arrivals_of_last[0]) || (is_last && !last_of_part_)) &&
+           (!has(arrivals_of_last[1]) || (is_last && last_of_part_));
 }
 
 /// The byte under way, a first one, waits for a process that asks for it: until then nothing follows, and whoever comes
@@ -133,7 +116,7 @@ void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
     if (!stream.flows)
         return;
     if (stream.bytes_left > 0 && part_.bytes_left == 0)
-        cancel(last_byte_arrived_[last_of_part_]);
+        drop(arrival_of_last());
     else if (stream.bytes_left == 0 && part_.bytes_left > 0)
         foresee_arrival_of_last(stream.last_start);
     bytes_carried_ += part_.bytes_left;

@@ -14,7 +14,7 @@ bool LinkDirection::is_lost(bool acknowledge) {
     using Message = FaultEffect::Hit::Message;
     const AnyChannel::Cargo& cargo = channel_->cargo();
     FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : channel_->name(), acknowledge,
-                         bytes_before_part_ + part_bytes_ - part_.bytes_left};
+                         bytes_before_part_ + part_bytes() - part_.bytes_left};
     if (cargo.channel)
         hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
     return faults_->take(hit, acknowledge != (number_ == 0));
@@ -38,12 +38,12 @@ std::uint64_t LinkDirection::bytes_taken() const {
     if ((acknowledge_owed_ && !reader_) || waits_for_receiver())
         return bytes_before_part_;
     bool on_its_way = unacknowledged_ && (!byte_comes_over_ || is_unnoticed());
-    std::uint32_t started = part_bytes_ - part_.bytes_left;
+    std::uint32_t started = part_bytes() - part_.bytes_left;
     return bytes_before_part_ + started - (started > 0 && on_its_way);
 }
 
 std::uint64_t LinkDirection::bytes_acknowledged() const {
-    std::uint32_t started = part_bytes_ - part_.bytes_left;
+    std::uint32_t started = part_bytes() - part_.bytes_left;
     return bytes_before_part_ + started - (started > 0 && unacknowledged_);
 }
 
@@ -51,16 +51,16 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
 void LinkDirection::withdraw_acknowledge() {
     if (back_.acknowledge_waits(*this))
         back_.withdraw_acknowledge(has_asked_early());
-    if (reader_ || (!last_byte_arrived_[0].scheduled() && !last_byte_arrived_[1].scheduled()))
+    if (reader_ || !last_byte_is_on_its_way())
         taken_ = false;
 }
 
 /// And nothing of the part under way is acknowledged any more. The last byte of the part before may still be on a long
 /// wire, and its receiver waits for it.
 void LinkDirection::drop_bytes_on_their_way() {
-    cancel(first_byte_arrived_);
-    if (part_bytes_ > 0 && part_.bytes_left == 0 && byte_comes_over_)
-        cancel(last_byte_arrived_[last_of_part_]);
+    drop(LinkStep::first_byte_arrives);
+    if (part_bytes() > 0 && part_.bytes_left == 0 && byte_comes_over_)
+        drop(arrival_of_last());
     withdraw_acknowledge();
     acknowledge_owed_ = readable_ = false;
 }
@@ -74,7 +74,7 @@ void LinkDirection::drop_output() {
     } else {
         withdraw_acknowledge();
     }
-    cancel(sending_ended_);
+    drop(LinkStep::sending_ends);
     out_.withdraw_byte(has_asked_early());
     await_no_more();
     writable_ = true;
@@ -94,7 +94,7 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
         if (!writer_)
             kernel_.make_ready(sender);
     }
-    closed_form_.settle();
+    agenda_.settle();
     if (writer_)
         writer_->register_ready(); // it may sleep until then
     return true;
@@ -111,8 +111,8 @@ void LinkDirection::receiver_leaves() {
         stall();
     }
     if (in_message) { // the end of a part of it may still be on the wire
-        for (auto& event : last_byte_arrived_)
-            cancel(event);
+        for (LinkStep step : arrivals_of_last)
+            drop(step);
         taken_ = false;
     }
     first_byte_waits_ = false;
@@ -125,12 +125,12 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
     input_given_up_ = true;
     take_back_early_acknowledge();
     taken_when_given_up_ = bytes_taken();
-    bool first_byte_unnoticed = byte_comes_over_ && is_unnoticed() && part_.bytes_left + 1 == part_bytes_;
-    if (first_byte_unnoticed && arrives_noticed() && !first_byte_arrived_.scheduled())
-        first_byte_arrived_.schedule(arrival(part_.last_start));
+    bool first_byte_unnoticed = byte_comes_over_ && is_unnoticed() && part_.bytes_left + 1 == part_bytes();
+    if (first_byte_unnoticed && arrives_noticed() && !has(LinkStep::first_byte_arrives))
+        enter(LinkStep::first_byte_arrives, arrival(part_.last_start));
     receiver_leaves();
     Process* receiver = std::exchange(receiver_, nullptr);
-    closed_form_.settle();
+    agenda_.settle();
     if (receiver)
         kernel_.make_ready(*receiver);
     if (reader_)
@@ -144,7 +144,7 @@ std::uint64_t LinkDirection::reset_input(AnyChannel&) {
     closed_form_.leave();
     std::uint64_t taken = std::max(std::exchange(taken_when_given_up_, 0), bytes_taken());
     receiver_leaves();
-    closed_form_.settle();
+    agenda_.settle();
     left_over_ = false;
     return taken;
 }

@@ -6,42 +6,38 @@
 
 namespace placedpar::hardware {
 
-Wire::Wire(Kernel& kernel, const PacketTimes& times)
-    : kernel_(kernel), first_rank_(kernel.new_ranks(ranks_of_a_wire)), times_(times) {}
+Wire::Wire(Kernel& kernel, LinkAgenda& agenda, const PacketTimes& times, std::size_t number)
+    : agenda_(agenda), kernel_(kernel), number_(number), times_(times) {}
 
 void Wire::serve() {
     Time now = kernel_.now();
-    if (now >= free_at_) {
-        if (watch_)
-            watch_->packet_begins();
-        if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
-            free_at_ = later(now, times_.acknowledge);
-            user->acknowledge_started();
-        } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
-            free_at_ = later(now, times_.data);
-            sender->byte_started();
-        }
-    }
-    foresee_end();
-}
-
-void Wire::foresee_end() {
-    if (!acknowledge_for_ && !byte_for_)
+    if (now < free_at_)
         return;
-    EventQueue& future = kernel_.future();
-    if (!freed_.scheduled() || future.time_of(freed_) != free_at_)
-        future.reschedule(freed_, free_at_, EventQueue::start, first_rank_);
+    if (watch_)
+        watch_->packet_begins();
+    if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
+        free_at_ = later(now, times_.acknowledge);
+        user->acknowledge_started();
+    } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
+        free_at_ = later(now, times_.data);
+        sender->byte_started();
+    }
 }
 
-/// Whose packet was due has an event at the moment when the wire is free. It happens, though nobody waits any more: it
-/// may be the last of a run that gets stuck. Who has asked early has none.
+void Wire::plan() {
+    if (acknowledge_for_ || byte_for_)
+        agenda_.enter(LinkStep::wire_is_free, number_, free_at_);
+}
+
+/// Whose packet was due has a step at the moment when the wire is free. It comes, though nobody waits any more: it may
+/// be the last of a run that gets stuck. Who has asked early has none.
 void Wire::withdraw(WireUser*& user, bool has_asked_early) {
     if (!user)
         return;
-    foresee_end();
+    plan();
     user = nullptr;
     if (has_asked_early && !byte_for_ && !acknowledge_for_)
-        kernel_.future().cancel(freed_);
+        agenda_.drop(LinkStep::wire_is_free, number_);
 }
 
 void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
@@ -49,9 +45,7 @@ void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
     byte_for_ = byte_for;
     acknowledge_for_ = acknowledge_for;
     if (!byte_for_ && !acknowledge_for_)
-        kernel_.future().cancel(freed_);
-    else if (freed_.scheduled())
-        foresee_end();
+        agenda_.drop(LinkStep::wire_is_free, number_);
 }
 
 } // namespace placedpar::hardware

@@ -1,17 +1,11 @@
 #pragma once
 
-#include "runtime/event.hpp"
+#include "runtime/hardware/link_agenda.hpp"
 #include "runtime/hardware/link_timing.hpp"
 
-namespace placedpar {
-class Kernel;
-} // namespace placedpar
+#include <cstddef>
 
 namespace placedpar::hardware {
-
-/// How many ranks a wire needs for its events: one for its own event, three for the events of the bytes that it
-/// carries.
-constexpr std::uint64_t ranks_of_a_wire = 4;
 
 /// A direction of a link, as one of the two users of a wire.
 class WireUser {
@@ -35,18 +29,19 @@ protected:
 
 /// One wire of a link: it carries the bytes of one direction and the acknowledges of the other, one packet
 /// after the other. If both wait, the acknowledge goes first.
-class Wire {
+class alignas(64) Wire {
 public:
-    Wire(Kernel&, const PacketTimes&);
+    /// That of the bytes of direction 0 or 1.
+    Wire(Kernel&, LinkAgenda&, const PacketTimes&, std::size_t number);
 
-    /// Of its events. The three ranks after it are for the direction whose bytes it carries.
-    std::uint64_t first_rank() const { return first_rank_; }
     /// The end of the packet that it carries or carried last.
     Time free_at() const { return free_at_; }
-    /// It is another moment for it: the end of the packet that it carries then, and who waits for that. foresee_end is
-    /// to be called when that will not change any more.
+    /// It is another moment for it: the end of the packet that it carries then, and who waits for that.
     void go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for);
-    void foresee_end();
+    /// Whose turn it is, if it is free.
+    void serve();
+    /// Enters its next step in the agenda. To be called when who waits for it will not change any more.
+    void plan();
 
     void watch(WireWatch& watch) { watch_ = &watch; }
 
@@ -61,28 +56,22 @@ public:
     /// Whether the direction's byte or acknowledge has been asked for, and has yet to begin.
     bool byte_waits(const WireUser& user) const { return byte_for_ == &user; }
     bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
-    /// A direction does not want to send after all what has not begun yet. Who asked early, before
-    /// his packet was due, leaves no event behind.
+    /// A direction does not want to send after all what has not begun yet. Who asked early, before his packet was due,
+    /// leaves nothing behind.
     void withdraw_byte(bool has_asked_early) { withdraw(byte_for_, has_asked_early); }
     void withdraw_acknowledge(bool has_asked_early) { withdraw(acknowledge_for_, has_asked_early); }
 
 private:
-    struct Freed final : Event {
-        explicit Freed(Wire& w) : wire(w) {}
-        void happen() noexcept override { wire.serve(); }
-        Wire& wire;
-    };
-    void serve();
     void withdraw(WireUser*&, bool has_asked_early);
 
     // What each packet needs first.
     Time free_at_{};
     WireUser* byte_for_ = nullptr;        ///< the direction that waits to send a byte
     WireUser* acknowledge_for_ = nullptr; ///< the direction that waits to send an acknowledge
-    Freed freed_{*this};
+    LinkAgenda& agenda_;
     Kernel& kernel_;
-    std::uint64_t first_rank_;
     WireWatch* watch_ = nullptr; ///< null if nobody wants to know
+    std::size_t number_;
     const PacketTimes& times_;
 };
 
