@@ -303,7 +303,7 @@ void LinkDirection::byte_started() {
 /// Of the byte that starts now.
 void LinkDirection::foresee_arrival() {
     Time now = kernel_.now();
-    await(Packet::acknowledge, later(now, times_.to_acknowledge));
+    await(Packet::acknowledge, later(now, times_.byte().to_answer));
     if (part_.bytes_left + 1 == part_bytes())
         foresee_arrival_of_first();
     if (part_.bytes_left == 0)
@@ -359,10 +359,10 @@ void LinkDirection::acknowledge_started() {
         return stall();
     }
     unacknowledged_ = false;
-    may_start_ = later(kernel_.now(), times_.to_next_byte);
+    may_start_ = later(kernel_.now(), times_.acknowledge().to_answer);
     if (part_.bytes_left == 0) {
         take_part();
-        enter(LinkStep::sending_ends, later(kernel_.now(), times_.wire_delay + times_.acknowledge));
+        enter(LinkStep::sending_ends, later(kernel_.now(), times_.wire_delay + times_.acknowledge().carried));
     } else {
         await(Packet::byte, may_start_);
     }
@@ -379,14 +379,14 @@ void LinkDirection::trace_bytes(Time since) {
 void LinkDirection::trace_break(Time byte_started) {
     trace_carries_ = false;
     std::uint64_t bytes = bytes_carried_ - std::exchange(bytes_traced_, bytes_carried_);
-    kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, times_.data));
+    kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, times_.byte().carried));
 }
 
 Time LinkDirection::time_occupied() const {
     auto bytes = static_cast<std::int64_t>(bytes_carried() - bytes_at_old_speed_);
-    Time end = bytes > 0 ? later(progress().last_start, times_.data) : old_speed_until_;
+    Time end = bytes > 0 ? later(progress().last_start, times_.byte().carried) : old_speed_until_;
     Time to_come = std::max(end, kernel_.now()) - kernel_.now();
-    return later(occupied_at_old_speed_, times(bytes, times_.data)) - to_come;
+    return later(occupied_at_old_speed_, times(bytes, times_.byte().carried)) - to_come;
 }
 
 /// REQUIRES: the closed form is not ahead.
@@ -394,8 +394,8 @@ void LinkDirection::note_speed() {
     auto bytes = static_cast<std::int64_t>(bytes_carried() - bytes_at_old_speed_);
     if (bytes == 0)
         return;
-    occupied_at_old_speed_ = later(occupied_at_old_speed_, times(bytes, times_.data));
-    old_speed_until_ = later(part_.last_start, times_.data);
+    occupied_at_old_speed_ = later(occupied_at_old_speed_, times(bytes, times_.byte().carried));
+    old_speed_until_ = later(part_.last_start, times_.byte().carried);
     bytes_at_old_speed_ = bytes_carried();
 }
 

@@ -75,14 +75,15 @@ public:
     LinkStreams::Progress progress(std::size_t direction) {
         if (!is_ahead())
             return parts_[direction];
-        return repetition_.is_simple(direction, kernel_.now()) ? repetition_.progress(direction, kernel_.now())
-                                                               : passed_until_now(direction);
+        return repetition_.is_simple(kernel_.now()) ? repetition_.progress(direction, kernel_.now())
+                                                    : passed_until_now(direction);
     }
     /// The same for bytes, now. One that begins now is not counted: whether it has begun yet depends on the order of
     /// this instant's events.
     std::uint32_t bytes_begun_before(Time now, std::size_t direction) {
-        auto [bytes_left, last_start] =
-            repetition_.is_simple(direction, now) ? repetition_.progress(direction, now) : progress(direction);
+        if (Time before = now - Time{1}; repetition_.is_simple(before)) [[likely]]
+            return repetition_.part_bytes[direction] - repetition_.bytes_left(direction, before);
+        auto [bytes_left, last_start] = progress(direction);
         std::uint32_t bytes = repetition_.part_bytes[direction] - bytes_left;
         return bytes > 0 && last_start >= now ? bytes - 1 : bytes;
     }
@@ -220,7 +221,7 @@ private:
     void start_byte();
     void byte_started() override;
     void may_be_written();
-    Time arrival(Time started) const { return later(started, times_.wire_delay + times_.data); }
+    Time arrival(Time started) const { return later(started, times_.wire_delay + times_.byte().carried); }
     void foresee_arrival();
     /// A byte has certainly been noticed by the time it has arrived.
     bool arrives_noticed() const { return times_.overlaps() && !faults_; }

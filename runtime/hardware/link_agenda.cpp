@@ -53,13 +53,19 @@ void LinkAgenda::settle() {
 }
 
 void LinkAgenda::put_first() {
+    // Without branches, since the processor cannot foresee the outcome.
+    std::uint64_t earliest = times_[0];
     std::size_t first = 0;
-    for (std::size_t i = 1; i < places; ++i)
-        first = times_[i] < times_[first] ? i : first;
+    for (std::size_t i = 1; i < places; ++i) {
+        std::uint64_t time = times_[i];
+        bool is_earlier = time < earliest;
+        first = is_earlier ? i : first;
+        earliest = is_earlier ? time : earliest;
+    }
     EventQueue& future = kernel_.future();
-    if (times_[first] == never)
+    if (earliest == never)
         return future.cancel(*this);
-    Time at{static_cast<std::int64_t>(times_[first])};
+    Time at{static_cast<std::int64_t>(earliest)};
     if (scheduled() && first == first_ && future.time_of(*this) == at)
         return;
     first_ = first;

@@ -67,7 +67,7 @@ LinkStreams::Progress ClosedForm::passed_until_now(std::size_t direction) {
 void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
     const LinkStreams::Stream &forth = streams.streams[0], &back = streams.streams[1];
     auto waits = [moment](const LinkStreams::Stream& s, bool acknowledge) {
-        return s.flows && s.acknowledge == acknowledge && s.due < moment;
+        return s.acknowledge == acknowledge && s.due < moment;
     };
     a_to_b_.out_.go_to(streams.free_at[0], waits(forth, false) ? &a_to_b_ : nullptr,
                        waits(back, true) ? &b_to_a_ : nullptr);
@@ -79,9 +79,10 @@ void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
 
 /// What the packets of this direction that follow need of it.
 LinkStreams::Stream LinkDirection::stream() const {
-    LinkStreams::Stream stream{.bytes_left = part_.bytes_left, .last_start = part_.last_start, .due = next_due_};
+    LinkStreams::Stream stream{.bytes_left = part_.bytes_left, .last_start = part_.last_start};
     stream.acknowledge = (next_ == Packet::acknowledge && !waits_for_receiver()) || back_.acknowledge_waits(*this);
-    stream.flows = stream.acknowledge || next_ == Packet::byte || out_.byte_waits(*this);
+    if (stream.acknowledge || next_ == Packet::byte || out_.byte_waits(*this))
+        stream.due = next_due_;
     return stream;
 }
 
@@ -90,7 +91,7 @@ LinkStreams::Stream LinkDirection::stream() const {
 bool LinkDirection::must_be_seen() const {
     bool begins = next_ == Packet::byte || out_.byte_waits(*this);
     bool first_byte_begins = begins && part_.bytes_left == part_bytes();
-    bool to_be_traced = kernel_.trace() && !trace_carries_ && part_.bytes_left > 0 && stream().flows;
+    bool to_be_traced = kernel_.trace() && !trace_carries_ && part_.bytes_left > 0 && stream().flows();
     return every_byte_ || first_byte_begins || to_be_traced || left_over_ || receiver_left_;
 }
 
@@ -113,7 +114,7 @@ bool LinkDirection::waits_for_receiver() const {
 bool LinkDirection::is_unnoticed() const { return unacknowledged_ && kernel_.now() < next_due_; }
 
 void LinkDirection::go_to(const LinkStreams::Stream& stream, Time moment) {
-    if (!stream.flows)
+    if (!stream.flows())
         return;
     if (stream.bytes_left > 0 && part_.bytes_left == 0)
         drop(arrival_of_last());

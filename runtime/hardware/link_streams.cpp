@@ -6,19 +6,21 @@
 namespace placedpar::hardware {
 
 Time LinkStreams::begin_of_next(std::size_t direction) const {
-    const Stream& stream = streams[direction];
-    return stream.flows ? std::max(stream.due, free_at[wire_of(direction)]) : Time::max();
+    return std::max(streams[direction].due, free_at[wire_of(direction)]);
 }
 
+/// Without a branch, since the processor cannot foresee whether it is a byte.
 void LinkStreams::begin_packet(const PacketTimes& times, std::size_t direction) {
     Stream& stream = streams[direction];
-    free_at[wire_of(direction)] = now + (stream.acknowledge ? times.acknowledge : times.data);
-    stream.due = now + (stream.acknowledge ? times.to_next_byte : times.to_acknowledge);
-    if (!stream.acknowledge) {
-        --stream.bytes_left;
-        stream.start_before = std::exchange(stream.last_start, now);
-    }
-    stream.acknowledge = !stream.acknowledge;
+    const bool acknowledge = stream.acknowledge;
+    const PacketTimes::Packet& packet = times.packets[acknowledge];
+    const Time last_start = stream.last_start, start_before = stream.start_before;
+    free_at[wire_of(direction)] = now + packet.carried;
+    stream.due = now + packet.to_answer;
+    stream.bytes_left -= std::uint32_t{!acknowledge};
+    stream.last_start = acknowledge ? last_start : now;
+    stream.start_before = acknowledge ? start_before : last_start;
+    stream.acknowledge = !acknowledge;
 }
 
 /// If both directions want one wire, the acknowledge goes first. On two wires the order of one instant makes no
@@ -47,7 +49,7 @@ std::optional<std::size_t> LinkStreams::begin_next(const PacketTimes& times, Tim
 Time LinkStreams::end_of_a_part() const {
     Time end = Time::max();
     for (const Stream& stream : streams)
-        if (stream.flows && stream.bytes_left == 0)
+        if (stream.flows() && stream.bytes_left == 0)
             end = std::min(end, stream.last_start);
     return end;
 }
@@ -56,7 +58,7 @@ bool LinkStreams::is_in_phase_with(const LinkStreams& then, std::size_t other) c
     auto ahead = [](Time moment, Time of) { return std::max(moment - of, Time{0}); };
     const Stream &stream = streams[other], &before = then.streams[other];
     return stream.acknowledge == before.acknowledge &&
-           (!stream.flows || ahead(stream.due, now) == ahead(before.due, then.now)) &&
+           (!stream.flows() || ahead(stream.due, now) == ahead(before.due, then.now)) &&
            ahead(free_at[other], now) == ahead(then.free_at[other], then.now);
 }
 
@@ -66,7 +68,7 @@ void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time befor
     LinkStreams noted;
     std::uint32_t bytes_until_note = 1, bytes_between_notes = 1;
     while (std::optional<std::size_t> next = streams.begin_next(times, before)) {
-        bool marks = streams.streams[*next].acknowledge && (*next == 0 || !streams.streams[0].flows);
+        bool marks = streams.streams[*next].acknowledge && (*next == 0 || !streams.streams[0].flows());
         if (!marks)
             continue;
         if (bytes_between_notes > 1 && streams.is_in_phase_with(noted, 1 - *next)) {
@@ -80,7 +82,7 @@ void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time befor
             noted = streams;
         }
     }
-    until = std::min(streams.end_of_a_part(), streams.now);
+    until = is_short() ? std::min(streams.end_of_a_part(), streams.now) : LinkStreams::past;
 }
 
 /// Everything is as it was then, so that it has repeated itself since: short periods are known from there on.
@@ -111,7 +113,8 @@ void Repetition::pass_periods(LinkStreams& streams, Time before) const {
     for (std::size_t i : {0u, 1u}) {
         LinkStreams::Stream& stream = streams.streams[i];
         streams.free_at[i] += by;
-        stream.due += by;
+        if (stream.flows())
+            stream.due += by;
         if (std::uint32_t bytes = flows[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
             // One that began before the first period may have done so at another distance.

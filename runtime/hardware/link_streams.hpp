@@ -3,6 +3,7 @@
 #include "runtime/hardware/link_timing.hpp"
 #include "runtime/time.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,11 +23,11 @@ struct LinkStreams {
     /// And its next packet.
     struct Stream {
         std::uint32_t bytes_left = 0;
-        bool flows = false;       ///< a packet of it is to come
-        bool acknowledge = false; ///< which is the acknowledge of the byte begun last, else the next byte
+        bool acknowledge = false; ///< it is the acknowledge of the byte begun last, else the next byte
         Time last_start{};
-        Time due{};          ///< when the packet is asked for
-        Time start_before{}; ///< of the byte before the last, if it began here
+        Time due = Time::max(); ///< when the packet is asked for; none is to come: never
+        Time start_before{};    ///< of the byte before the last, if it began here
+        bool flows() const { return due != Time::max(); }
     };
     static constexpr Time past{-1};
 
@@ -67,8 +68,8 @@ private:
 ///
 /// What is asked for most stands together in one line of the cache.
 struct alignas(64) Repetition {
-    /// When it holds: from when it is known until the last byte of a part, or the end of what has been looked at.
-    Time since = Time::max(), until{};
+    Time since = Time::max(); ///< when it is known
+    Time until{};             ///< until then is_simple(): the last byte of a part, or the end of what has been looked at
     Time period{};
     /// Of a direction at the moment `since`, from which its times count, in picoseconds.
     struct Flow {
@@ -87,27 +88,33 @@ struct alignas(64) Repetition {
     /// at the moment of the streams.
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
-    bool is_simple(std::size_t direction, Time moment) const {
-        return since <= moment && moment < until && flows[direction].bytes_a_period <= 2 && period <= longest_simple;
-    }
-    /// How far a direction is at that moment. REQUIRES: is_simple(direction, moment).
+    bool is_simple(Time moment) const { return (since <= moment) & (moment < until); }
+    /// How far a direction is at that moment. REQUIRES: is_simple(moment).
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
         const Flow& flow = flows[direction];
         Time last_start = since + Time{flow.last_start};
         if (flow.bytes_a_period == 0)
             return {flow.bytes_left, last_start};
         std::int64_t periods = (moment - last_start) / period;
-        std::uint32_t left = flow.bytes_left - static_cast<std::uint32_t>(periods) * flow.bytes_a_period;
         Time start = last_start + periods * period, next = since + Time{flow.start_before} + (periods + 1) * period;
-        if (flow.bytes_a_period == 2 && next <= moment)
-            return {left - 1, next};
-        return {left, start};
+        return {bytes_left(direction, moment), flow.bytes_a_period == 2 && next <= moment ? next : start};
+    }
+    /// The same, only the bytes: without a branch, since the processor cannot foresee the outcome.
+    std::uint32_t bytes_left(std::size_t direction, Time moment) const {
+        const Flow& flow = flows[direction];
+        std::int64_t periods = (moment - since - Time{flow.last_start}) / period;
+        bool one_more = since + Time{flow.start_before} + (periods + 1) * period <= moment;
+        return flow.bytes_left - static_cast<std::uint32_t>(periods) * flow.bytes_a_period -
+               (std::uint32_t{one_more} & (flow.bytes_a_period >> 1)); // of two
     }
 
 private:
     /// So that moments of the period before `since` fit a flow.
     static constexpr Time longest_simple{std::numeric_limits<std::int32_t>::max()};
 
+    bool is_short() const {
+        return period <= longest_simple && std::max(flows[0].bytes_a_period, flows[1].bytes_a_period) <= 2;
+    }
     void begin(const LinkStreams& then, const LinkStreams& now);
 };
 

@@ -2,6 +2,8 @@
 
 #include "runtime/time.hpp"
 
+#include <array>
+
 namespace placedpar::hardware {
 
 /// How long the bits of a link take. Published: a data packet is 11 bits (start, one, eight data bits, stop), an
@@ -48,18 +50,22 @@ struct LinkTiming {
 
 /// The same, divided once: links ask for them with each packet.
 struct PacketTimes {
+    struct Packet {
+        Time carried;   ///< by its wire, so long
+        Time to_answer; ///< from its start to the request for what answers it: the acknowledge, or the next byte
+    };
     explicit constexpr PacketTimes(const LinkTiming& timing)
-        : data(timing.data()), acknowledge(timing.acknowledge()), wire_delay(timing.wire_delay),
-          to_acknowledge(later(timing.wire_delay, timing.acknowledge_latency())),
-          to_next_byte(later(timing.wire_delay, timing.restart_latency())) {}
+        : packets{Packet{timing.data(), later(timing.wire_delay, timing.acknowledge_latency())},
+                  Packet{timing.acknowledge(), later(timing.wire_delay, timing.restart_latency())}},
+          wire_delay(timing.wire_delay) {}
 
+    const Packet& byte() const { return packets[0]; }
+    const Packet& acknowledge() const { return packets[1]; }
     /// Whether a byte is noticed before the whole of it has arrived.
-    bool overlaps() const { return to_acknowledge < later(wire_delay, data); }
+    bool overlaps() const { return byte().to_answer < later(wire_delay, byte().carried); }
 
-    Time data, acknowledge; ///< how long a wire carries them
+    std::array<Packet, 2> packets; ///< a byte, an acknowledge
     Time wire_delay;
-    Time to_acknowledge; ///< from the start of a byte to the request for its acknowledge
-    Time to_next_byte;   ///< from the start of an acknowledge to the request for the next byte
 };
 
 } // namespace placedpar::hardware

@@ -16,10 +16,10 @@ void Wire::serve() {
     if (watch_)
         watch_->packet_begins();
     if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
-        free_at_ = later(now, times_.acknowledge);
+        free_at_ = later(now, times_.acknowledge().carried);
         user->acknowledge_started();
     } else if (WireUser* sender = std::exchange(byte_for_, nullptr)) {
-        free_at_ = later(now, times_.data);
+        free_at_ = later(now, times_.byte().carried);
         sender->byte_started();
     }
 }
