@@ -16,8 +16,8 @@ namespace placedpar {
 struct OperationCosts {
     Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
     Cycles hard_communication{}; ///< the same on a hard channel, for each part of the message
-    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second
     Cycles word_outside{};       ///< of what a process computes with (Grain), beyond the cycle that it counts
+    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< of a PAR, for each but the last, which its process runs itself

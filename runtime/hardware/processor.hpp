@@ -117,6 +117,7 @@ private:
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
     MemoryOfEngines engines_;
     Time access_{}; ///< to a word of its memory
+    Time halts_at_ = Time::max();
 
     boost::container::small_vector<Link*, 4> links_; ///< a transputer has no more
     Process* preempted_ = nullptr;                   ///< the low-priority process that lost it to a high one
@@ -124,7 +125,6 @@ private:
     ProcessQueue high_, low_; ///< the processes that wait for the processor
     Time dispatched_at_{};    ///< when the current low-priority process got it
     Time busy_{};             ///< without the turn under way
-    Time halts_at_ = Time::max();
     Clock clock_;
 };
 
