@@ -1,6 +1,7 @@
 // A torus of T800s, and a hypercube, with messages both ways on every link all the time: nanoseconds for each byte,
-// host seconds for a simulated one, and the memory of a process. At each end of a link are a process that sends and one
-// that receives. A transputer has four links, so the nodes of hypercubes above the fourth dimension are imaginary.
+// host seconds for a simulated one, events a message, and the memory of a process. At each end of a link are a process
+// that sends and one that receives. A transputer has four links, so the nodes of hypercubes above the fourth dimension
+// are imaginary.
 
 #include "bench/measure.hpp"
 #include "runtime/hardware/link.hpp"
@@ -65,9 +66,8 @@ public:
     RunResult run() {
         return simulation_.run(Time::max(), [this] { memory_ = resident_bytes(); });
     }
-    double bytes() const {
-        return static_cast<double>(channels_.size()) * static_cast<double>(messages_) * Message::bytes;
-    }
+    double messages() const { return static_cast<double>(channels_.size()) * static_cast<double>(messages_); }
+    double bytes() const { return messages() * Message::bytes; }
     double processes() const { return 2 * static_cast<double>(channels_.size()); }
     double memory() const { return memory_; }
 
@@ -105,9 +105,10 @@ void measure(const std::string& what, std::size_t nodes, const Pairs& links, lon
     RunResult result = machine.run();
     double took = watch.seconds();
     double simulated = std::chrono::duration<double>(result.time).count();
-    fmt::print("{:<22} {:6.2f} ns/byte   {:8.1f} s per simulated s   {:6.2f} s in all   {:5.0f} bytes/process   "
-               "{:5.2f} Gbyte   fingerprint {:016x}\n",
+    fmt::print("{:<22} {:6.2f} ns/byte   {:8.1f} s per simulated s   {:6.2f} s in all   {:4.1f} events/message   "
+               "{:5.0f} bytes/process   {:5.2f} Gbyte   fingerprint {:016x}\n",
                what, 1e9 * (took - setting_up) / machine.bytes(), (took - setting_up) / simulated, took,
+               static_cast<double>(result.events) / machine.messages(),
                (machine.memory() - before) / machine.processes(), machine.memory() * 1e-9, result.fingerprint);
 }
 

@@ -55,6 +55,7 @@ void EventQueue::cancel(Event& event) {
 
 void EventQueue::happen_next() {
     Event& event = *heap_.front().event;
+    ++happened_;
     event.queue_ = nullptr;
     remove(0);
     event.happen();

@@ -40,6 +40,8 @@ public:
 
     ~EventQueue();
     bool empty() const { return heap_.empty(); }
+    /// How many events have happened.
+    std::uint64_t happened() const { return happened_; }
     /// REQUIRES: not empty().
     Time next_time() const { return heap_.front().time; }
     /// REQUIRES: the event is scheduled.
@@ -79,7 +81,7 @@ private:
     void remove(std::size_t position);
 
     std::vector<Entry> heap_;
-    std::uint64_t inserted_ = 0;
+    std::uint64_t inserted_ = 0, happened_ = 0;
 };
 
 } // namespace placedpar

@@ -50,6 +50,7 @@ RunResult Simulation::run(Time limit, const std::function<void()>& work_over) {
     };
     result.ending = kernel_.run(limit, std::move(observer));
     result.fingerprint = kernel_.fingerprint().value();
+    result.events = kernel_.future().happened();
     return result;
 }
 

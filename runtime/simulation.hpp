@@ -23,6 +23,7 @@ struct RunResult {
     Ending ending = Ending::completed;
     Time time{};                   ///< virtual time at the end of the work
     std::uint64_t fingerprint = 0; ///< of the whole run
+    std::uint64_t events = 0;      ///< of the machine: what the run costs the host, besides its processes
     /// If the run ended stuck: all processes that are left. If it was stopped before its end: those that would never
     /// have gone on, however long it had lasted.
     std::optional<Deadlock> deadlock;

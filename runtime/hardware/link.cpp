@@ -78,9 +78,8 @@ void Link::packet_begins() {
 
 LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes& times, Wire& out, Wire& back,
                              LinkAgenda& agenda, ClosedForm& closed_form, std::size_t number)
-    : kernel_(kernel), closed_form_(closed_form), agenda_(agenda), part_(closed_form.part(number)),
-      out_(out), back_(back), number_(static_cast<std::uint8_t>(number)),
-      times_(times), name_(std::move(name)) {}
+    : kernel_(kernel), closed_form_(closed_form), agenda_(agenda), part_(closed_form.part(number)), out_(out),
+      back_(back), number_(static_cast<std::uint8_t>(number)), times_(times), name_(std::move(name)) {}
 
 void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
     if (memories_[1])

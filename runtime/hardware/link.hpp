@@ -297,11 +297,11 @@ private:
     Time may_start_{};              ///< no byte before this
     Time next_due_{};               ///< when the next packet asks for its wire, or would have if it had not early
     Packet next_ = Packet::none;
-    const std::uint8_t number_; ///< in its link: 0 or 1
-    bool every_byte_ = false;   ///< is an event, for a program that writes or reads it, or as a reference
-    bool last_part_ = false;          ///< the part under way ends its message
-    bool first_byte_waits_ = false;   ///< it has arrived, and no process has asked for it
-    bool acknowledge_owed_ = false;   ///< to the first byte, once a process asks for it
+    const std::uint8_t number_;     ///< in its link: 0 or 1
+    bool every_byte_ = false;       ///< is an event, for a program that writes or reads it, or as a reference
+    bool last_part_ = false;        ///< the part under way ends its message
+    bool first_byte_waits_ = false; ///< it has arrived, and no process has asked for it
+    bool acknowledge_owed_ = false; ///< to the first byte, once a process asks for it
     /// The receiver has been given the part, and either its last byte or that byte's acknowledge is still to come.
     bool taken_ = false;
     bool took_last_part_ = false; ///< the part that was taken last ended its message

@@ -69,7 +69,7 @@ private:
 /// What is asked for most stands together in one line of the cache.
 struct alignas(64) Repetition {
     Time since = Time::max(); ///< when it is known
-    Time until{};             ///< until then is_simple(): the last byte of a part, or the end of what has been looked at
+    Time until{}; ///< until then is_simple(): the last byte of a part, or the end of what has been looked at
     Time period{};
     /// Of a direction at the moment `since`, from which its times count, in picoseconds.
     struct Flow {
