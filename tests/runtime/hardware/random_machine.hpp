@@ -1,6 +1,7 @@
 #pragma once
 
 #include "machine_log.hpp"
+#include "random_lane.hpp"
 #include "random_pace.hpp"
 #include "random_program.hpp"
 #include "runtime/hardware/crossbar.hpp"

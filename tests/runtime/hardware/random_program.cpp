@@ -4,17 +4,10 @@
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
 namespace placedpar::test {
-
-bool Lane::is_whole() const {
-    auto known = came.empty() ? gone.begin() : std::ranges::upper_bound(gone, came.back());
-    return std::ranges::adjacent_find(came, std::ranges::greater_equal()) == came.end() && gone.end() - known <= 1 &&
-           std::includes(came.begin(), came.end(), gone.begin(), known);
-}
 
 RandomProgram::RandomProgram(RandomStream random, const RandomPace& pace, int rounds, MachineLog& log)
     : random_(random), pace_(pace), rounds_(rounds), log_(log),
