@@ -110,7 +110,7 @@ void RandomMachine::add_faults(Link& link) {
                                 LinkFault::Kind::slow}[random_.below(4)];
         fault.factor = 1 + random_.below(5);
         if (random_.chance(0.8))
-            fault.until = fault.from + Time{1} + pace_.less_than(1'200, random_);
+            fault.until = fault.from + pace_.bits(1) + pace_.less_than(1'200, random_);
         if (random_.chance(0.6))
             (random_.chance(0.5) ? fault.wire_from_a : fault.wire_from_b) = false;
         link.suffer(fault);

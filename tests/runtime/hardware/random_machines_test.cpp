@@ -84,10 +84,10 @@ void check_that_they_have_everything(Tally& tally, std::uint64_t machines) {
 TEST_CASE("random machines and programs do the same, to the picosecond, with the closed form and with every byte") {
     // Of all that each hundred of them log. A change that alters one says why.
     constexpr std::array<std::string_view, 20> fingerprints{
-        "e778626f0b7a8e05", "6f8ee142fb07732a", "a94a2f9437c800ac", "235793eaba402db1", "3b7296548b3c8ba3",
-        "f75041c842af0233", "b0433d3e5b7306a6", "858a06e99b3ff623", "03388d11b753d574", "355406483c50b5a6",
-        "6f68006441feccfa", "be760c61294ce775", "85630f4fbdff26e7", "bd1d3bc393e363ca", "b117af6321cecbdf",
-        "340e45d03ad4cbd2", "f3803dd121a43951", "240205a86a4231cb", "4b29682fc9837d03", "f68d56aab0aaa1e6"};
+        "408ea67205afeae5", "92ef497df13e5d7d", "802408ea745096ae", "97908aa12f40d137", "2a3c1484f3096858",
+        "7580caa85c28d74f", "4385c0c4ea005ccd", "b57a3a6dc794aba8", "99185d313401370d", "d108c3e51bdea310",
+        "de8848df55f8b33c", "0e1e428c7b03354a", "25b3e6ba0538dd54", "68ac0f82bf5960c7", "7988cdaa23f1aa67",
+        "ab7d3bb6767e5a47", "0c545297c63b7a28", "5bfd8219d0cbe6a9", "edf16105905ba67f", "742038773a85ebf3"};
     constexpr std::size_t hundreds = sanitized ? 1 : fingerprints.size();
     Tally tally;
     if (!all_seeds())
@@ -99,9 +99,13 @@ TEST_CASE("random machines and programs do the same, to the picosecond, with the
     check_that_they_have_everything(tally, 100 * hundreds);
 }
 
-TEST_CASE("random machines that once made a difference make none") {
+TEST_CASE("random machines by which a fault was found make no difference") {
     Tally tally;
-    compare_random_machines({3'908}, tally);
+    compare_random_machines({56,   // an adapter's program read a byte that its sender had taken back
+                             357,  // periods of more than two milliseconds
+                             390,  // a message to an adapter that had to do with the one given up before it
+                             545}, // given up while the end of the part before was on the wire
+                            tally);
 }
 
 TEST_CASE("a hundred thousand of them do" * doctest::skip()) {

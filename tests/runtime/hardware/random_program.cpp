@@ -12,7 +12,7 @@ namespace placedpar::test {
 RandomProgram::RandomProgram(RandomStream random, const RandomPace& pace, int rounds, MachineLog& log)
     : random_(random), pace_(pace), rounds_(rounds), log_(log),
       longest_letter_(std::array{1u, 3u, 40u, 300u, 300u}[random_.below(5)]),
-      patience_(std::array{30u, 200u, 1'000u, 4'000u}[random_.below(4)]),
+      patience_(std::array{10u, 30u, 200u, 1'000u, 4'000u}[random_.below(5)]),
       pauses_(std::array{0.0, 0.2, 0.6}[random_.below(3)]), gives_up_(random_.chance(0.7) ? 1 : 0.5) {}
 
 void RandomProgram::send(Lane& lane) {
@@ -68,7 +68,7 @@ void RandomProgram::alternate(const std::vector<Lane*>& lanes) {
         return note("has chosen the time-out beside", *lanes.front(), 0);
     note("has chosen", *lanes[chosen], 0);
     if (random_.chance(0.85))
-        receive_from(*lanes[chosen], random_.chance(0.2));
+        receive_from(*lanes[chosen], random_.chance(gives_up_));
 }
 
 void RandomProgram::receive_from(Lane& lane, bool may_be_given_up) {
@@ -93,7 +93,7 @@ void RandomProgram::receive_or_give_up(Lane& lane) {
 
 void RandomProgram::repeat(std::uint32_t bits, const std::function<void(RandomStream&)>& act) {
     for (int round = 0; round < rounds_; ++round) {
-        wait_for(Time{1} + pace_.less_than(bits, random_));
+        wait_for(pace_.bits(1) + pace_.less_than(bits, random_));
         act(random_);
     }
 }
