@@ -113,7 +113,7 @@ void RandomMachine::add_faults(Link& link) {
             fault.until = fault.from + pace_.bits(1) + pace_.less_than(1'200, random_);
         if (random_.chance(0.6))
             (random_.chance(0.5) ? fault.wire_from_a : fault.wire_from_b) = false;
-        link.suffer(fault);
+        effects_.push_back(&link.suffer(fault));
     }
 }
 
@@ -207,6 +207,11 @@ void RandomMachine::observe(Time at) {
         for (const LinkDirection* direction : {&link->from_a_to_b(), &link->from_b_to_a()}) {
             log_.note(at, "bytes", static_cast<std::int64_t>(direction->bytes_carried()));
             log_.note(at, "occupied", direction->time_occupied().count());
+        }
+    for (const FaultEffect* effect : effects_)
+        if (effect->first) {
+            log_.note(at, "lost", static_cast<std::int64_t>(effect->bytes_lost + effect->acknowledges_lost));
+            log_.note(at, "first struck", effect->first->at.count());
         }
     for (const Node& node : nodes_)
         if (node.processor) {

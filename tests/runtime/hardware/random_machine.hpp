@@ -71,6 +71,7 @@ private:
     std::deque<Node> nodes_, hosts_;
     std::deque<Lane> lanes_;
     std::vector<hardware::Link*> links_;
+    std::vector<const hardware::FaultEffect*> effects_;
     MachineLog log_;
     std::vector<std::string> features_;
 };
