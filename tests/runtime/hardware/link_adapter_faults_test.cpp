@@ -168,6 +168,39 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
         CHECK(lost_some > 30);
 }
 
+TEST_CASE("a message to an adapter that is given up while its acknowledge waits leaves the next one alone") {
+    for (Time given_up = microseconds{500}; given_up < microseconds{1500}; given_up += microseconds{20}) {
+        CAPTURE(given_up.count());
+        Host host(32, LinkTiming{.bits_per_second = 10'000}); // a byte still arrives when the program has read it
+        Channel<std::uint8_t> c("c", host.driver.from_link());
+        Channel<Octets> other_way("other way", host.driver.to_link()); // for whose bytes acknowledges wait
+        std::uint8_t message = 0;
+        host.simulation.process(
+            "sender",
+            [&] {
+                if (!output_or_fail(c.out(), std::uint8_t{1}, given_up))
+                    reset(c.out());
+                wait_until(Time{milliseconds{15}}); // until the receiver has been reset, too
+                c.out().output(2);
+            },
+            &host.t800);
+        host.simulation.process(
+            "receiver",
+            [&] {
+                for (int attempt = 0; attempt < 3 && message != 2; ++attempt)
+                    if (!input_or_fail(c.in(), message, later(now(), milliseconds{10})))
+                        reset(c.in());
+            },
+            &host.sun);
+        host.simulation.process(
+            "sender the other way", [&] { other_way.out().output(Octets(20)); }, &host.sun);
+        host.simulation.process(
+            "receiver the other way", [&] { other_way.in().input(); }, &host.t800);
+        host.simulation.run();
+        CHECK(message == 2);
+    }
+}
+
 TEST_CASE("what is broadcast cannot be given up") {
     Host host;
     auto& all = host.simulation.add<AdapterBroadcast>(std::vector{&host.driver});

@@ -1,103 +1,119 @@
 #include "random_machine.hpp"
 
-#include "runtime/alternation.hpp"
-#include "runtime/recovery.hpp"
+#include "runtime/hardware/bus_programs.hpp"
+#include "runtime/hardware/link_adapter.hpp"
+#include "runtime/hardware/workstation.hpp"
 #include "runtime/timer.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <chrono>
+#include <limits>
 
 namespace placedpar::test {
 
 using namespace hardware;
-using std::chrono::nanoseconds;
 
 namespace {
 
-LinkTiming some_timing(RandomStream& random) {
-    LinkTiming timing;
-    timing.bits_per_second =
-        std::array<std::int64_t, 4>{5'000'000, 10'000'000, 20'000'000, 20'000'000}[random.below(4)];
-    if (random.chance(0.5))
-        timing.wire_delay = nanoseconds{random.below(random.chance(0.5) ? 100 : 900)};
-    timing.overlapped_acknowledge = random.chance(0.75);
-    return timing;
+std::int64_t some_speed(RandomStream& random) {
+    if (random.chance(0.4))
+        return std::array{5'000'000, 10'000'000, 20'000'000}[random.below(3)];
+    return random.chance(0.5) ? 8'000 + random.below(200'000) : 100 + random.below(8'000);
 }
-
-void pause(RandomStream& random) {
-    if (random.chance(0.3))
-        wait_for(nanoseconds{random.below(random.chance(0.7) ? 2'000 : 40'000)});
-}
-
-Time soon(RandomStream& random) { return now() + nanoseconds{random.below(random.chance(0.5) ? 10'000 : 300'000)}; }
 
 } // namespace
 
 RandomMachine::RandomMachine(std::uint64_t seed, bool every_byte)
-    : random_(seed, "random machine"), limit_(nanoseconds{100'000 + random_.below(3'000'000)}) {
+    : random_(seed, "random machine"), bits_per_second_(some_speed(random_)),
+      pace_(bits_per_second_, random_.chance(0.6)),
+      most_rounds_(std::array{0u, 0u, 1u, 3u, 25u, 25u, 25u}[random_.below(7)]), quiet_(random_.chance(0.4)),
+      limit_(most_rounds_ == 0 ? duration_of(2'000 + random_.below(20'000), bits_per_second_) : Time::max()) {
     for (std::uint32_t i = 0, n = 2 + random_.below(3); i < n; ++i)
         add_node();
-    for (std::uint32_t i = 0, n = 1 + random_.below(4); i < n; ++i)
+    for (std::uint32_t i = 0, n = also(0.7) ? 2 + random_.below(3) : 1; i < n; ++i)
         add_link(every_byte);
-    for (Node& node : nodes_)
-        add_computing(node), add_receiver(node, node.inputs);
-    simulation_.process("observer", [this] { observe(); });
+    for (const auto* nodes : {&nodes_, &hosts_})
+        for (const Node& node : *nodes)
+            add_receiver(node, node.inputs);
+    if (also(0.7))
+        start("observer", nullptr, [this](RandomProgram& p) { p.repeat(400, [this](auto&) { observe(now()); }); });
+    if (bits_per_second_ < 10'000)
+        has("slow links");
     if (seed % 2 == 1)
-        simulation_.trace_to(trace_);
+        simulation_.trace_to(log_);
 }
 
-void RandomMachine::Trace::carries(const std::string& direction, const AnyChannel&, Time now, Time since) {
-    log.emplace_back(now.count(), "trace: carries on " + direction, since.count());
+RunResult RandomMachine::run() {
+    return simulation_.run(limit_, [this] { observe(Time::max()); });
 }
 
-void RandomMachine::Trace::carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) {
-    log.emplace_back(now.count(), fmt::format("trace: carried {} bytes on {}", bytes, direction), until.count());
+bool RandomMachine::lanes_are_whole() const { return std::ranges::all_of(lanes_, &Lane::is_whole); }
+
+void RandomMachine::start(const std::string& name, Executive* executive, std::function<void(RandomProgram&)> body) {
+    int rounds =
+        most_rounds_ == 0 ? std::numeric_limits<int>::max() : 1 + static_cast<int>(random_.below(most_rounds_));
+    RandomProgram program(RandomStream(random_(), name), pace_, rounds, log_);
+    Priority priority = random_.chance(0.5) ? Priority::high : Priority::low;
+    simulation_.process(
+        name, [body, program]() mutable { body(program); }, executive, priority);
 }
 
 void RandomMachine::add_node() {
     Memory memory{.access = Cycles{1 + random_.below(4)}, .bytes_in_a_word = random_.chance(0.3) ? 2 : 4};
     std::int64_t clock = std::array{17'500'000, 20'000'000, 25'000'000}[random_.below(3)];
     auto& processor = simulation_.add<Processor>(fmt::format("t{}", nodes_.size()), clock, Cycles{0}, memory);
-    nodes_.push_back({&processor, &simulation_.add<Router>(&processor)});
+    auto& router = simulation_.add<Router>(&processor);
+    if (random_.chance(0.3))
+        return void(nodes_.push_back({nullptr, nullptr, &router}));
+    nodes_.push_back({&processor, &processor, &router});
+    if (also(0.7))
+        add_computing(processor);
+}
+
+LinkTiming RandomMachine::some_timing() {
+    LinkTiming timing{.bits_per_second = bits_per_second_ / (random_.chance(0.2) ? 2 : 1),
+                      .overlapped_acknowledge = random_.chance(0.65)};
+    if (random_.chance(0.5))
+        timing.wire_delay = pace_.less_than(random_.chance(0.5) ? 3 : 60, random_);
+    return timing;
 }
 
 void RandomMachine::add_link(bool every_byte) {
-    Link& link = simulation_.add<Link>(some_timing(random_));
+    Link& link = simulation_.add<Link>(some_timing());
     links_.push_back(&link);
     if (every_byte)
         link.from_a_to_b().simulate_every_byte(), link.from_b_to_a().simulate_every_byte();
-    auto first = random_.below(static_cast<std::uint32_t>(nodes_.size()));
-    Node &a = nodes_[first], &b = nodes_[(first + 1) % nodes_.size()];
-    if (random_.chance(0.8))
-        a.processor->has_link(link), b.processor->has_link(link);
     if (random_.chance(0.3))
         add_faults(link);
-    if (random_.chance(0.2))
+    if (also(0.3))
         lead_through_switch(link);
-    if (random_.chance(0.25)) {
-        auto& shared = simulation_.add<RouterLink>(link, *a.router, *b.router);
-        add_packets(shared, true, a, b), add_packets(shared, false, b, a);
-    } else {
-        add_channel(link.from_a_to_b(), a, b);
-        if (random_.chance(0.9))
-            add_channel(link.from_b_to_a(), b, a);
-    }
+    auto first = random_.below(static_cast<std::uint32_t>(nodes_.size()));
+    Node &a = nodes_[first], &b = nodes_[(first + 1) % nodes_.size()];
+    if (random_.chance(0.3))
+        return add_adapter(link, a, random_.chance(0.5));
+    for (Node* node : {&a, &b})
+        if (node->processor && random_.chance(0.8))
+            node->processor->has_link(link);
+    if (random_.chance(0.75))
+        return add_channels(link, a, b);
+    auto& shared = simulation_.add<RouterLink>(link, *a.router, *b.router);
+    add_packets(shared, true, a, b), add_packets(shared, false, b, a);
 }
 
 void RandomMachine::add_faults(Link& link) {
     has("faults");
     for (std::uint32_t i = 0, n = 1 + random_.below(3); i < n; ++i) {
-        LinkFault fault{.from = nanoseconds{random_.below(1'000'000)}};
+        LinkFault fault{.from = pace_.less_than(6'000, random_)};
         fault.kind = std::array{LinkFault::Kind::silent, LinkFault::Kind::loses_acknowledge, LinkFault::Kind::slow,
                                 LinkFault::Kind::slow}[random_.below(4)];
         fault.factor = 1 + random_.below(5);
         if (random_.chance(0.8))
-            fault.until = fault.from + nanoseconds{1 + random_.below(80'000)};
+            fault.until = fault.from + pace_.bits(1) + pace_.less_than(1'200, random_);
         if (random_.chance(0.6))
             (random_.chance(0.5) ? fault.wire_from_a : fault.wire_from_b) = false;
-        link.suffer(fault);
+        effects_.push_back(&link.suffer(fault));
     }
 }
 
@@ -109,19 +125,19 @@ void RandomMachine::lead_through_switch(Link& link) {
     using Kind = SwitchCommand::Kind;
     sw.obey({Kind::connect_links, 0, 1});
     sw.obey({Kind::ready});
-    simulation_.process("setter", [&sw, random = stream("setter")]() mutable {
-        for (;;) {
-            wait_for(nanoseconds{random.below(300'000)});
-            sw.obey({Kind::connect_links, 0, static_cast<std::uint8_t>(1 + random.below(2))});
-            wait_for(nanoseconds{random.below(3'000)});
-            sw.obey({Kind::connect_links, 0, 1});
-            sw.obey({Kind::ready});
-        }
-    });
+    auto set = [this, &sw](RandomStream& random) {
+        sw.obey({Kind::connect_links, 0, static_cast<std::uint8_t>(1 + random.below(2))});
+        wait_for(pace_.less_than(60, random));
+        sw.obey({Kind::connect_links, 0, 1});
+        sw.obey({Kind::ready});
+    };
+    start("setter", nullptr, [set](RandomProgram& p) { p.repeat(6'000, set); });
 }
 
-void RandomMachine::add_channel(LinkDirection& direction, Node& from, Node& to) {
-    add_lane(from, to, random_.chance(0.5)).channel.put_on(direction);
+void RandomMachine::add_channels(Link& link, Node& a, Node& b) {
+    add_lane(a, b, random_.chance(0.6)).channel.put_on(link.from_a_to_b());
+    if (random_.chance(0.8))
+        add_lane(b, a, random_.chance(0.6)).channel.put_on(link.from_b_to_a());
 }
 
 void RandomMachine::add_packets(RouterLink& shared, bool forth, Node& from, Node& to) {
@@ -130,106 +146,78 @@ void RandomMachine::add_packets(RouterLink& shared, bool forth, Node& from, Node
         add_lane(from, to, false).channel.put_on(simulation_.add<Route>(std::vector<Hop>{Hop{shared, forth}}));
 }
 
-RandomMachine::Lane& RandomMachine::add_lane(Node& from, Node& to, bool can_be_given_up) {
+/// Of a Sun, or of a master whose programs take no time besides that of the bus.
+void RandomMachine::add_adapter(Link& link, Node& transputer, bool at_a) {
+    has("adapter");
+    std::string name = fmt::format("host{}", hosts_.size());
+    Executive* sun = random_.chance(0.5) ? &simulation_.add<Workstation>(name) : nullptr;
+    BusProgram program = random_.chance(0.5) ? bus_programs::sun_3_280 : bus_programs::bbk_v2;
+    program.most_polls = 1 + random_.below(40);
+    auto& bus = simulation_.add<VmeBus>(name + ".bus");
+    auto& master = simulation_.add<VmeMaster>(name, bus, VmePlace{}, program);
+    auto& adapter =
+        simulation_.add<LinkAdapter>(name + ".adapter", link, at_a ? LinkAdapter::End::a : LinkAdapter::End::b);
+    auto& driver = simulation_.add<AdapterProgram>(master, adapter);
+    if (transputer.processor)
+        transputer.processor->has_link(link);
+    Node& host = hosts_.emplace_back(Node{sun, nullptr, nullptr});
+    add_lane(host, transputer, random_.chance(0.7)).channel.put_on(driver.to_link());
+    add_lane(transputer, host, random_.chance(0.7)).channel.put_on(driver.from_link());
+}
+
+Lane& RandomMachine::add_lane(Node& from, Node& to, bool can_be_given_up) {
     Lane& lane = lanes_.emplace_back(fmt::format("c{}", lanes_.size()), can_be_given_up);
-    if (random_.chance(0.3))
+    if (also(0.4))
         to.inputs.push_back(&lane);
-    else
+    else if (random_.chance(0.9)) // else nobody ever receives
         add_receiver(to, {&lane});
-    simulation_.process(
-        "sends " + lane.channel.name(), [this, &lane, random = stream("sender")] { send(lane, random); },
-        from.processor, some_priority());
+    start("sends on " + lane.channel.name(), from.executive, [&lane](RandomProgram& p) { p.send(lane); });
+    if (can_be_given_up && also(0.5))
+        add_failures(lane);
     return lane;
 }
 
-void RandomMachine::add_computing(const Node& node) {
-    if (random_.chance(0.5))
-        return;
-    has("computing");
-    simulation_.process(
-        "computes on " + node.processor->name(),
-        [this, random = stream("computing"), &node]() mutable {
-            for (;;) {
-                compute(Cycles{random.below(4'000)}, {.between_points = Cycles{1 + random.below(30)}});
-                note("has computed on " + node.processor->name(), 0);
-                wait_for(nanoseconds{1 + random.below(20'000)});
-            }
-        },
-        node.processor, some_priority());
+void RandomMachine::add_failures(Lane& lane) {
+    lane.failures_are_told = true;
+    for (Channel<int>* fails : {&lane.output_fails, &lane.input_fails})
+        start("tells that " + fails->name(), nullptr,
+              [fails](RandomProgram& p) { p.repeat(300, [fails](auto&) { fails->out().output(0); }); });
 }
 
 void RandomMachine::add_receiver(const Node& node, const std::vector<Lane*>& lanes) {
     if (!lanes.empty())
-        simulation_.process(
-            "receives on " + node.processor->name(),
-            [this, lanes, random = stream("receiver")] { receive(lanes, random); }, node.processor, some_priority());
+        start("receives on " + lanes.front()->channel.name(), node.executive,
+              [lanes](RandomProgram& p) { p.receive(lanes); });
 }
 
-/// At random moments, what the machine says of itself.
-void RandomMachine::observe() {
-    RandomStream random = stream("observer");
-    for (;;) {
-        wait_for(nanoseconds{1 + random.below(20'000)});
-        for (const Link* link : links_)
-            for (const LinkDirection* direction : {&link->from_a_to_b(), &link->from_b_to_a()}) {
-                note("bytes", static_cast<std::int64_t>(direction->bytes_carried()));
-                note("occupied", direction->time_occupied().count());
-            }
-        for (const Node& node : nodes_) {
-            note("busy", node.processor->time_busy().count());
-            note("memory", node.processor->memory_taken_by_links().count());
+void RandomMachine::add_computing(Processor& processor) {
+    has("computing");
+    auto compute_and_note = [this, &processor](RandomStream& random) {
+        Cycles work{random.below(4'000)};
+        compute(work, {.between_points = Cycles{1 + random.below(30)}});
+        log_.note(now(), "has computed on " + processor.name(), 0);
+    };
+    start("computes on " + processor.name(), &processor,
+          [compute_and_note](RandomProgram& p) { p.repeat(400, compute_and_note); });
+}
+
+/// What the machine says of itself.
+void RandomMachine::observe(Time at) {
+    for (const Link* link : links_)
+        for (const LinkDirection* direction : {&link->from_a_to_b(), &link->from_b_to_a()}) {
+            log_.note(at, "bytes", static_cast<std::int64_t>(direction->bytes_carried()));
+            log_.note(at, "occupied", direction->time_occupied().count());
         }
-    }
-}
-
-void RandomMachine::send(Lane& lane, RandomStream random) {
-    auto out = lane.channel.out();
-    for (int number = 0;; ++number) {
-        pause(random);
-        std::uint32_t longest = std::array{3u, 40u, 300u}[random.below(3)];
-        Letter letter{number, random.below(3), 1 + random.below(longest)};
-        if (!lane.can_be_given_up || random.chance(0.6)) {
-            out.output(letter);
-            note("has sent on " + lane.channel.name(), number);
-        } else if (!output_or_fail(out, letter, soon(random))) {
-            pause(random);
-            note("has given up output on " + lane.channel.name(), static_cast<std::int64_t>(reset(out)));
+    for (const FaultEffect* effect : effects_)
+        if (effect->first) {
+            log_.note(at, "lost", static_cast<std::int64_t>(effect->bytes_lost + effect->acknowledges_lost));
+            log_.note(at, "first struck", effect->first->at.count());
         }
-    }
+    for (const Node& node : nodes_)
+        if (node.processor) {
+            log_.note(at, "busy", node.processor->time_busy().count());
+            log_.note(at, "memory", node.processor->memory_taken_by_links().count());
+        }
 }
-
-void RandomMachine::receive(const std::vector<Lane*>& lanes, RandomStream random) {
-    for (;;) {
-        pause(random);
-        Lane& lane = *lanes[random.below(static_cast<std::uint32_t>(lanes.size()))];
-        if (random.chance(lanes.size() > 1 ? 0.9 : 0.3))
-            alternate(lanes, random);
-        else if (lane.can_be_given_up && random.chance(0.8))
-            receive_or_give_up(lane, random);
-        else
-            note("has received on " + lane.channel.name(), lane.channel.in().input().number);
-    }
-}
-
-void RandomMachine::alternate(const std::vector<Lane*>& lanes, RandomStream& random) {
-    std::vector<Guard> guards;
-    for (Lane* lane : lanes)
-        guards.push_back({Guard::input, &lane->channel});
-    guards.push_back({Guard::timeout, nullptr, soon(random)});
-    std::size_t chosen = select(guards);
-    note("alternation", static_cast<std::int64_t>(chosen));
-    if (chosen < lanes.size())
-        note("has chosen on " + lanes[chosen]->channel.name(), lanes[chosen]->channel.in().input().number);
-}
-
-void RandomMachine::receive_or_give_up(Lane& lane, RandomStream& random) {
-    Letter letter;
-    if (input_or_fail(lane.channel.in(), letter, soon(random)))
-        return note("has received in time on " + lane.channel.name(), letter.number);
-    pause(random);
-    note("has given up input on " + lane.channel.name(), static_cast<std::int64_t>(reset(lane.channel.in())));
-}
-
-void RandomMachine::note(const std::string& what, std::int64_t value) { log_.emplace_back(now().count(), what, value); }
 
 } // namespace placedpar::test

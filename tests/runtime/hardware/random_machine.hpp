@@ -1,104 +1,78 @@
 #pragma once
 
-#include "runtime/channel.hpp"
+#include "machine_log.hpp"
+#include "random_lane.hpp"
+#include "random_pace.hpp"
+#include "random_program.hpp"
 #include "runtime/hardware/crossbar.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/hardware/router.hpp"
 #include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
-#include "runtime/trace.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace placedpar::test {
 
 /// A machine of up to four transputers, and a program on it that does everything that meets on links: messages of all
-/// lengths both ways on each, alone or several channels in packets, with ALTs, time-outs, messages given up, both
-/// priorities, and computing in memory that the engines of the links use as well; faults, and switches that are set in
-/// the middle of messages. All of it is drawn from the seed. Every other one is traced, which costs packets their
-/// closed form here and there.
+/// lengths both ways on each, alone or several channels in packets, or by a link adapter, with ALTs, time-outs,
+/// messages given up again and again, both priorities, and computing in memory that the engines of the links use as
+/// well; links of all speeds, with faults, and switches that are set in the middle of messages. Many a run gets stuck.
+/// All of it is drawn from the seed. Every other one is traced, which costs packets their closed form here and there.
 class RandomMachine {
 public:
     RandomMachine(std::uint64_t seed, bool every_byte);
 
-    RunResult run() { return simulation_.run(limit_); }
-    /// When everything happened, what links and processors said of themselves at random moments, and what a trace was
-    /// told of links.
-    using Entry = std::tuple<std::int64_t, std::string, std::int64_t>;
-    const std::vector<Entry>& log() const { return log_; }
+    RunResult run();
+    const std::vector<MachineLog::Entry>& log() const { return log_.entries(); }
+    /// Whether of each channel everything came that has gone.
+    bool lanes_are_whole() const;
     /// What the machine has, by name: so many of each.
     const std::vector<std::string>& features() const { return features_; }
 
 private:
-    struct Letter {
-        int number = 0;
-        std::uint32_t head = 0, body = 1;
-        WireForm wire_form() const { return head > 0 ? WireForm(head, body) : WireForm(body); }
-    };
-    struct Lane {
-        Channel<Letter> channel;
-        bool can_be_given_up;
-        explicit Lane(const std::string& name, bool can_be_given_up_)
-            : channel(name), can_be_given_up(can_be_given_up_) {}
-    };
     struct Node {
-        hardware::Processor* processor;
+        Executive* executive;           ///< null: its programs take no time
+        hardware::Processor* processor; ///< the same, if it has memory that links use
         hardware::Router* router;
         std::vector<Lane*> inputs = {}; ///< of one process, which alternates between them
     };
 
-    /// Of what links carry.
-    struct Trace final : TraceSink {
-        explicit Trace(std::vector<Entry>& l) : log(l) {}
-        void began(const Process&, Time) override {}
-        void waits(const Process&, Time) override {}
-        void goes_on(const Process&, Time) override {}
-        void computes(const Process&, Time) override {}
-        void stops_computing(const Process&, Time) override {}
-        void ended(const Process&, Time) override {}
-        void communicated(const AnyChannel&, Time) override {}
-        void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
-        void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
-        void occupied(const std::string&, const std::string&, Time) override {}
-        void vacated(const std::string&, Time) override {}
-        void over(Time) override {}
-        std::vector<Entry>& log;
-    };
-
     void add_node();
     void add_link(bool every_byte);
+    hardware::LinkTiming some_timing();
     void add_faults(hardware::Link&);
     void lead_through_switch(hardware::Link&);
-    void add_channel(hardware::LinkDirection&, Node& from, Node& to);
+    void add_channels(hardware::Link&, Node& a, Node& b);
     void add_packets(hardware::RouterLink&, bool forth, Node& from, Node& to);
+    void add_adapter(hardware::Link&, Node& transputer, bool at_a);
+    bool also(double probability) { return !quiet_ && random_.chance(probability); }
     Lane& add_lane(Node& from, Node& to, bool can_be_given_up);
-    void add_computing(const Node&);
+    void add_failures(Lane&);
     void add_receiver(const Node&, const std::vector<Lane*>&);
-    void observe();
-
-    void send(Lane&, RandomStream);
-    void receive(const std::vector<Lane*>&, RandomStream);
-    void alternate(const std::vector<Lane*>&, RandomStream&);
-    void receive_or_give_up(Lane&, RandomStream&);
-    void note(const std::string& what, std::int64_t value);
+    void add_computing(hardware::Processor&);
+    void observe(Time at);
     void has(const std::string& feature) { features_.push_back(feature); }
-    Priority some_priority() { return random_.chance(0.5) ? Priority::high : Priority::low; }
-    RandomStream stream(const char* of) { return RandomStream(random_.below(1'000'000), of); }
+    void start(const std::string& name, Executive*, std::function<void(RandomProgram&)> body);
 
     RandomStream random_;
-    Simulation simulation_;
+    std::int64_t bits_per_second_;
+    RandomPace pace_;
+    std::uint32_t most_rounds_; ///< of a program; 0 if it has no end
+    bool quiet_; ///< nothing but the channels of one link: what is left of them is the last that happens in its run
     Time limit_;
-    std::deque<Node> nodes_;
+    Simulation simulation_;
+    std::deque<Node> nodes_, hosts_;
     std::deque<Lane> lanes_;
     std::vector<hardware::Link*> links_;
-    std::vector<Entry> log_;
-    Trace trace_{log_};
+    std::vector<const hardware::FaultEffect*> effects_;
+    MachineLog log_;
     std::vector<std::string> features_;
 };
 

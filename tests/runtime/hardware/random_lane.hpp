@@ -1,0 +1,33 @@
+#pragma once
+
+#include "runtime/channel.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace placedpar::test {
+
+/// A message of up to three parts.
+struct Letter {
+    int number = 0;
+    std::uint32_t head = 0, body = 1, tail = 0;
+    WireForm wire_form() const { return WireForm(head, body, tail); }
+};
+
+/// A channel of a random machine, and the numbers of its letters: of those that have gone, as their sender knows, and
+/// of those that came.
+struct Lane {
+    Lane(const std::string& name, bool can_be_given_up_)
+        : channel(name), output_fails(name + " output fails"), input_fails(name + " input fails"),
+          can_be_given_up(can_be_given_up_) {}
+    /// In order, none twice; all that have gone, except for one that its receiver may not have come to look at.
+    bool is_whole() const;
+
+    Channel<Letter> channel;
+    Channel<int> output_fails, input_fails; ///< soft: a message ends an attempt
+    bool can_be_given_up, failures_are_told = false;
+    std::vector<int> gone, came;
+};
+
+} // namespace placedpar::test
