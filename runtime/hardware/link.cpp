@@ -241,10 +241,12 @@ void LinkDirection::await(Packet packet, Time due) {
 
 /// A packet whose wire is busy beyond that moment needs no event of its own: it can ask for the wire at once.
 void LinkDirection::ask_early() {
-    if (next_ == Packet::byte && !writer_ && next_due_ < out_.free_at()) {
+    if (every_byte_)
+        return;
+    if (next_ == Packet::byte && next_due_ < out_.free_at()) {
         await_none();
         out_.ask_for_byte(*this);
-    } else if (next_ == Packet::acknowledge && !reader_ && receiver_takes_byte() && next_due_ < back_.free_at()) {
+    } else if (next_ == Packet::acknowledge && receiver_takes_byte() && next_due_ < back_.free_at()) {
         await_none();
         back_.ask_for_acknowledge(*this);
     }
@@ -312,7 +314,7 @@ void LinkDirection::foresee_arrival() {
 /// Where a process waits for it, that makes no difference to anybody, unless it leaves before it is noticed.
 void LinkDirection::foresee_arrival_of_first() {
     bool waited_for = receiver_ && !last_byte_is_on_its_way();
-    if (!waited_for || !arrives_noticed())
+    if (every_byte_ || !waited_for || !arrives_noticed())
         enter(LinkStep::first_byte_arrives, arrival(part_.last_start));
     else
         drop(LinkStep::first_byte_arrives); // of the part before, which was taken: it would change nothing

@@ -172,7 +172,8 @@ public:
     void suffer(LinkFaults& faults) { faults_ = &faults; }
     /// The speed of the link is about to change.
     void note_speed();
-    /// Simulates every byte by events, without the closed form: the reference by which the closed form is tested.
+    /// Simulates every packet by events of its own, each at the moment at which it is due: the reference by which all
+    /// that saves events is tested.
     void simulate_every_byte() { every_byte_ = true; }
 
     // For its link.

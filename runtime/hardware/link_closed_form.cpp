@@ -107,7 +107,8 @@ bool LinkDirection::receiver_takes_byte() const {
 /// sees for himself whether it has been noticed yet. A trace is told when it is. Without overlap it arrives before it
 /// is noticed, which is the last that happens in a run that gets stuck.
 bool LinkDirection::waits_for_receiver() const {
-    return next_ == Packet::acknowledge && !receiver_ && !taken_ && !reader_ && !kernel_.trace() && times_.overlaps();
+    return next_ == Packet::acknowledge && !receiver_ && !taken_ && !every_byte_ && !kernel_.trace() &&
+           times_.overlaps();
 }
 
 /// The byte under way, which comes over.
