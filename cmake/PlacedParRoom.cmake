@@ -49,7 +49,6 @@ function(placedpar_test name)
     add_executable(test_${name} ${sources})
     target_link_libraries(test_${name} PRIVATE placedpar_options placedpar_test_main ${TEST_LINKS})
     target_compile_definitions(test_${name} PRIVATE PLACEDPAR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    target_compile_options(test_${name} PRIVATE ${PLACEDPAR_TEST_OPTIONS})
     if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
         target_compile_definitions(test_${name} PRIVATE PLACEDPAR_SANITIZED) # tests/sanitized.hpp
     endif()

@@ -1,5 +1,6 @@
 # tests/fingerprints.csv holds the fingerprint of each netlist and seed. Every build of the program must give these, and
-# builds of other compilers and optimisations print the same reports to the letter. The preset ci itself is GCC's -O2.
+# builds of other compilers and optimisations print the same reports to the letter. The preset ci itself is GCC's -O2,
+# and -O1 from the monitor upwards.
 function(placedpar_fingerprints test) # ... program [reference]
     add_test(NAME ${test} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fingerprints.py ${ARGN})
 endfunction()

@@ -4,8 +4,9 @@
 usage: document.py TREE PROGRAMS DOCUMENT [--write]
 
 --write puts what the commands print into the document, where it shows other output and leaves out lines only at the end.
-The document is relative to TREE. Its commands run from the top of a scratch copy of TREE, so that they leave nothing
-behind, with the folder PROGRAMS first on the path. In a block fenced as ```console
+The document is relative to TREE. Its commands run from the top of a scratch copy, so that they leave nothing behind, with
+the folder PROGRAMS first on the path. The copy has the document and TREE's examples; it has all of TREE where a command
+names `.`, which takes a second or two. In a block fenced as ```console
 
     $ placedpar check mine.cfs # exit 1     a command; with the exit code, where that is not 0
     mine.cfs:3:5: ...                       what it prints on either stream, to the letter
@@ -166,10 +167,25 @@ def run(document, tree, programs, run_command=run_command):
     return failures, with_output(text, other)
 
 
+def names_the_tree(text):
+    """Whether a command of the document is given all of the tree, as `.`."""
+    return any("." in step.text.split() for step in steps(text) if isinstance(step, Command))
+
+
+def copy_for(document, source, tree):
+    """Copies to the tree what the document's commands need of the source."""
+    if names_the_tree((source / document).read_text()):
+        shutil.copytree(source, tree, ignore=shutil.ignore_patterns(".git", "build"))
+        return
+    shutil.copytree(source / "examples", tree / "examples")
+    (tree / document).parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(source / document, tree / document)
+
+
 def main(source, programs, document, write=False, run_command=run_command):
     with tempfile.TemporaryDirectory() as scratch:
         tree = pathlib.Path(scratch) / "placedpar"
-        shutil.copytree(source, tree, ignore=shutil.ignore_patterns(".git", "build"))
+        copy_for(document, pathlib.Path(source), tree)
         failures, text = run(document, tree, os.path.abspath(programs), run_command)
     if write:
         (pathlib.Path(source) / document).write_text(text)
