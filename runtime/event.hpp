@@ -40,6 +40,7 @@ public:
 
     ~EventQueue();
     bool empty() const { return heap_.empty(); }
+    std::size_t size() const { return heap_.size(); }
     /// How many events have happened.
     std::uint64_t happened() const { return happened_; }
     /// REQUIRES: not empty().

@@ -14,6 +14,8 @@ namespace placedpar {
 /// What the operations of a program cost on an executive, in cycles of its clock. The program's own work is not
 /// among them: it states that by compute().
 struct OperationCosts {
+    // What a computation and a communication on a link look at first, so that it stands in the executive's first line
+    // of the cache.
     Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
     Cycles hard_communication{}; ///< the same on a hard channel, for each part of the message
     Cycles word_outside{};       ///< of what a process computes with (Grain), beyond the cycle that it counts

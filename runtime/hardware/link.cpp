@@ -90,7 +90,7 @@ void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
 void LinkDirection::take(LinkStep step) {
     switch (step) {
     case LinkStep::acknowledge_is_due: return acknowledge_is_due();
-    case LinkStep::wire_is_free: return;
+    case LinkStep::wire_is_free: return; // not its own
     case LinkStep::byte_is_due: return byte_is_due();
     case LinkStep::first_byte_arrives: return first_byte_arrived();
     case LinkStep::last_byte_arrives:
@@ -239,7 +239,7 @@ void LinkDirection::await(Packet packet, Time due) {
     next_due_ = due;
 }
 
-/// A packet whose wire is busy beyond that moment needs no event of its own: it can ask for the wire at once.
+/// A packet whose wire is busy beyond that moment needs no step of its own: it can ask for the wire at once.
 void LinkDirection::ask_early() {
     if (every_byte_)
         return;

@@ -81,7 +81,8 @@ public:
     /// The same for bytes, now. One that begins now is not counted: whether it has begun yet depends on the order of
     /// this instant's events.
     std::uint32_t bytes_begun_before(Time now, std::size_t direction) {
-        if (Time before = now - Time{1}; repetition_.is_simple(before)) [[likely]]
+        Time before = now - Time{1};
+        if (repetition_.is_simple(before) && repetition_.is_simple(now)) [[likely]]
             return repetition_.part_bytes[direction] - repetition_.bytes_left(direction, before);
         auto [bytes_left, last_start] = progress(direction);
         std::uint32_t bytes = repetition_.part_bytes[direction] - bytes_left;
@@ -95,7 +96,7 @@ private:
     LinkStreams::Progress passed_until_now(std::size_t direction);
     void go_to(const LinkStreams&, Time);
 
-    Repetition repetition_; ///< between the moment of look_ahead() and ahead_until_; none if not ahead
+    Repetition repetition_; ///< until ahead_until_; from then on it is of no use
     Kernel& kernel_;
     Time ahead_until_{};
     std::array<LinkStreams::Progress, 2> parts_;

@@ -2,49 +2,44 @@
 
 #include "runtime/kernel.hpp"
 
-namespace placedpar::hardware {
+#include <tuple>
 
-namespace {
+namespace placedpar::hardware {
 
 constexpr std::uint64_t ranks_of_a_link = 8;
 
-struct Place {
-    LinkStep step;
-    std::size_t direction;
-    EventQueue::Priority priority;
-    std::uint64_t rank; ///< among those of the link
-};
+constexpr std::array<LinkAgenda::Place, LinkAgenda::places> LinkAgenda::order{{
+    {LinkStep::acknowledge_is_due, 0, EventQueue::request, 1},
+    {LinkStep::acknowledge_is_due, 1, EventQueue::request, 5},
+    {LinkStep::wire_is_free, 0, EventQueue::start, 0},
+    {LinkStep::byte_is_due, 0, EventQueue::start, 1},
+    {LinkStep::wire_is_free, 1, EventQueue::start, 4},
+    {LinkStep::byte_is_due, 1, EventQueue::start, 5},
+    {LinkStep::first_byte_arrives, 0, EventQueue::arrival, 1},
+    {LinkStep::last_byte_arrives, 0, EventQueue::arrival, 2},
+    {LinkStep::later_last_byte_arrives, 0, EventQueue::arrival, 2},
+    {LinkStep::sending_ends, 0, EventQueue::arrival, 3},
+    {LinkStep::first_byte_arrives, 1, EventQueue::arrival, 5},
+    {LinkStep::last_byte_arrives, 1, EventQueue::arrival, 6},
+    {LinkStep::later_last_byte_arrives, 1, EventQueue::arrival, 6},
+    {LinkStep::sending_ends, 1, EventQueue::arrival, 7},
+}};
 
-using enum LinkStep;
-
-constexpr std::array in_order_of_an_instant{
-    Place{acknowledge_is_due, 0, EventQueue::request, 1},
-    Place{acknowledge_is_due, 1, EventQueue::request, 5},
-    Place{wire_is_free, 0, EventQueue::start, 0},
-    Place{byte_is_due, 0, EventQueue::start, 1},
-    Place{wire_is_free, 1, EventQueue::start, 4},
-    Place{byte_is_due, 1, EventQueue::start, 5},
-    Place{first_byte_arrives, 0, EventQueue::arrival, 1},
-    Place{last_byte_arrives, 0, EventQueue::arrival, 2},
-    Place{later_last_byte_arrives, 0, EventQueue::arrival, 2},
-    Place{sending_ends, 0, EventQueue::arrival, 3},
-    Place{first_byte_arrives, 1, EventQueue::arrival, 5},
-    Place{last_byte_arrives, 1, EventQueue::arrival, 6},
-    Place{later_last_byte_arrives, 1, EventQueue::arrival, 6},
-    Place{sending_ends, 1, EventQueue::arrival, 7},
-};
-
-} // namespace
+/// The two tables are one, and sorted. (Of two last bytes that arrive at once it makes no difference which is first.)
+constexpr bool LinkAgenda::in_order() {
+    for (std::size_t i = 0; i < places; ++i) {
+        if (place(order[i].step, order[i].direction) != i)
+            return false;
+        if (i > 0 && std::tie(order[i].priority, order[i].rank) < std::tie(order[i - 1].priority, order[i - 1].rank))
+            return false;
+    }
+    return true;
+}
 
 LinkAgenda::LinkAgenda(Kernel& kernel, LinkWalker& walker)
     : walker_(walker), kernel_(kernel), first_rank_(kernel.new_ranks(ranks_of_a_link)) {
+    static_assert(in_order());
     times_.fill(never);
-    static_assert([] {
-        for (std::size_t i = 0; i < places; ++i)
-            if (place(in_order_of_an_instant[i].step, in_order_of_an_instant[i].direction) != i)
-                return false;
-        return in_order_of_an_instant.size() == places;
-    }());
 }
 
 void LinkAgenda::settle() {
@@ -69,15 +64,14 @@ void LinkAgenda::put_first() {
     if (scheduled() && first == first_ && future.time_of(*this) == at)
         return;
     first_ = first;
-    const Place& next = in_order_of_an_instant[first];
-    future.reschedule(*this, at, next.priority, first_rank_ + next.rank);
+    future.reschedule(*this, at, order[first].priority, first_rank_ + order[first].rank);
 }
 
 void LinkAgenda::happen() noexcept {
-    const Place& now = in_order_of_an_instant[first_];
+    const Place& now = order[first_];
     times_[first_] = never;
     walker_.take(now.step, now.direction);
-    if (now.step < first_byte_arrives)
+    if (concerns_packets(now.step))
         walker_.plan();
     put_first();
 }

@@ -63,7 +63,7 @@ LinkStreams::Progress ClosedForm::passed_until_now(std::size_t direction) {
     return {behind_.streams[direction].bytes_left, behind_.streams[direction].last_start};
 }
 
-/// Packets that are due at that moment or later are still to be asked for, by events.
+/// Packets that are due at that moment or later are still to be asked for, by steps.
 void ClosedForm::go_to(const LinkStreams& streams, Time moment) {
     const LinkStreams::Stream &forth = streams.streams[0], &back = streams.streams[1];
     auto waits = [moment](const LinkStreams::Stream& s, bool acknowledge) {
@@ -86,7 +86,7 @@ LinkStreams::Stream LinkDirection::stream() const {
     return stream;
 }
 
-/// Whether events must stand for its next packets, if any are to come. A trace is told of the first byte after a break,
+/// Whether steps must stand for its next packets, if any are to come. A trace is told of the first byte after a break,
 /// which may be that behind an acknowledge that still waits for its wire.
 bool LinkDirection::must_be_seen() const {
     bool begins = next_ == Packet::byte || out_.byte_waits(*this);

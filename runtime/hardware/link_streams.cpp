@@ -82,7 +82,7 @@ void Repetition::find(LinkStreams& streams, const PacketTimes& times, Time befor
             noted = streams;
         }
     }
-    until = is_short() ? std::min(streams.end_of_a_part(), streams.now) : LinkStreams::past;
+    until = needs_no_passing() ? std::min(streams.end_of_a_part(), streams.now) : LinkStreams::past;
 }
 
 /// Everything is as it was then, so that it has repeated itself since: short periods are known from there on.

@@ -88,7 +88,7 @@ struct alignas(64) Repetition {
     /// at the moment of the streams.
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
-    bool is_simple(Time moment) const { return (since <= moment) & (moment < until); }
+    bool is_simple(Time moment) const { return since <= moment && moment < until; }
     /// How far a direction is at that moment. REQUIRES: is_simple(moment).
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
         const Flow& flow = flows[direction];
@@ -112,7 +112,7 @@ private:
     /// So that moments of the period before `since` fit a flow.
     static constexpr Time longest_simple{std::numeric_limits<std::int32_t>::max()};
 
-    bool is_short() const {
+    bool needs_no_passing() const {
         return period <= longest_simple && std::max(flows[0].bytes_a_period, flows[1].bytes_a_period) <= 2;
     }
     void begin(const LinkStreams& then, const LinkStreams& now);

@@ -104,7 +104,7 @@ private:
     void account(const Process&, Time worked);
     void preempt();
 
-    // In the order of use, in lines of the cache.
+    // In the order of use, in lines of the cache: of the first two each turn needs all.
     alignas(64) Turn turn_{*this};
     Kernel& kernel_;
     Process* current_ = nullptr; ///< the process that has it

@@ -7,12 +7,13 @@
 namespace placedpar::hardware {
 
 Wire::Wire(Kernel& kernel, LinkAgenda& agenda, const PacketTimes& times, std::size_t number)
-    : agenda_(agenda), kernel_(kernel), number_(number), times_(times) {}
+    : agenda_(agenda), kernel_(kernel), number_(static_cast<std::uint8_t>(number)), times_(times) {}
 
 void Wire::serve() {
     Time now = kernel_.now();
     if (now < free_at_)
         return;
+    step_stays_ = false;
     if (watch_)
         watch_->packet_begins();
     if (WireUser* user = std::exchange(acknowledge_for_, nullptr)) {
@@ -29,22 +30,22 @@ void Wire::plan() {
         agenda_.enter(LinkStep::wire_is_free, number_, free_at_);
 }
 
-/// Whose packet was due has a step at the moment when the wire is free. It comes, though nobody waits any more: it may
-/// be the last of a run that gets stuck. Who has asked early has none.
 void Wire::withdraw(WireUser*& user, bool has_asked_early) {
     if (!user)
         return;
     plan();
     user = nullptr;
-    if (has_asked_early && !byte_for_ && !acknowledge_for_)
+    step_stays_ = step_stays_ || !has_asked_early;
+    if (!step_stays_ && !byte_for_ && !acknowledge_for_)
         agenda_.drop(LinkStep::wire_is_free, number_);
 }
 
 void Wire::go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for) {
+    step_stays_ = step_stays_ && free_at_ == free_at;
     free_at_ = free_at;
     byte_for_ = byte_for;
     acknowledge_for_ = acknowledge_for;
-    if (!byte_for_ && !acknowledge_for_)
+    if (!step_stays_ && !byte_for_ && !acknowledge_for_)
         agenda_.drop(LinkStep::wire_is_free, number_);
 }
 

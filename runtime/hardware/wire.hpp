@@ -4,6 +4,7 @@
 #include "runtime/hardware/link_timing.hpp"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace placedpar::hardware {
 
@@ -40,7 +41,7 @@ public:
     void go_to(Time free_at, WireUser* byte_for, WireUser* acknowledge_for);
     /// Whose turn it is, if it is free.
     void serve();
-    /// Enters its next step in the agenda. To be called when who waits for it will not change any more.
+    /// Enters its next step in the agenda, if anybody waits for it. One that stands there for nobody stays (withdraw).
     void plan();
 
     void watch(WireWatch& watch) { watch_ = &watch; }
@@ -56,22 +57,24 @@ public:
     /// Whether the direction's byte or acknowledge has been asked for, and has yet to begin.
     bool byte_waits(const WireUser& user) const { return byte_for_ == &user; }
     bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
-    /// A direction does not want to send after all what has not begun yet. Who asked early, before his packet was due,
-    /// leaves nothing behind.
+    /// A direction does not want to send after all what has not begun yet. Whose packet was due leaves the step at which
+    /// the wire is free: it comes, though nobody waits any more, and may be the last of a run that gets stuck. Who asked
+    /// early, before that, leaves nothing behind.
     void withdraw_byte(bool has_asked_early) { withdraw(byte_for_, has_asked_early); }
     void withdraw_acknowledge(bool has_asked_early) { withdraw(acknowledge_for_, has_asked_early); }
 
 private:
     void withdraw(WireUser*&, bool has_asked_early);
 
-    // What each packet needs first.
+    // What each packet needs first: in a line of the cache.
     Time free_at_{};
     WireUser* byte_for_ = nullptr;        ///< the direction that waits to send a byte
     WireUser* acknowledge_for_ = nullptr; ///< the direction that waits to send an acknowledge
     LinkAgenda& agenda_;
     Kernel& kernel_;
     WireWatch* watch_ = nullptr; ///< null if nobody wants to know
-    std::size_t number_;
+    std::uint8_t number_;
+    bool step_stays_ = false; ///< at the end of this packet, for one that was withdrawn
     const PacketTimes& times_;
 };
 

@@ -68,7 +68,7 @@ TEST_CASE("a message makes a handful of events, however long it is") {
     CHECK(events_a_message(256, true, true) > 256);
 }
 
-TEST_CASE("a message between processors that are busy in all directions makes as many events as docs/speed.md says") {
+TEST_CASE("a message between processors that are busy in all directions makes eight events") {
     constexpr std::size_t side = 4;
     Simulation simulation;
     std::deque<Stream> streams;

@@ -50,6 +50,17 @@ Time end_without_receiver(bool overlapped, bool every_byte) {
     return result.time;
 }
 
+/// When a run gets stuck in which a byte waits for the acknowledge of the other direction, and both are given up.
+Time end_after_withdrawals(bool every_byte) {
+    TwoWays ways({.bits_per_second = 10'000'000}, every_byte);
+    TwoParts received;
+    ways.simulation.process("sender", [&] { output_or_fail(ways.there.out(), {.bytes = 100}, 1280ns); });
+    ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+    ways.simulation.process("sender back", [&] { wait_until(510ns), ways.back.out().output({.bytes = 50}); });
+    ways.simulation.process("receiver back", [&] { input_or_fail(ways.back.in(), received, 1510ns); });
+    return ways.simulation.run().time;
+}
+
 /// When a run gets stuck in which long messages both ways are given up at these moments.
 Time end_after_giving_up(Time there, Time back, bool every_byte) {
     TwoWays ways({}, every_byte);
@@ -81,6 +92,11 @@ std::vector<Time> occupied_at_1000_bits_per_second(Time later, bool every_byte) 
 }
 
 } // namespace
+
+TEST_CASE("what has asked early and is withdrawn leaves the step of another packet") {
+    CHECK(end_after_withdrawals(false) == 1610ns);
+    CHECK(end_after_withdrawals(true) == 1610ns);
+}
 
 TEST_CASE("a message that its receiver has given up twice does not arrive") {
     for (bool every_byte : {false, true}) {

@@ -6,15 +6,18 @@
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
+#include "runtime/random.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/runtime/cycle.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <deque>
 #include <numeric>
 #include <stdexcept>
@@ -24,6 +27,8 @@ using namespace placedpar;
 using namespace placedpar::hardware;
 using std::chrono::milliseconds;
 using test::cycle;
+using test::replay;
+using test::seeds;
 
 namespace {
 
@@ -74,6 +79,51 @@ struct OneLink {
     Link& link;
     Bytes channel{"channel"};
 };
+
+/// Two directions of a link with three messages each, at random: what has been moved, and how long each has been
+/// occupied, at 6,000 moments of tenths of a bit, or a picosecond beside them.
+std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
+    RandomStream random(seed, "two directions");
+    LinkTiming timing{.bits_per_second = std::array{20'000'000, 10'000'000, 5'000'000, 7'000'000, 5'333}[random.below(5)]};
+    const Time tenth = duration_of(1, 10 * timing.bits_per_second);
+    timing.overlapped_acknowledge = random.chance(0.75);
+    timing.wire_delay = random.chance(0.3) ? random.below(200) * tenth : Time{0};
+    Simulation simulation;
+    auto& processor = simulation.add<Processor>("t");
+    auto& link = simulation.add<Link>(timing);
+    processor.has_link(link);
+    std::deque<Bytes> channels;
+    for (LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()}) {
+        if (every_byte)
+            direction->simulate_every_byte();
+        Bytes& channel = channels.emplace_back("", *direction);
+        auto after = [&random, tenth] { return random.below(600) * tenth; };
+        simulation.process("sends", [&channel, bytes = 1 + random.below(60), start = after()] {
+            wait_for(start);
+            for (int i = 0; i < 3; ++i)
+                channel.out().output({bytes});
+        });
+        simulation.process("receives", [&channel, pause = after()] {
+            for (int i = 0; i < 3; ++i) {
+                channel.in().input();
+                wait_for(pause);
+            }
+        });
+    }
+    std::vector<std::int64_t> log;
+    simulation.process("observes", [&, step = tenth + Time{random.below(3)} - Time{1}] {
+        for (int i = 0; i < 6'000; ++i) {
+            wait_for(step);
+            log.push_back(processor.memory_taken_by_links().count());
+            for (const LinkDirection* direction : {&link.from_a_to_b(), &link.from_b_to_a()}) {
+                log.push_back(static_cast<std::int64_t>(direction->bytes_carried()));
+                log.push_back(direction->time_occupied().count());
+            }
+        }
+    });
+    simulation.run();
+    return log;
+}
 
 } // namespace
 
@@ -306,4 +356,27 @@ TEST_CASE("memory that takes no time, or has words of another size, is refused")
                     std::logic_error);
     CHECK_THROWS_AS(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.bytes_in_a_word = 8}),
                     std::logic_error);
+}
+
+TEST_CASE("what links have moved is known at every moment as if each byte were an event") {
+    for (std::uint64_t seed : seeds(60)) {
+        INFO(replay(seed));
+        CHECK(observed(seed, false) == observed(seed, true));
+    }
+}
+
+TEST_CASE("a message that begins when the last byte of the other direction does has moved no words") {
+    constexpr Time last_byte_begins = 99 * std::chrono::nanoseconds{560};
+    OneLink t{Memory{}};
+    Bytes back("back", t.link.from_b_to_a());
+    Time taken{};
+    t.carry(1, 100);
+    t.simulation.process("answers", [&] { wait_until(last_byte_begins), back.out().output({1000}); });
+    t.simulation.process("asks", [&] { back.in().input(); });
+    t.simulation.process("observes", [&] {
+        wait_until(last_byte_begins);
+        taken = t.processor.memory_taken_by_links();
+    });
+    t.simulation.run();
+    CHECK(taken == 25 * cycle); // 99 bytes have begun before, and none of the 1000
 }
