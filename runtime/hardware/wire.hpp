@@ -57,9 +57,9 @@ public:
     /// Whether the direction's byte or acknowledge has been asked for, and has yet to begin.
     bool byte_waits(const WireUser& user) const { return byte_for_ == &user; }
     bool acknowledge_waits(const WireUser& user) const { return acknowledge_for_ == &user; }
-    /// A direction does not want to send after all what has not begun yet. Whose packet was due leaves the step at which
-    /// the wire is free: it comes, though nobody waits any more, and may be the last of a run that gets stuck. Who asked
-    /// early, before that, leaves nothing behind.
+    /// A direction does not want to send after all what has not begun yet. Whose packet was due leaves the step at
+    /// which the wire is free: it comes, though nobody waits any more, and may be the last of a run that gets stuck.
+    /// Who asked early, before that, leaves nothing behind.
     void withdraw_byte(bool has_asked_early) { withdraw(byte_for_, has_asked_early); }
     void withdraw_acknowledge(bool has_asked_early) { withdraw(acknowledge_for_, has_asked_early); }
 

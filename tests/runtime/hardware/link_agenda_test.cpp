@@ -30,9 +30,9 @@ using placedpar::test::seeds;
 
 namespace {
 
-constexpr std::array all_steps{LinkStep::acknowledge_is_due,      LinkStep::wire_is_free,
-                               LinkStep::byte_is_due,             LinkStep::first_byte_arrives,
-                               LinkStep::last_byte_arrives,       LinkStep::later_last_byte_arrives,
+constexpr std::array all_steps{LinkStep::acknowledge_is_due, LinkStep::wire_is_free,
+                               LinkStep::byte_is_due,        LinkStep::first_byte_arrives,
+                               LinkStep::last_byte_arrives,  LinkStep::later_last_byte_arrives,
                                LinkStep::sending_ends};
 
 /// By the order of an instant: requests, starts, arrivals; in each by direction, where the wire comes first.

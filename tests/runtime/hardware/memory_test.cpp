@@ -84,7 +84,8 @@ struct OneLink {
 /// occupied, at 6,000 moments of tenths of a bit, or a picosecond beside them.
 std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
     RandomStream random(seed, "two directions");
-    LinkTiming timing{.bits_per_second = std::array{20'000'000, 10'000'000, 5'000'000, 7'000'000, 5'333}[random.below(5)]};
+    LinkTiming timing{.bits_per_second =
+                          std::array{20'000'000, 10'000'000, 5'000'000, 7'000'000, 5'333}[random.below(5)]};
     const Time tenth = duration_of(1, 10 * timing.bits_per_second);
     timing.overlapped_acknowledge = random.chance(0.75);
     timing.wire_delay = random.chance(0.3) ? random.below(200) * tenth : Time{0};
