@@ -70,7 +70,7 @@ std::vector<Constant> of_processors() {
 /// is among the accesses of the processor.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
-    const auto& [soft, hard, copied_word, word_outside, bytes_in_a_word, start, run, end, read, wait, wait_past, alt,
+    const auto& [soft, hard, word_outside, copied_word, bytes_in_a_word, start, run, end, read, wait, wait_past, alt,
                  enable, enable_not_ready, enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end,
                  attempt, reset] = instructions::t800;
     using enum Mark;
