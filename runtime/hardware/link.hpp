@@ -81,9 +81,8 @@ public:
     /// The same for bytes, now. One that begins now is not counted: whether it has begun yet depends on the order of
     /// this instant's events.
     std::uint32_t bytes_begun_before(Time now, std::size_t direction) {
-        Time before = now - Time{1};
-        if (repetition_.is_simple(before) && repetition_.is_simple(now)) [[likely]]
-            return repetition_.part_bytes[direction] - repetition_.bytes_left(direction, before);
+        if (repetition_.is_simple_around(now)) [[likely]]
+            return repetition_.part_bytes[direction] - repetition_.bytes_left(direction, now - Time{1});
         auto [bytes_left, last_start] = progress(direction);
         std::uint32_t bytes = repetition_.part_bytes[direction] - bytes_left;
         return bytes > 0 && last_start >= now ? bytes - 1 : bytes;

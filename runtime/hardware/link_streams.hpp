@@ -89,6 +89,8 @@ struct alignas(64) Repetition {
     void pass_periods(LinkStreams&, Time before) const;
     /// Whether progress() is known without passing packets: nearly always.
     bool is_simple(Time moment) const { return since <= moment && moment < until; }
+    /// The same, and just before that moment.
+    bool is_simple_around(Time moment) const { return since < moment && moment < until; }
     /// How far a direction is at that moment. REQUIRES: is_simple(moment).
     LinkStreams::Progress progress(std::size_t direction, Time moment) const {
         const Flow& flow = flows[direction];
