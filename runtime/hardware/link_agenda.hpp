@@ -13,8 +13,7 @@ class Kernel;
 
 namespace placedpar::hardware {
 
-/// What is to come in a direction of a link, of its packets first; of its wire it is what concerns the one that carries
-/// its bytes.
+/// What is to come in one direction of a link, of its packets first. Its wire is the one that carries its bytes.
 enum class LinkStep : std::uint8_t {
     acknowledge_is_due,
     wire_is_free,
