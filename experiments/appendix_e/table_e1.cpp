@@ -149,9 +149,9 @@ std::string print_constants(const ReplayContext& context) {
         "   an individual, read off the column without slaves; {} bytes of measurements, 240 of strings and 240 of\n"
         "   fitness (appendix E)\n"
         "c  calibrated: {} cycles to make a word of the measurements ready to send, to C_time2 with three slaves\n"
-        "   published: 20 MHz, 20 Mbit/s, a link's bits and latencies (databook, measured links), instruction times,\n"
-        "   {} cycles a call of the communication library (a ping-pong on real T805s, Poznan 2008), block move 6\n"
-        "   cycles a word\n"
+        "   calibrated to other machines: {} cycles a call of the communication library (a ping-pong on real T805s,\n"
+        "   Poznan 2008), a link's pauses between packets (measured rates)\n"
+        "   published: 20 MHz, 20 Mbit/s, a link's bits (databook), instruction times, block move 6 cycles a word\n"
         "!  an outcome further from the thesis than 3 %; its own T_exe is off its T_sr + S_time2 by up to 0.9 %\n",
         value(at_120, "cycles_per_error"), value(at_30, "cycles_per_error"), value(at_120, "cycles_per_individual"),
         value(at_30, "cycles_per_individual"), value(at_120, "measurement_bytes"),
