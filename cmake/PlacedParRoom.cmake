@@ -12,6 +12,13 @@ target_compile_features(placedpar_options INTERFACE cxx_std_20)
 target_compile_options(placedpar_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off
     -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=) # source locations name no folder of the builder's
+# Hardened as Debian's programs are, which are position-independent by the compilers' default. Not with sanitizers, which
+# see more; unoptimised, the library has no checks.
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize|_FORTIFY_SOURCE")
+    target_compile_options(placedpar_options INTERFACE $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-D_FORTIFY_SOURCE=2>)
+endif()
+target_compile_options(placedpar_options INTERFACE -fstack-protector-strong -Werror=format-security)
+target_link_options(placedpar_options INTERFACE LINKER:-z,relro,-z,now)
 if(CMAKE_UNITY_BUILD)
     # What one file names at its scope may be shadowed in another that is compiled with it; which these are changes with
     # every new file. A build of single files keeps the warning.

@@ -221,7 +221,7 @@ bool Kernel::pass_time(Time until) {
 void Kernel::switch_to(Process* p) {
     running_ = p;
     SwitchedStack& from = *stack_in_use_;
-    if constexpr (SwitchedStack::watched) {
+    if (SwitchedStack::is_watched()) [[unlikely]] {
         stack_left_ = &from;
         stack_in_use_ = p ? &p->worker_->stack : &host_stack_;
         from.leave_for(*stack_in_use_);

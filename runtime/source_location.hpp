@@ -1,30 +1,29 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
-#include <version>
-
-#if defined(__cpp_lib_source_location)
-#include <source_location>
-#else
-#include <experimental/source_location>
-#endif
 
 namespace placedpar {
 
-/// A place in the program, by which reports name the statement that waits. Clang before version 15 cannot compile
-/// std::source_location, but has its forerunner from the library fundamentals.
-#if defined(__cpp_lib_source_location)
-using SourceLocation = std::source_location;
-#else
-using SourceLocation = std::experimental::source_location;
-#endif
+/// A place in the program, by which reports name the statement that waits. It is no std::source_location, which Clang
+/// before version 15 cannot compile: a program may be compiled by another compiler than the rooms that it links.
+struct SourceLocation {
+    const char* file = "";  ///< as the compiler was told of it
+    std::uint32_t line = 0; ///< 0 for no place
+
+    /// The caller's; where this is a default argument, the caller's of that function.
+    static constexpr SourceLocation current(const char* file = __builtin_FILE(),
+                                            std::uint32_t line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
 
 /// "slave.cpp:57"; empty for no place.
 inline std::string text_of(const SourceLocation& where) {
-    std::string_view file = where.file_name();
+    std::string_view file = where.file;
     file.remove_prefix(file.find_last_of('/') + 1);
-    return where.line() == 0 ? "" : std::string(file) + ":" + std::to_string(where.line());
+    return where.line == 0 ? "" : std::string(file) + ":" + std::to_string(where.line);
 }
 
 } // namespace placedpar

@@ -10,9 +10,10 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t slice_bytes = Stack::zone_bytes + Stack::bytes;
 constexpr std::size_t stacks_in_a_piece = 256;
-constexpr std::size_t piece_bytes = stacks_in_a_piece * slice_bytes;
+
+std::size_t slice_bytes() { return Stack::zone_bytes + Stack::bytes(); }
+std::size_t piece_bytes() { return stacks_in_a_piece * slice_bytes(); }
 
 /// Stacks that mprotect guards: with more a program would exceed the 65,530 mappings that Linux allows it.
 constexpr std::size_t most_protected = 16'000;
@@ -22,7 +23,7 @@ constexpr int guard_install = 102;
 
 /// Returns whether it could. `number`: of zones before this one.
 bool guard_zone(std::byte* zone, std::size_t number) {
-    if (SwitchedStack::watched)
+    if (SwitchedStack::is_watched())
         return false;
     return madvise(zone, Stack::zone_bytes, guard_install) == 0 ||
            (number < most_protected && mprotect(zone, Stack::zone_bytes, PROT_NONE) == 0);
@@ -45,7 +46,7 @@ bool Stack::has_overflowed() const { return is_written(bottom - 64, bottom); }
 struct StackArena::Kept {
     ~Kept() {
         if (piece.memory)
-            munmap(piece.memory, piece_bytes);
+            munmap(piece.memory, piece_bytes());
     }
     Piece piece;
 };
@@ -60,7 +61,7 @@ StackArena::~StackArena() {
         std::swap(kept().piece, pieces_.front());
     for (const Piece& piece : pieces_)
         if (piece.memory)
-            munmap(piece.memory, piece_bytes);
+            munmap(piece.memory, piece_bytes());
 }
 
 Stack StackArena::allocate() {
@@ -68,7 +69,7 @@ Stack StackArena::allocate() {
     if (in_piece == 0)
         add_piece();
     Piece& piece = pieces_.back();
-    std::byte* zone = piece.memory + in_piece * slice_bytes;
+    std::byte* zone = piece.memory + in_piece * slice_bytes();
     bool guarded = in_piece < piece.guarded || guard_zone(zone, allocated_);
     ++allocated_;
     all_guarded_ &= guarded;
@@ -84,11 +85,11 @@ void StackArena::add_piece() {
         pieces_.push_back(std::exchange(kept().piece, {}));
         return;
     }
-    void* piece = mmap(nullptr, piece_bytes, PROT_READ | PROT_WRITE,
+    void* piece = mmap(nullptr, piece_bytes(), PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
     if (piece == MAP_FAILED)
         throw std::bad_alloc();
-    madvise(piece, piece_bytes, MADV_NOHUGEPAGE);
+    madvise(piece, piece_bytes(), MADV_NOHUGEPAGE);
     pieces_.push_back({static_cast<std::byte*>(piece)});
 }
 

@@ -12,9 +12,10 @@ struct Stack {
     std::byte* bottom = nullptr; ///< the lowest address of the stack; the zone ends here
     bool guarded = false;        ///< who writes to the zone is stopped at once
 
+    static constexpr std::size_t usual_bytes = 256 * 1024;
     /// Only the pages that a process touches take memory. AddressSanitizer's red zones make stack frames several
     /// times larger.
-    static constexpr std::size_t bytes = (SwitchedStack::watched ? 1024 : 256) * 1024;
+    static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
     static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than most arrays, which are not written in order
 
     /// Whether who uses it came by its end to the address where a fault was: into the zone that is guarded or, where it

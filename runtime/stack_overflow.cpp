@@ -50,7 +50,7 @@ void handle_faults() {
 } // namespace
 
 StackOverflowWatch::StackOverflowWatch(WhoOverflowed who) {
-    if (SwitchedStack::watched)
+    if (SwitchedStack::is_watched())
         return;
     who_overflowed = who;
     stack_t now{};
@@ -74,8 +74,8 @@ StackOverflowWatch::~StackOverflowWatch() {
 void report_stack_overflow(const StackUser& user) noexcept {
     write_error(user.is_component ? "a component of process " : "process ");
     write_error(user.process);
-    write_error(Stack::bytes == 256 * 1024 ? " has used up its stack of 256 Kbyte"
-                                           : " has used up its stack of 1 Mbyte");
+    write_error(Stack::bytes() == Stack::usual_bytes ? " has used up its stack of 256 Kbyte"
+                                                     : " has used up its stack of 1 Mbyte");
     write_error(": it calls itself without end, or has large arrays, which belong on the heap (std::vector)\n");
 }
 

@@ -23,7 +23,7 @@ struct InArena {
 
     boost::context::stack_context allocate() const {
         boost::context::stack_context context;
-        context.size = Stack::bytes - bytes_of_worker;
+        context.size = Stack::bytes() - bytes_of_worker;
         context.sp = bottom + context.size;
         return context;
     }
@@ -35,14 +35,14 @@ struct InArena {
 void EndWorker::operator()(Worker* worker) const { worker->~Worker(); }
 
 std::unique_ptr<Worker, EndWorker> Worker::make(Kernel& kernel, const Stack& stack) {
-    return std::unique_ptr<Worker, EndWorker>(new (stack.bottom + Stack::bytes - bytes_of_worker)
+    return std::unique_ptr<Worker, EndWorker>(new (stack.bottom + Stack::bytes() - bytes_of_worker)
                                                   Worker(kernel, stack));
 }
 
 Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory) {
     using boost::fibers::fiber;
     kernel.scheduler_->expect_worker();
-    stack.lies_at(memory.bottom, Stack::bytes);
+    stack.lies_at(memory.bottom, Stack::bytes());
     fiber(boost::fibers::launch::post, std::allocator_arg, InArena{memory.bottom}, [this, &kernel] {
         work(kernel);
     }).detach();

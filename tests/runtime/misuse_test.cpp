@@ -80,10 +80,39 @@ int recurse(int depth) { // NOLINT(misc-no-recursion)
 
 /// A little more than the stack.
 void overflow_a_little() {
-    std::array<volatile char, Stack::bytes> large;
+    std::array<volatile char, Stack::usual_bytes> large;
     for (std::size_t i = 0; i < large.size(); ++i)
         large[i] = 1;
 }
+
+/// Writes to the two ends of an array alone: what lies between may be other stacks.
+template <std::size_t bytes>
+void write_local() {
+    volatile char large[bytes];
+    large[0] = large[bytes - 1] = 1;
+}
+
+void write_allocated(std::size_t bytes) {
+    auto* large = static_cast<volatile char*>(__builtin_alloca(bytes));
+    large[0] = large[bytes - 1] = 1;
+}
+
+constexpr std::size_t stack_and_zone = Stack::usual_bytes + Stack::zone_bytes;
+
+struct LargeArray {
+    const char* what;
+    void (*write)();
+};
+/// The second one lies in the stack below, but for its last bytes.
+constexpr LargeArray large_arrays[] = {
+    {"the zone's", [] { write_local<Stack::usual_bytes + 1000>(); }},
+    {"beyond the zone", [] { write_local<stack_and_zone - 6180>(); }},
+    {"two stacks", [] { write_local<2 * stack_and_zone>(); }},
+    {"1 Mbyte", [] { write_local<1'000'000>(); }},
+    {"5 Mbyte", [] { write_local<5'000'000>(); }},
+    {"alloca, beyond the zone", [] { write_allocated(stack_and_zone - 6180); }},
+    {"alloca, 5 Mbyte", [] { write_allocated(5'000'000); }},
+};
 
 } // namespace
 
@@ -329,7 +358,7 @@ TEST_CASE("a process that catches everything does not hang the end") {
 }
 
 TEST_CASE("a stack that the thread has kept of an earlier run is as any other, and guarded") {
-    if (SwitchedStack::watched)
+    if (SwitchedStack::is_watched())
         return; // nothing is kept then
     std::byte* kept = StackArena().allocate().bottom;
     StackArena next;
@@ -356,7 +385,7 @@ TEST_CASE("who overflows the stack is named") {
     constexpr const char* why =
         " has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, "
         "which belong on the heap (std::vector)\n";
-    if (SwitchedStack::watched)
+    if (SwitchedStack::is_watched())
         return; // AddressSanitizer has its own report
     SUBCASE("a process") {
         Death death = die([] {
@@ -366,6 +395,20 @@ TEST_CASE("who overflows the stack is named") {
         });
         CHECK(death.signal == SIGSEGV);
         CHECK(death.errors == std::string("process recursive") + why);
+    }
+    SUBCASE("by an array larger than what guards the stack of another process") {
+        for (const LargeArray& large : large_arrays) {
+            CAPTURE(large.what);
+            Death death = die([&] {
+                Simulation simulation;
+                for (int i = 0; i < 20; ++i) // so that there is memory for the largest
+                    simulation.process("waits", [] { wait_for(microseconds{9}); });
+                simulation.process("large", [&] { large.write(); });
+                simulation.run();
+            });
+            CHECK(death.signal == SIGSEGV);
+            CHECK(death.errors == std::string("process large") + why);
+        }
     }
     SUBCASE("a component of a PAR") {
         Death death = die([] {
