@@ -59,6 +59,9 @@ std::string manual(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands({}))
         page += describe_command(*command);
     page += ".SH \"EXIT STATUS\"\n" + as_typed(app.get_footer());
+    page += ".SH FILES\ndocs/ and examples/, of which this page and the commands speak, are in the folder "
+            "share/doc/placedpar\n"
+            "beside the one that holds the program, as in /usr/share/doc/placedpar, and at the top of the sources.\n";
     return page + ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nwhen set and not empty, nothing is coloured on a terminal\n";
 }
 

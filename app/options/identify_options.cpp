@@ -111,7 +111,8 @@ void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
         "A line with ! says where a compliance should not be believed as it stands. A record may have any length, and "
         "come\n"
         "through a pipe (\"-\" is standard input).\n"
-        "What a record looks like: docs/records.md. Records to try: examples/records.");
+        "What a record looks like: docs/records.md. Records to try: examples/records. (Installed: "
+        "share/doc/placedpar.)");
 }
 
 } // namespace placedpar

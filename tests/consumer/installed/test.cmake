@@ -31,6 +31,24 @@ foreach(printed man/man1/placedpar.1 bash-completion/completions/placedpar zsh/s
     endif()
 endforeach()
 must(${SCRATCH}/installed/bin/placedpar replay table-e1) # of the installed examples
+
+# What the program's texts name is installed; the unit names the program where it is.
+set(doc ${SCRATCH}/installed/share/doc/placedpar)
+file(STRINGS ${SCRATCH}/installed/bin/placedpar lines REGEX "(docs|examples)/")
+string(REGEX MATCHALL "(docs|examples)/[A-Za-z0-9_/.-]*[A-Za-z0-9]" named "${lines}")
+list(LENGTH named count)
+if(count LESS 10)
+    message(FATAL_ERROR "the program names only ${named}")
+endif()
+foreach(file IN ITEMS ${named} README.md LICENSE copyright)
+    if(NOT EXISTS ${doc}/${file})
+        message(FATAL_ERROR "The program names ${file}, which is not installed in ${doc}")
+    endif()
+endforeach()
+file(STRINGS ${SCRATCH}/installed/lib/systemd/system/placedpar-monitor.service unit REGEX ExecStart)
+if(NOT unit MATCHES "^ExecStart=\"${SCRATCH}/installed/bin/placedpar\" ")
+    message(FATAL_ERROR "The unit has ${unit}")
+endif()
 # Sanitizers put the names of sources into the program.
 if(NOT FLAGS MATCHES "-fsanitize")
     string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" tree "${TREE}/")
@@ -38,4 +56,11 @@ if(NOT FLAGS MATCHES "-fsanitize")
     if(found)
         message(FATAL_ERROR "The installed program depends on the source tree: ${found}")
     endif()
+endif()
+
+# Nothing is left.
+must(${CMAKE_COMMAND} --build ${BUILD} --target uninstall)
+file(GLOB_RECURSE left ${SCRATCH}/installed/*)
+if(left)
+    message(FATAL_ERROR "The target uninstall leaves ${left}")
 endif()

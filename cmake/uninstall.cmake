@@ -1,0 +1,21 @@
+# cmake -DMANIFEST=FILE -P uninstall.cmake
+# Removes what `cmake --install` has written to the manifest, below DESTDIR if that is set, and the folders that are ours
+# alone and empty then.
+if(NOT EXISTS ${MANIFEST})
+    message(FATAL_ERROR "Nothing was installed from this build: there is no ${MANIFEST}")
+endif()
+file(STRINGS ${MANIFEST} installed)
+foreach(file IN LISTS installed)
+    set(file "$ENV{DESTDIR}${file}")
+    message(STATUS "Removing ${file}")
+    file(REMOVE "${file}")
+    cmake_path(GET file PARENT_PATH folder)
+    while(folder MATCHES "/[Pp]laced[Pp]ar")
+        file(GLOB left "${folder}/*" "${folder}/.*")
+        if(left)
+            break()
+        endif()
+        file(REMOVE_RECURSE "${folder}")
+        cmake_path(GET folder PARENT_PATH folder)
+    endwhile()
+endforeach()
