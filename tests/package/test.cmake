@@ -1,0 +1,61 @@
+# cmake -DTREE=... -DBUILD=... -DBUILD_TYPE=... -DSCRATCH=... -P test.cmake
+# Makes the Debian packages, and tries what they hold in a folder.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../consumer/must.cmake)
+
+file(REMOVE_RECURSE ${SCRATCH})
+must(cpack -G DEB --config ${BUILD}/CPackConfig.cmake -B ${SCRATCH} -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip)
+file(GLOB program ${SCRATCH}/placedpar_*.deb)
+file(GLOB rooms ${SCRATCH}/libplacedpar-dev_*.deb)
+
+# field(FILE NAME PATTERN...): the package's field matches each pattern.
+function(field file name)
+    execute_process(COMMAND dpkg-deb -f ${file} ${name} OUTPUT_VARIABLE value)
+    foreach(pattern ${ARGN})
+        if(NOT value MATCHES "${pattern}")
+            message(FATAL_ERROR "${file}: ${name} is ${value}, without ${pattern}")
+        endif()
+    endforeach()
+endfunction()
+field(${program} Package "^placedpar\n")
+field(${program} Depends libc6 libstdc\\+\\+6 libfmt libsqlite3-0 libboost-json zlib1g)
+field(${rooms} Depends libboost-fiber[0-9.]*-dev libfmt-dev librandom123-dev libcli11-dev libeigen3-dev)
+
+set(root ${SCRATCH}/root)
+must(dpkg-deb -x ${program} ${root})
+must(dpkg-deb -x ${rooms} ${root})
+unset(ENV{PLACEDPAR_EXAMPLES})
+must(${root}/usr/bin/placedpar replay table-e1)
+foreach(file usr/share/man/man1/placedpar.1 usr/share/bash-completion/completions/placedpar usr/share/zsh/site-functions/_placedpar
+        usr/share/doc/placedpar/README.md usr/share/doc/placedpar/copyright usr/share/doc/placedpar/docs/monitor.md
+        usr/share/doc/libplacedpar-dev/copyright usr/lib/cmake/PlacedPar/PlacedParConfig.cmake
+        usr/include/placedpar/runtime/simulation.hpp usr/lib/libplacedpar_runtime.a)
+    if(NOT EXISTS ${root}/${file})
+        message(FATAL_ERROR "No package holds ${file}")
+    endif()
+endforeach()
+if(NOT EXISTS ${root}/usr/share/doc/placedpar/examples/records)
+    message(FATAL_ERROR "Beside the documents there are no examples")
+endif()
+file(STRINGS ${root}/usr/lib/systemd/system/placedpar-monitor.service unit REGEX "^ExecStart=\"/usr/bin/placedpar\" ")
+if(NOT unit)
+    message(FATAL_ERROR "The unit does not name /usr/bin/placedpar")
+endif()
+file(READ ${root}/usr/share/doc/placedpar/copyright copyright)
+foreach(licence "MIT License" "BSL-1.0" "MPL-2" "Bostock" "D. E. Shaw" "Henry Schreiner" "Zverovich" "Gailly")
+    if(NOT copyright MATCHES "${licence}")
+        message(FATAL_ERROR "${licence} is not in the package's copyright")
+    endif()
+endforeach()
+
+# Hardened as Debian's programs are.
+execute_process(COMMAND readelf --wide --file-header --program-headers --dynamic --dyn-syms ${root}/usr/bin/placedpar OUTPUT_VARIABLE elf)
+set(hardened "Type: +DYN" GNU_RELRO BIND_NOW __stack_chk_fail)
+if(BUILD_TYPE STREQUAL Release)
+    list(APPEND hardened "_chk@")
+endif()
+foreach(mark ${hardened})
+    if(NOT elf MATCHES "${mark}")
+        message(FATAL_ERROR "The program is not hardened: readelf shows no ${mark}")
+    endif()
+endforeach()
