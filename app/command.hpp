@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/exit_code.hpp"
+#include "text/program_name.hpp"
 
 #include <functional>
 #include <string>
@@ -27,8 +28,12 @@ struct Command {
     std::vector<std::string> (*values)() = nullptr;
 };
 
-/// Every command: one of each file in the folder commands.
-std::vector<Command> commands();
+/// The commands of every program, one of each file in the folder commands but for further_commands().
+std::vector<Command> program_commands();
+/// The commands that placedpar has besides: they need rooms that a program of one's own does not link.
+std::vector<Command> further_commands();
+/// The commands of this program, once carry_out() has begun.
+const std::vector<Command>& commands();
 
 /// The names of the app's commands.
 std::vector<std::string> names_of_commands(const CLI::App&);
@@ -37,12 +42,10 @@ const CLI::App* command_called(const CLI::App&, const std::string& name);
 /// Of the app or a command, as they are typed: "--seed", "-I".
 std::vector<std::string> names_of_options(const CLI::App&);
 
-/// What the program calls itself in help and messages: "placedpar", or the name of a program that run_program() makes.
-const std::string& program_name();
-
 /// Gives the app its commands, in the order of their places, and does what the command line asks of them. The app's
 /// name is program_name() from then on. Errors are reported on standard error. Returns the exit code of main(). Ignores
-/// SIGPIPE: see print_out().
-int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv);
+/// SIGPIPE: see print_out(). `begin` is called first; what it throws is reported, too.
+int carry_out(
+    CLI::App& app, std::vector<Command> commands, int argc, char** argv, const std::function<void()>& begin = [] {});
 
 } // namespace placedpar

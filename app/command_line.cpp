@@ -1,5 +1,8 @@
 #include "app/command.hpp"
 
+#include "runtime/kernel.hpp"
+#include "runtime/process.hpp"
+#include "runtime/user_code.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/paint.hpp"
@@ -28,9 +31,9 @@ namespace placedpar {
 
 namespace {
 
-std::string& name_of_program() {
-    static std::string name = "placedpar";
-    return name;
+std::vector<Command>& commands_of_program() {
+    static std::vector<Command> all;
+    return all;
 }
 
 /// A program with kinds of its own is another than placedpar, and of a version that it may say itself.
@@ -120,12 +123,36 @@ ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
     return chosen ? chosen() : parsed;
 }
 
-ExitCode report_defect(const char* what) {
+ExitCode report_defect(const std::string& what) {
     fmt::print(stderr,
                "{} defect of PlacedPar: {}\n"
                "please report it, with the command and the files that it was given\n",
                painted(Paint::error, program_name() + ":"), what);
     return ExitCode::defect;
+}
+
+std::string who_is_running() {
+    const Kernel* kernel = Kernel::current();
+    const Process* process = kernel ? kernel->who_runs() : nullptr;
+    return process ? fmt::format("process {} at {}", process->path(), to_string(kernel->now())) : "the program";
+}
+
+std::string why_it_is_terminated() {
+    try {
+        return std::current_exception() ? what_was_thrown() : "std::terminate was called";
+    } catch (...) {
+        return "it communicated, computed or waited while it was ended";
+    }
+}
+
+/// Of an exception that left a destructor or a function that is noexcept: no handler can be reached any more.
+[[noreturn]] void report_termination() {
+    std::string what = fmt::format("{}: {}; it left a destructor or a function that is noexcept", who_is_running(),
+                                   why_it_is_terminated());
+    if (program_name() == "placedpar")
+        std::_Exit(static_cast<int>(report_defect(what)));
+    fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), what);
+    std::_Exit(static_cast<int>(ExitCode::bad_input));
 }
 
 /// Reports the exception that is being handled. Nobody is to blame for what the system refuses, such as memory or a
@@ -141,8 +168,8 @@ ExitCode report_error() {
         fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), error.what());
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "{} there is not enough memory\n", painted(Paint::error, program_name() + ":"));
-    } catch (const std::exception& error) {
-        return report_defect(error.what());
+    } catch (...) {
+        return report_defect(what_was_thrown());
     }
     return ExitCode::bad_input;
 }
@@ -186,15 +213,17 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
     return names;
 }
 
-const std::string& program_name() { return name_of_program(); }
+const std::vector<Command>& commands() { return commands_of_program(); }
 
-int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv) {
+int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv, const std::function<void()>& begin) {
     choose_paint();
+    std::set_terminate(report_termination);
     Action chosen;
     std::signal(SIGPIPE, SIG_IGN);
     if (!app.get_name().empty())
-        name_of_program() = app.get_name();
+        set_program_name(app.get_name());
     std::ranges::sort(commands, {}, &Command::place);
+    commands_of_program() = commands;
     for (const Command& command : commands)
         declare(app, command, typed(argc, argv), chosen);
     app.name(program_name());
@@ -205,6 +234,7 @@ int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** arg
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
         "            70 a defect of PlacedPar, 130 interrupted");
     try {
+        begin();
         return static_cast<int>(execute(app, chosen, argc, argv));
     } catch (...) {
         return static_cast<int>(report_error());

@@ -2,7 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
 int main(int argc, char** argv) {
     CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them.", "placedpar"};
-    return placedpar::carry_out(app, placedpar::commands(), argc, argv);
+    std::vector<placedpar::Command> commands = placedpar::program_commands();
+    std::ranges::move(placedpar::further_commands(), std::back_inserter(commands));
+    return placedpar::carry_out(app, std::move(commands), argc, argv);
 }

@@ -10,16 +10,16 @@
 
 namespace placedpar {
 
-extern const Command run_command, explain_command, check_command, show_command, kinds_command, sweep_command,
-    report_command;
-
-int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems) {
+int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems,
+                std::vector<AddPolicy> own_policies) {
     add_own_kinds(std::move(own_kinds));
     add_own_problems(std::move(own_problems));
+    auto begin = [&] {
+        for (AddPolicy add : own_policies)
+            add();
+    };
     CLI::App app{"Runs, checks, shows and studies netlists.", std::filesystem::path(argv[0]).filename().string()};
-    return carry_out(
-        app, {run_command, explain_command, check_command, show_command, kinds_command, sweep_command, report_command},
-        argc, argv);
+    return carry_out(app, program_commands(), argc, argv, begin);
 }
 
 } // namespace placedpar

@@ -1,5 +1,14 @@
 #pragma once
 
+#include "gaprocs/policies/acceptance.hpp"
+#include "gaprocs/policies/crossover.hpp"
+#include "gaprocs/policies/emigration.hpp"
+#include "gaprocs/policies/initial_population.hpp"
+#include "gaprocs/policies/island_choice.hpp"
+#include "gaprocs/policies/mutation.hpp"
+#include "gaprocs/policies/reproduction.hpp"
+#include "gaprocs/policies/schedule.hpp"
+#include "gaprocs/policies/topology.hpp"
 #include "gaprocs/problem_family.hpp"
 #include "netlist/kinds/process_kind.hpp"
 
@@ -7,10 +16,13 @@
 
 namespace placedpar {
 
-/// The main() of a program that does with netlists what placedpar does (run, explain, check, show, kinds, sweep,
-/// report), and knows kinds and search problems of its own beside PlacedPar's. Messages and help call it by the name of
-/// its file. Returns the exit code; a kind or a problem whose name is taken is a user's error.
-int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds,
-                std::vector<ProblemFamily> own_problems = {});
+/// Adds a policy to those of its step: Reproduction::add<Truncation>, a function of OneOf<...>.
+using AddPolicy = void (*)();
+
+/// The main() of a program that has the commands of placedpar, but for those of the thesis's experiments and of the
+/// monitor, and knows kinds, search problems and policies of its own beside PlacedPar's. Messages and help call it by
+/// the name of its file. Returns the exit code; a kind, a problem or a policy whose name is taken is a user's error.
+int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems = {},
+                std::vector<AddPolicy> own_policies = {});
 
 } // namespace placedpar

@@ -37,11 +37,10 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
 
 /// All that can be wrong whatever the record.
 void validate_islands(const IslandsSettings& settings) {
-    // As SearchSettings::validate() does.
-    Topology::named(settings.topology.text());
-    Schedule::named(settings.schedule.text());
-    Emigration::named(settings.emigration.text());
-    Acceptance::named(settings.acceptance.text());
+    settings.topology.require_numbers_in_range();
+    settings.schedule.require_numbers_in_range();
+    settings.emigration.require_numbers_in_range();
+    settings.acceptance.require_numbers_in_range();
     Neighbours neighbours = settings.topology.neighbours(settings.islands.size());
     for (const SearchSettings& island : settings.islands) {
         island.validate();

@@ -18,13 +18,6 @@ void require_probability(std::string_view name, double value) {
         throw UserError(fmt::format("{} is {}, expected 0 to 1", name, value));
 }
 
-/// A policy that was made as a struct can have any number: it is read as a netlist's.
-template <class Step>
-void require_numbers_in_range(const Step& step) {
-    if (step.has_numbers())
-        Step::named(step.text());
-}
-
 template <class Step>
 void require_fitting(std::string_view what, const Step& step, StringKind kind) {
     if (!step.fits(kind))
@@ -71,9 +64,9 @@ void SearchSettings::validate() const {
             fmt::format("{} initial individuals are given for a population of {}", initial.size(), population));
     require_probability("the crossover probability", crossover_probability);
     require_probability("the mutation probability", mutation_probability);
-    require_numbers_in_range(reproduction);
-    require_numbers_in_range(crossover);
-    require_numbers_in_range(mutation);
+    reproduction.require_numbers_in_range();
+    crossover.require_numbers_in_range();
+    mutation.require_numbers_in_range();
     window.validate();
 }
 

@@ -1,14 +1,18 @@
 #include "netlist/machine.hpp"
 #include "netlist/network/names.hpp"
+#include "runtime/user_code.hpp"
+#include "text/diagnostic.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace placedpar {
 
@@ -50,12 +54,58 @@ void add_places(Deadlock& deadlock, const Network& network) {
             stuck.netlist = file_and_line(channel->connected);
 }
 
-/// The processes of the network are the outermost; the one that failed may be a component of one.
-std::string failure_in_words(const Failure& failure, const Network& network) {
+/// Which process failed, and when if not at the start. Those of the network are the outermost; it may be a component.
+std::string failing(const Failure& failure, const ProcessInstance* process) {
+    return fmt::format("process {}{}{}", failure.process, process ? " (" + process->kind + ")" : "",
+                       failure.time == Time{0} ? "" : " at " + to_string(failure.time));
+}
+
+/// Rethrows what is being handled, with the process that threw it and where that was declared, after a file's own
+/// places. What a process of PlacedPar throws without a user's doing is a defect; what the system refuses is not the
+/// process's fault.
+[[noreturn]] void rethrow_with_process(const Failure& failure, const Network& network, const Catalogue& catalogue) {
     const ProcessInstance* process = outermost(network, failure.process);
+    const bool is_own = process && catalogue.find(process->kind)->is_own;
     std::string place = process ? process->declared.text() : "";
-    return fmt::format("{}{}process {}{} at {}", place, place.empty() ? "" : ": ", failure.process,
-                       process ? " (" + process->kind + ")" : "", to_string(failure.time));
+    std::string who = fmt::format("{}{}{}", place, place.empty() ? "" : ": ", failing(failure, process));
+    try {
+        throw;
+    } catch (const RefusedInput& refused) {
+        if (!process)
+            throw;
+        throw RefusedInput(refused.what() +
+                           render(SecondPlace{"read by " + failing(failure, process), process->declared}));
+    } catch (const hardware::BroadcastError& refused) {
+        throw UserError(fmt::format("{}: {}\nhint: a broadcast is one message for all that are placed on the bus; a "
+                                    "channel that is not placed there has messages of its own",
+                                    who, refused.what()));
+    } catch (const UserError& refused) {
+        throw UserError(fmt::format("{}: {}", who, refused.what()));
+    } catch (const hardware::BusError& error) { // of a machine with a fault, which the program does not provide for
+        throw UserError(fmt::format("{}: {}", who, error.what()));
+    } catch (...) {
+        const std::string why = what_was_thrown();
+        if (is_own)
+            throw UserError(fmt::format("{}: {}", who, why));
+        try {
+            throw;
+        } catch (const std::system_error&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (...) {
+            throw std::logic_error(fmt::format("{}: {}", who, why));
+        }
+    }
+}
+
+/// What no process threw.
+[[noreturn]] void rethrow_for_the_kernel() {
+    try {
+        throw;
+    } catch (const std::overflow_error& beyond_the_end_of_time) {
+        throw UserError(beyond_the_end_of_time.what());
+    }
 }
 
 } // namespace
@@ -72,14 +122,10 @@ RunReport Machine::run(Time limit) {
     };
     try {
         report.result = simulation_.run(limit, count_work);
-    } catch (const std::overflow_error& beyond_the_end_of_time) {
-        throw UserError(beyond_the_end_of_time.what());
-    } catch (const hardware::BroadcastError& refused) {
-        throw UserError(fmt::format("{}: {}\nhint: a broadcast is one message for all that are placed on the bus; a "
-                                    "channel that is not placed there has messages of its own",
-                                    failure_in_words(*simulation_.who_failed(), network_), refused.what()));
-    } catch (const hardware::BusError& error) { // of a router, over a bus; a program's names it already
-        throw UserError(fmt::format("{}: {}", failure_in_words(*simulation_.who_failed(), network_), error.what()));
+    } catch (...) {
+        if (simulation_.who_failed())
+            rethrow_with_process(*simulation_.who_failed(), network_, software_.catalogue());
+        rethrow_for_the_kernel();
     }
     forget_waits_that_end(report);
     if (report.result.deadlock)

@@ -2,18 +2,8 @@
 
 #include "netlist/network/names.hpp"
 #include "netlist/runnable.hpp"
-#include "runtime/hardware/vme_bus.hpp"
-#include "runtime/timer.hpp"
-#include "text/diagnostic.hpp"
-#include "text/user_error.hpp"
 
-#include <fmt/format.h>
-
-#include <new>
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <system_error>
 
 namespace placedpar {
 
@@ -26,39 +16,6 @@ const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& cata
 
 const PortDescription& port_of(const ProcessInstance& process, std::string_view name, const Catalogue& catalogue) {
     return *kind_of(process, catalogue).port(base_name(name));
-}
-
-/// Which process it was, and when if not at the start.
-std::string failing(const ProcessInstance& process) {
-    std::string when = now() == Time{0} ? "" : " at " + to_string(now());
-    return fmt::format("process {} ({}){}", process.name, process.kind, when);
-}
-
-/// The same, and where it was declared.
-std::string failure_of(const ProcessInstance& process, const char* why) {
-    std::string place = process.declared.text();
-    return fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ", failing(process), why);
-}
-
-/// Runs a process's program. What it refuses to work with, and what is wrong with the program itself, is reported with
-/// the process, after a file's own places; what the system refuses is not the process's fault.
-void run_body(const ProcessInstance& process, const std::function<void(ProcessEnvironment&)>& body,
-              ProcessEnvironment& environment) {
-    try {
-        body(environment);
-    } catch (const RefusedInput& refused) {
-        throw RefusedInput(refused.what() + render(SecondPlace{"read by " + failing(process), process.declared}));
-    } catch (const UserError& refused) {
-        throw UserError(failure_of(process, refused.what()));
-    } catch (const hardware::BusError& error) { // of a machine with a fault, which the program does not provide for
-        throw UserError(failure_of(process, error.what()));
-    } catch (const std::system_error&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& defect) {
-        throw std::logic_error(failure_of(process, defect.what()));
-    }
 }
 
 } // namespace
@@ -93,9 +50,8 @@ Process& Software::start(Simulation& simulation, std::size_t index, Executive* e
     ProcessEnvironment& environment =
         environments_.emplace_back(network_, index, std::move(ports), seed_, measurements_);
     return simulation.process(
-        process.name,
-        [&process, &environment, body = kind_of(process, catalogue_).body] { run_body(process, body, environment); },
-        executive, process.high_priority ? Priority::high : Priority::low);
+        process.name, [&environment, body = kind_of(process, catalogue_).body] { body(environment); }, executive,
+        process.high_priority ? Priority::high : Priority::low);
 }
 
 } // namespace placedpar

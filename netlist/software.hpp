@@ -31,6 +31,8 @@ public:
     /// By their place in Network::processes.
     const std::vector<Process*>& processes() const { return processes_; }
 
+    const Catalogue& catalogue() const { return catalogue_; }
+
     /// So far, in their order.
     const std::vector<Measurement>& measurements() const { return measurements_; }
 

@@ -111,6 +111,17 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
+// The same of a vector, such as environment.inputs<T>("in"), which may be made within the call of alt().
+template <class T, std::invocable<std::size_t, T> Body>
+auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
+    return each(std::span<const Input<T>>(inputs), std::move(body), where);
+}
+template <class T, std::invocable<std::size_t, T> Body>
+auto each(const std::vector<Input<T>>& inputs, Turn& turn, Body body,
+          const SourceLocation& where = SourceLocation::current()) {
+    return each(std::span<const Input<T>>(inputs), turn, std::move(body), where);
+}
+
 /// An ALT within an ALT: its guards stand in its place, in their order.
 template <class... Bodies>
 auto either(std::pair<Guard, Bodies>... alternatives) {
@@ -200,6 +211,11 @@ requires(detail::is_guards<Alternatives> || ...) std::size_t alt(Alternatives...
 /// Of one replicated guard alone: `alt(inputs, [&](std::size_t i, T message) { ... })`.
 template <class T, std::invocable<std::size_t, T> Body>
 std::size_t alt(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
+    return alt(each(inputs, std::move(body), where));
+}
+template <class T, std::invocable<std::size_t, T> Body>
+std::size_t alt(const std::vector<Input<T>>& inputs, Body body,
+                const SourceLocation& where = SourceLocation::current()) {
     return alt(each(inputs, std::move(body), where));
 }
 

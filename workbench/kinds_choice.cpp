@@ -1,6 +1,7 @@
 #include "workbench/kinds_choice.hpp"
 
 #include "text/nearest.hpp"
+#include "text/program_name.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ void refuse_kind(const Catalogue& catalogue, const std::string& name, const std:
     if (meant.empty())
         meant = nearest_name(name, others);
     throw UserError(fmt::format("there is no process kind, device, problem or policy \"{}\"; {}", name,
-                                meant.empty() ? "say placedpar kinds for those there are"
+                                meant.empty() ? fmt::format("say {} kinds for those there are", program_name())
                                               : fmt::format("did you mean \"{}\"?", meant)));
 }
 

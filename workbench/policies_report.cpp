@@ -157,7 +157,7 @@ std::string print_one(const Asked& asked, const PolicyDescription& policy, const
         out += fmt::format("  of {}\n", fmt::join(policy.strings, ", "));
     if (!in_netlist.empty())
         out += fmt::format("  in a netlist: {}\n", in_netlist);
-    out += fmt::format("  source: {}\n", policy.source);
+    out += fmt::format("  source: {}\n", policy.source.empty() ? "this program" : policy.source);
     for (const PolicyNumberDescription& number : policy.numbers)
         out += print_number(number);
     return out;

@@ -1,6 +1,7 @@
 #include "workbench/problems.hpp"
 
 #include "classics/kinds.hpp"
+#include "gaprocs/guarded_problem.hpp"
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/remembered_problem.hpp"
 #include "gaprocs/search_problem.hpp"
@@ -79,7 +80,9 @@ void add_own_problem(ProblemRegistry& problems, const ProblemFamily& family) {
 void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
     if (catalogue.find(kind.name) != nullptr)
         refuse_taken("process kind", kind.name);
-    catalogue.add(kind);
+    ProcessKind added = kind;
+    added.is_own = true;
+    catalogue.add(std::move(added));
 }
 
 } // namespace
@@ -96,7 +99,7 @@ ProblemRegistry known_problems(std::uint64_t seed, RememberedProblems* remembere
     problems.add(plant_family(seed));
     add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
-        add_own_problem(problems, remembered != nullptr ? remembered->around(family) : family);
+        add_own_problem(problems, remembered != nullptr ? remembered->around(guarded(family)) : guarded(family));
     return problems;
 }
 

@@ -2,6 +2,7 @@
 
 #include "hydraulics/data/units.hpp"
 #include "runtime/random.hpp"
+#include "text/program_name.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -90,7 +91,7 @@ std::string true_compliances(const RecordScenario& scenario, const LinksInMotion
 std::string description_of(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
                            std::uint64_t seed) {
     auto [options, lines] = changes_of(scenario, parameters);
-    std::string command = fmt::format("placedpar record {}{} --seed {}{}", scenario.name,
+    std::string command = fmt::format("{} record {}{} --seed {}{}", program_name(), scenario.name,
                                       scenario.any_links ? options_of(moving) : "", seed, options);
     return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
                        lines.empty() ? "every parameter is the program's own" : "parameters that were set:", lines,

@@ -1,3 +1,4 @@
+#include "text/program_name.hpp"
 #include "workbench/scenario_record.hpp"
 
 #include "hydraulics/data/parameter_range.hpp"
@@ -62,7 +63,8 @@ const Parameter& parameter_called(const RecordScenario& scenario, const Paramete
     std::string nearest = did_you_mean(name, names);
     throw UserError(fmt::format(
         "--set {}: {} has no such parameter; {}", name, scenario.name,
-        nearest.empty() ? fmt::format("placedpar record {} --list shows those there are", scenario.name) : nearest));
+        nearest.empty() ? fmt::format("{} record {} --list shows those there are", program_name(), scenario.name)
+                        : nearest));
 }
 
 /// In quotes where it holds what separates cells.

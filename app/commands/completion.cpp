@@ -2,6 +2,7 @@
 #include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,23 +18,24 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+/// In both PROGRAM stands for the program's name.
 constexpr const char* bash_script =
     R"bash(# What may come next is asked of the program itself. Where that is nothing, bash completes names of files.
-_placedpar() {
+_PROGRAM() {
     local IFS=$'\n'
-    COMPREPLY=($(placedpar completion words -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null))
+    COMPREPLY=($(PROGRAM completion words -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null))
 }
-complete -o default -F _placedpar placedpar
+complete -o default -F _PROGRAM PROGRAM
 )bash";
 
-constexpr const char* zsh_script = R"zsh(#compdef placedpar
+constexpr const char* zsh_script = R"zsh(#compdef PROGRAM
 # What may come next is asked of the program itself. Where that is nothing, zsh completes names of files.
-_placedpar() {
+_PROGRAM() {
     local -a found
-    found=(${(f)"$(placedpar completion words -- "${(@)words[2,CURRENT]}" 2>/dev/null)"})
+    found=(${(f)"$(PROGRAM completion words -- "${(@)words[2,CURRENT]}" 2>/dev/null)"})
     if (( $#found )); then compadd -a found; else _files; fi
 }
-if [[ $funcstack[1] == _placedpar ]]; then _placedpar "$@"; else compdef _placedpar placedpar; fi
+if [[ $funcstack[1] == _PROGRAM ]]; then _PROGRAM "$@"; else compdef _PROGRAM PROGRAM; fi
 )zsh";
 
 /// The words of "auto|none|INCHES" that are to be typed as they stand.
@@ -115,6 +117,11 @@ std::string list_words(const CLI::App& app, const Words& typed) {
     return out;
 }
 
+std::string script(std::string text) {
+    boost::algorithm::replace_all(text, "PROGRAM", program_name());
+    return text;
+}
+
 std::string refuse_shell(const std::string& name) {
     bool known = name == "bash" || name == "zsh" || name == "words"; // the last one is for the scripts
     return known ? "" : fmt::format("there is nothing for the shell \"{}\": it is one of bash, zsh", name);
@@ -127,14 +134,16 @@ struct CompletionOptions {
 
 Action declare_completion(CLI::App& command, const std::string&) {
     auto options = std::make_shared<CompletionOptions>();
-    command.add_option("SHELL", options->shell, "prints a script: source <(placedpar completion bash)")
+    command
+        .add_option("SHELL", options->shell,
+                    fmt::format("prints a script: source <({} completion bash)", program_name()))
         ->required()
         ->check(refuse_shell)
         ->type_name("bash|zsh");
     command.add_option("WORDS", options->words, "asked by the scripts: what can the last of these words be?");
     return [options, &command] {
-        print_out(options->shell == "bash"  ? bash_script
-                  : options->shell == "zsh" ? zsh_script
+        print_out(options->shell == "bash"  ? script(bash_script)
+                  : options->shell == "zsh" ? script(zsh_script)
                                             : list_words(*command.get_parent(), options->words));
         return ExitCode::success;
     };

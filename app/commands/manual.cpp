@@ -3,6 +3,7 @@
 #include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <fmt/format.h>
 
 #include <string>
@@ -46,14 +47,18 @@ std::string describe_options(const CLI::App& app) {
 std::string as_typed(const std::string& text) { return text.empty() ? "" : ".PP\n.nf\n\\&" + troff(text) + "\n.fi\n"; }
 
 std::string describe_command(const CLI::App& command) {
-    return fmt::format(".SS \"placedpar {}\"\n{}.\n", troff(command.get_name()), troff(command.get_description())) +
+    return fmt::format(".SS \"{} {}\"\n{}.\n", troff(program_name()), troff(command.get_name()),
+                       troff(command.get_description())) +
            describe_options(command) + as_typed(command.get_footer());
 }
 
 std::string manual(const CLI::App& app) {
-    std::string page = fmt::format(".TH PLACEDPAR 1 \"\" \"PlacedPar {}\" \"User Commands\"\n", version);
-    page += ".SH NAME\nplacedpar \\- simulator of transputer networks and of the CSP processes placed on them\n";
-    page += ".SH SYNOPSIS\n.B placedpar\n\\fICOMMAND\\fR [\\fIOPTION\\fR]... [\\fIARGUMENT\\fR]...\n";
+    std::string page = fmt::format(".TH {} 1 \"\" \"PlacedPar {}\" \"User Commands\"\n",
+                                   boost::algorithm::to_upper_copy(troff(program_name())), version);
+    page += ".SH NAME\n" + troff(program_name());
+    page += " \\- simulator of transputer networks and of the CSP processes placed on them\n";
+    page += ".SH SYNOPSIS\n.B " + troff(program_name());
+    page += "\n\\fICOMMAND\\fR [\\fIOPTION\\fR]... [\\fIARGUMENT\\fR]...\n";
     page += ".SH DESCRIPTION\n" + troff(app.get_description()) + "\n.SH OPTIONS\n" + describe_options(app);
     page += ".SH COMMANDS\n";
     for (const CLI::App* command : app.get_subcommands({}))

@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/many_runs.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "experiments/kit/examples_folder.hpp"
@@ -32,6 +33,7 @@ struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
     std::size_t seeds = 0; ///< 0: as many as the experiment says
+    bool yes = false;
 };
 
 std::string list_experiments() {
@@ -145,6 +147,8 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     require_study(experiment, options);
     require_outputs(options);
     InterruptedBySignals interruption;
+    if (options.seeds > most_unasked && !options.yes && !are_meant({options.seeds, true, 1, {}}, interruption))
+        return interruption.requested() ? ExitCode::interrupted : ExitCode::success;
     Replay result = run_experiment(experiment, options, interruption);
     print_out(print_replay(result));
     write_files(result, options, typed);
@@ -162,6 +166,7 @@ Action declare_replay(CLI::App& command, const std::string& typed) {
     add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG, and their curves, CSV", "FOLDER");
     add_number(command, "--seeds", options->seeds, 1, most_seeds, "of a study, instead of its own number");
     add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
+    command.add_flag("--yes", options->yes, "begins even very many runs without a question");
     command.footer("experiments:\n" + list_experiments());
     return [options, typed] { return replay(*options, typed); };
 }

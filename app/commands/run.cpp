@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/many_runs.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/options/time_option.hpp"
 #include "app/recorders.hpp"
@@ -22,6 +23,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -41,7 +43,7 @@ struct RunOptions {
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> shuffle = {};
     std::size_t seeds = 1; ///< from that one on
-    bool watch = false;
+    bool watch = false, yes = false;
 
     std::array<std::filesystem::path, 5> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence};
@@ -106,17 +108,29 @@ FinishedRun run_seed(const Network& network, const RunOptions& options, std::uin
     return {std::move(report), std::move(searches)};
 }
 
-/// Until one is interrupted.
+/// Asks whether very many runs are meant, when the first has shown how long one takes.
+bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time_point begun,
+                      const Interruption& interruption) {
+    if (options.seeds <= most_unasked || options.yes)
+        return true;
+    std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+    return are_meant({options.seeds, true, 1, taken.count()}, interruption);
+}
+
+/// Until one is interrupted; none where they are not meant.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
     std::optional<Progress> progress; // beside a watch it would write into what is drawn
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;
+    const auto begun = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i == 0 || (i < options.seeds && !interruption.requested()); ++i) {
         if (progress)
             progress->show(fmt::format("seed {} of {}", i + 1, options.seeds));
         runs.push_back(run_seed(network, options, options.seed + i, trace, interruption));
+        if (i == 0 && !others_are_meant(options, begun, interruption) && !interruption.requested())
+            return {};
     }
     return runs;
 }
@@ -186,6 +200,8 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
     require_fit(network, options);
     Recorders recorders(network, options.recorded);
     std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink());
+    if (runs.empty())
+        return ExitCode::success;
     std::vector<SeededLog> logs = logs_of(runs);
     print_out(options.seeds == 1 ? print_report(runs.front().report, network, logs.front().log)
                                  : print_runs(network, runs, logs, options.seeds));
@@ -203,6 +219,7 @@ void add_searches(CLI::App& command, RunOptions& options) {
     add_file(command, "--log", options.log, "writes every generation of every search: comma-separated, in long form");
     add_file(command, "--convergence", options.convergence,
              "draws best, mean and diversity over the generations, SVG; with --seeds medians and quartiles");
+    command.add_flag("--yes", options.yes, "begins even very many runs without a question");
     command.add_flag("--watch", options.watch,
                      "shows the same while it runs, on a terminal; lines where there is none");
 }

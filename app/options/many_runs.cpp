@@ -45,11 +45,12 @@ bool wait_for_answer(const Interruption& interruption) {
 } // namespace
 
 bool are_meant(const RunsAhead& ahead, const Interruption& interruption) {
-    std::string many = fmt::format(
-        "{}{} runs of about {:.3g} s, {} on {}", ahead.exact ? "" : "up to ", print_count(ahead.runs),
-        ahead.seconds_a_run,
-        print_duration(ahead.seconds_a_run * static_cast<double>(ahead.runs) / static_cast<double>(ahead.at_once)),
-        counted(ahead.at_once, "core"));
+    std::string many = fmt::format("{}{} runs", ahead.exact ? "" : "up to ", print_count(ahead.runs));
+    if (auto seconds = ahead.seconds_a_run)
+        many +=
+            fmt::format(" of about {:.3g} s, {} on {}", *seconds,
+                        print_duration(*seconds * static_cast<double>(ahead.runs) / static_cast<double>(ahead.at_once)),
+                        counted(ahead.at_once, "core"));
     if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
         throw UserError(many + "; --yes begins with them");
     fmt::print(stderr, "{}. Begin? [y/N] ", many);

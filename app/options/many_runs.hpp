@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace placedpar {
@@ -17,7 +18,7 @@ struct RunsAhead {
     std::uint64_t runs;
     bool exact; ///< else at most that many
     std::size_t at_once;
-    double seconds_a_run;
+    std::optional<double> seconds_a_run; ///< where that is known
 };
 
 /// Says how many they are and how long they take, and asks whether to begin: not where nothing is answered, or the

@@ -79,6 +79,23 @@ Places OffspringAcceptance::operator()(const IslandPopulation& island, std::span
                        [&](const Individual&, const auto& left) { return random_candidate(left, random); });
 }
 
+Places OwnAcceptance::operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                                 RandomStream& random) const {
+    return tried([&] {
+        Places places = choose_(island, immigrants, random);
+        std::vector<std::size_t> taken, elite = best_indices(island.fitness, island.elite);
+        for (const auto& place : places)
+            if (place)
+                taken.push_back(*place);
+        auto is_elite = [&](std::size_t place) { return std::ranges::count(elite, place) > 0; };
+        require(places.size() == immigrants.size() && are_different(taken, 0, island.strings.size()) &&
+                    std::ranges::none_of(taken, is_elite),
+                "it gave immigrants a place that there is not, that is another's or one of the elite's, or not each "
+                "one an answer");
+        return places;
+    });
+}
+
 void Acceptance::validate_for(std::size_t immigrants, std::size_t population, std::size_t elite) {
     if (immigrants > population - elite)
         throw UserError(fmt::format("{} {} at once to an island of {}, {} of them elite, "

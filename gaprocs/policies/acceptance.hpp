@@ -5,6 +5,7 @@
 #include "gaprocs/representation/representation.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -86,12 +87,24 @@ struct OffspringAcceptance {
                       RandomStream& random) const;
 };
 
+/// A struct of a program's own with a call operator as those above: the places that it gives are checked.
+class OwnAcceptance : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnAcceptance(Policy policy) : OwnPolicy(policy), choose_(std::move(policy)) {}
+    Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                      RandomStream& random) const;
+
+private:
+    std::function<Places(const IslandPopulation&, std::span<const Individual>, RandomStream&)> choose_;
+};
+
 /// Who is replaced by an immigrant.
-class Acceptance : public OneOf<WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance> {
+class Acceptance
+    : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "acceptance", about = "who is replaced by an immigrant";
-    static Acceptance named(std::string_view text) { return read<Acceptance>(text); }
 
     /// Whether immigrants come into the population that has just been bred, instead of the one that breeds.
     bool among_offspring() const { return std::holds_alternative<OffspringAcceptance>(policy()); }

@@ -43,13 +43,12 @@ struct RealCoding {
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-class Coding : public OneOf<NaturalCoding, GrayCoding, RealCoding> {
+class Coding : public OneOf<Coding, NaturalCoding, GrayCoding, RealCoding> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view
         noun = "representation",
         about = "how a string stands for the parameters of a problem, a field of bits for each";
-    static Coding named(std::string_view text) { return read<Coding>(text); }
     static const Coding natural, gray, real; ///< without don't-care bits
 
     /// As OneOf::text(), but without don't-care bits where there are none.

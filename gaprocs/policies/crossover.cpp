@@ -1,7 +1,5 @@
 #include "gaprocs/policies/crossover.hpp"
 
-#include "runtime/random.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
@@ -110,19 +108,30 @@ void OrderCrossover::operator()(Genome& a, Genome& b, const Permutation& permuta
     b = permutation.encode(ordered_offspring(order_b, order_a, first, end));
 }
 
+void OwnCrossover::operator()(std::span<Genome> population, double probability, const Representation& representation,
+                              RandomStream& random) const {
+    tried([&] {
+        cross_(population, probability, representation, random);
+        require(representation.holds(population), "it made an offspring that is not a string of the problem");
+    });
+}
+
 void Crossover::operator()(std::span<Genome> population, double probability, const Representation& representation,
                            RandomStream& random) const {
     if (population.empty() || representation.bits() < 2 * representation.unit())
         return;
     auto cross_all = [&]<class Way>(const Way& cross) {
-        for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
-            if (!random.chance(probability))
-                continue;
-            if constexpr (std::is_same_v<Way, DifferenceCrossover>)
-                if (!mate_by_difference(population.subspan(i)))
+        if constexpr (std::is_same_v<Way, OwnCrossover>)
+            cross(population, probability, representation, random);
+        else
+            for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
+                if (!random.chance(probability))
                     continue;
-            cross_pair(cross, population[i], population[i + 1], representation, random);
-        }
+                if constexpr (std::is_same_v<Way, DifferenceCrossover>)
+                    if (!mate_by_difference(population.subspan(i)))
+                        continue;
+                cross_pair(cross, population[i], population[i + 1], representation, random);
+            }
     };
     std::visit(cross_all, policy());
 }

@@ -3,9 +3,11 @@
 #include "gaprocs/policies/policy.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "gaprocs/representation/representation.hpp"
+#include "runtime/random.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <span>
 #include <string_view>
@@ -87,15 +89,38 @@ struct OrderCrossover {
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;
 };
 
+/// A struct of a program's own that has fits() as those above, and
+///
+///     void operator()(Genome& a, Genome& b, const Representation& representation, RandomStream& random) const;
+class OwnCrossover : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnCrossover(Policy policy)
+        : OwnPolicy(policy), fits_(Policy::fits),
+          cross_([policy = std::move(policy)](std::span<Genome> population, double probability,
+                                              const Representation& representation, RandomStream& random) {
+              for (std::size_t i = 0; i + 1 < population.size(); i += 2)
+                  if (random.chance(probability))
+                      policy(population[i], population[i + 1], representation, random);
+          }) {}
+    bool fits(StringKind kind) const { return fits_(kind); }
+    /// As Crossover's. Throws UserError where an offspring is no string of the representation.
+    void operator()(std::span<Genome> population, double probability, const Representation& representation,
+                    RandomStream& random) const;
+
+private:
+    bool (*fits_)(StringKind);
+    std::function<void(std::span<Genome>, double, const Representation&, RandomStream&)> cross_;
+};
+
 /// How two parents make two offspring. Neighbours 0 and 1, 2 and 3, ... are mates: after reproduction they are mates at
 /// random already. By difference, an individual's mate is the next one behind it that differs enough and has no mate
 /// yet, and changes places with its neighbour.
-class Crossover : public OneOf<OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
-                               BlendCrossover, OrderCrossover> {
+class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
+                               BlendCrossover, OrderCrossover, OwnCrossover> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
-    static Crossover named(std::string_view text) { return read<Crossover>(text); }
 
     /// Each pair with the given probability: one number for the chance, and the way's own. The last of an odd number
     /// has no mate, and strings of one character have no cut: for neither is a number drawn. REQUIRES: all strings of

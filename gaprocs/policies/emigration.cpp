@@ -52,6 +52,15 @@ std::vector<std::size_t> TournamentEmigration::operator()(std::span<const double
     });
 }
 
+std::vector<std::size_t> OwnEmigration::operator()(std::span<const double> fitness, RandomStream& random) const {
+    return tried([&] {
+        std::vector<std::size_t> chosen = choose_(fitness, random);
+        require(chosen.size() == count && are_different(chosen, 0, fitness.size()),
+                "those who leave are not as many different individuals as its count says");
+        return chosen;
+    });
+}
+
 std::size_t Emigration::count() const {
     return std::visit([](const auto& way) { return way.count; }, policy());
 }

@@ -3,6 +3,7 @@
 #include "gaprocs/policies/policy.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -50,12 +51,23 @@ struct TournamentEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
+/// A struct of a program's own with `count` and a call operator as those above: whom it chooses is checked.
+class OwnEmigration : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnEmigration(Policy policy) : OwnPolicy(policy), count(policy.count), choose_(std::move(policy)) {}
+    std::size_t count;
+    std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
+
+private:
+    std::function<std::vector<std::size_t>(std::span<const double>, RandomStream&)> choose_;
+};
+
 /// Who leaves an island, and how many.
-class Emigration : public OneOf<BestEmigration, RandomEmigration, TournamentEmigration> {
+class Emigration : public OneOf<Emigration, BestEmigration, RandomEmigration, TournamentEmigration, OwnEmigration> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "emigration", about = "who leaves an island, and how many";
-    static Emigration named(std::string_view text) { return read<Emigration>(text); }
 
     /// How many leave.
     std::size_t count() const;

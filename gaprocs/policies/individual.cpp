@@ -55,4 +55,10 @@ std::vector<std::size_t> worst_indices(std::span<const double> fitness, std::siz
     return first_indices(fitness, count, std::less());
 }
 
+bool are_different(std::vector<std::size_t> indices, std::size_t first, std::size_t end) {
+    std::ranges::sort(indices);
+    return indices.empty() ||
+           (indices.front() >= first && indices.back() < end && std::ranges::adjacent_find(indices) == indices.end());
+}
+
 } // namespace placedpar

@@ -24,4 +24,7 @@ std::size_t best_index(std::span<const double> fitness);
 std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count);
 std::vector<std::size_t> worst_indices(std::span<const double> fitness, std::size_t count);
 
+/// Whether each is from `first` to below `end`, and none comes twice.
+bool are_different(std::vector<std::size_t> indices, std::size_t first, std::size_t end);
+
 } // namespace placedpar

@@ -1,11 +1,18 @@
 #pragma once
 
 #include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/representation.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <string_view>
 #include <tuple>
+#include <variant>
+#include <vector>
 
 namespace placedpar {
+
+class RandomStream;
 
 /// Every string is drawn by the search.
 struct RandomStart {
@@ -22,13 +29,38 @@ struct SpreadStart {
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
+/// A struct of a program's own that gives the first of the first population, `population` strings at the most:
+///
+///     std::vector<Genome> operator()(std::size_t population, const Representation& representation,
+///                                    RandomStream& random) const;
+class OwnStart : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnStart(Policy policy) : OwnPolicy(policy), begin_(std::move(policy)) {}
+    std::vector<Genome> operator()(std::size_t population, const Representation& representation,
+                                   RandomStream& random) const {
+        return tried([&] {
+            std::vector<Genome> strings = begin_(population, representation, random);
+            require(strings.size() <= population && representation.holds(strings),
+                    "it begins with more strings than the population has, or with one that is none of the problem");
+            return strings;
+        });
+    }
+
+private:
+    std::function<std::vector<Genome>(std::size_t, const Representation&, RandomStream&)> begin_;
+};
+
 /// Where a search begins, unless with the strings of a file.
-class InitialPopulation : public OneOf<RandomStart, SpreadStart> {
+class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "initial-population",
                                       about = "where a search begins: at random, spread, or with strings of a file";
-    static InitialPopulation named(std::string_view text) { return read<InitialPopulation>(text); }
+
+    bool is_spread() const { return std::holds_alternative<SpreadStart>(policy()); }
+    /// Null unless a program added it.
+    const OwnStart* own() const { return std::get_if<OwnStart>(&policy()); }
 };
 
 } // namespace placedpar

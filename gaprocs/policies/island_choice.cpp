@@ -47,6 +47,14 @@ std::size_t RandomChoice::operator()(const ErrorsOfBest& bests, RandomStream& ra
     return random.below(static_cast<std::uint32_t>(bests.windows.size()));
 }
 
+std::size_t OwnChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {
+    return tried([&] {
+        std::size_t island = choose_(bests, random);
+        require(island < bests.windows.size(), "it chose an island that there is not");
+        return island;
+    });
+}
+
 void IslandChoice::validate_for(std::size_t islands) const {
     if (auto fixed = std::get_if<FixedChoice>(&policy()); fixed && fixed->island >= islands)
         throw UserError(fmt::format("the answer shall be that of island {}, but there are {}: 0 to {}", fixed->island,

@@ -4,6 +4,7 @@
 #include "gaprocs/policies/policy.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <tuple>
 
@@ -81,13 +82,24 @@ struct RandomChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 
+/// A struct of a program's own with a call operator as those above: the island that it gives is checked.
+class OwnChoice : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnChoice(Policy policy) : OwnPolicy(policy), choose_(std::move(policy)) {}
+    std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
+
+private:
+    std::function<std::size_t(const ErrorsOfBest&, RandomStream&)> choose_;
+};
+
 /// Which island's best is the answer of all.
-class IslandChoice : public OneOf<PrintedChoice, PlainSumChoice, MeansChoice, RowChoice, FixedChoice, RandomChoice> {
+class IslandChoice : public OneOf<IslandChoice, PrintedChoice, PlainSumChoice, MeansChoice, RowChoice, FixedChoice,
+                                  RandomChoice, OwnChoice> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "choice",
                                       about = "of islands with windows of different lengths, whose best is the answer";
-    static IslandChoice named(std::string_view text) { return read<IslandChoice>(text); }
 
     /// Throws UserError where it is of an island that there is not.
     void validate_for(std::size_t islands) const;

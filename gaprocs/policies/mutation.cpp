@@ -1,6 +1,5 @@
 #include "gaprocs/policies/mutation.hpp"
 
-#include "runtime/random.hpp"
 #include "runtime/vector_width.hpp"
 
 #include <algorithm>
@@ -120,17 +119,23 @@ void InversionMutation::operator()(Genome& genome, std::size_t place, const Repr
         swap_places(genome, (place + i) % places, (last + places - i) % places);
 }
 
+void OwnMutation::operator()(std::span<Genome> population, double probability, const Representation& representation,
+                             RandomStream& random) const {
+    tried([&] {
+        mutate_(population, probability, representation, random);
+        require(representation.holds(population), "it made an individual that is not a string of the problem");
+    });
+}
+
 void Mutation::operator()(std::span<Genome> population, double probability, const Representation& representation,
                           RandomStream& random) const {
-    std::size_t places = representation.bits() / representation.unit();
     auto mutate_all = [&]<class Way>(const Way& mutate) {
         if constexpr (std::is_same_v<Way, BitMutation> || std::is_same_v<Way, DistanceMutation>)
             Way{probability}(population, random);
-        else if (representation.kind() == StringKind::real || places > 1)
-            for (Genome& genome : population)
-                for (std::size_t place = 0; place < places; ++place)
-                    if (random.chance(probability))
-                        mutate(genome, place, representation, random);
+        else if constexpr (std::is_same_v<Way, OwnMutation>)
+            mutate(population, probability, representation, random);
+        else if (representation.kind() == StringKind::real || representation.bits() > representation.unit())
+            mutate_places(mutate, population, probability, representation, random);
     };
     std::visit(mutate_all, policy());
 }

@@ -3,15 +3,25 @@
 #include "gaprocs/policies/policy.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "gaprocs/representation/representation.hpp"
+#include "runtime/random.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <tuple>
 
 namespace placedpar {
 
-class RandomStream;
+/// Calls `mutate` with each place of each string with the given probability: one number for each chance.
+template <class Mutate>
+void mutate_places(const Mutate& mutate, std::span<Genome> population, double probability,
+                   const Representation& representation, RandomStream& random) {
+    for (Genome& genome : population)
+        for (std::size_t place = 0; place < representation.bits() / representation.unit(); ++place)
+            if (random.chance(probability))
+                mutate(genome, place, representation, random);
+}
 
 // Each way changes a place of a string (a bit, a number, a place of a permutation) and says how many numbers of the
 // stream it draws for it.
@@ -101,13 +111,35 @@ struct InversionMutation {
                     RandomStream& random) const;
 };
 
+/// A struct of a program's own that has fits() as those above, and
+///
+///     void operator()(Genome& genome, std::size_t place, const Representation& representation,
+///                     RandomStream& random) const;
+class OwnMutation : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnMutation(Policy policy)
+        : OwnPolicy(policy), fits_(Policy::fits),
+          mutate_([policy = std::move(policy)](std::span<Genome> population, double probability,
+                                               const Representation& representation, RandomStream& random) {
+              mutate_places(policy, population, probability, representation, random);
+          }) {}
+    bool fits(StringKind kind) const { return fits_(kind); }
+    /// As Mutation's. Throws UserError where one becomes no string of the representation.
+    void operator()(std::span<Genome> population, double probability, const Representation& representation,
+                    RandomStream& random) const;
+
+private:
+    bool (*fits_)(StringKind);
+    std::function<void(std::span<Genome>, double, const Representation&, RandomStream&)> mutate_;
+};
+
 /// How a string is changed by chance alone.
-class Mutation : public OneOf<BitMutation, DistanceMutation, GaussianMutation, BreederMutation, UniformMutation,
-                              SwapMutation, InversionMutation> {
+class Mutation : public OneOf<Mutation, BitMutation, DistanceMutation, GaussianMutation, BreederMutation,
+                              UniformMutation, SwapMutation, InversionMutation, OwnMutation> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed by chance alone";
-    static Mutation named(std::string_view text) { return read<Mutation>(text); }
 
     /// Each place of each string with the given probability: one number for the chance, and the way's own. A
     /// permutation of one place stays, and draws nothing. REQUIRES: fits(representation.kind()).

@@ -125,6 +125,35 @@ std::string PolicyDescription::text(const std::vector<double>& values) const {
     return fmt::format("{}({})", name, fmt::join(printed, ", "));
 }
 
+void OwnPolicy::refuse(const std::string& why) const {
+    throw UserError(fmt::format("the policy \"{}\": {}", description_.text(numbers_), why));
+}
+
+void OwnPolicy::require(bool right, const char* otherwise) {
+    if (!right)
+        throw UserError(otherwise);
+}
+
+void require_policy_fits(const PolicyDescription& added, std::string_view noun,
+                         const std::vector<PolicyDescription>& known) {
+    auto refuse = [&](const std::string& why) {
+        throw UserError(fmt::format("this program adds a policy \"{}\" for {}, but {}", added.name, noun, why));
+    };
+    auto may_be_in_a_name = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+    };
+    if (added.name.empty() || !std::ranges::all_of(added.name, may_be_in_a_name))
+        refuse("a name is made of a to z, 0 to 9, \".\" and \"-\"");
+    if (added.name == "usual" || std::ranges::count(known, added.name, &PolicyDescription::name) > 0)
+        refuse(fmt::format("that name is taken: give it another, such as \"own.{}\"",
+                           added.name.substr(added.name.rfind('.') + 1)));
+    try {
+        read_policy(added.text(), {added});
+    } catch (const UserError& wrong) {
+        refuse(wrong.what());
+    }
+}
+
 std::string PolicyDescription::text() const { return text(Arguments(*this).values()); }
 
 NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known) {

@@ -1,10 +1,14 @@
 #pragma once
 
-#include <array>
+#include "runtime/user_code.hpp"
+
+#include <concepts>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,7 +26,8 @@ namespace placedpar {
 //     };
 //
 // and a step is done by a OneOf<...> of them. Library and netlists name a policy by the same text:
-// "tournament", "tournament(3)", "tournament(size = 3)".
+// "tournament", "tournament(3)", "tournament(size = 3)". A program can add structs of its own to a step:
+// Step::add<TournamentReproduction>(), before anything else asks the step for its policies.
 
 /// A number of a policy, a double, a size or a bool (0 or 1): its name, where it lies, its range with both ends, and a
 /// line about it, with its unit.
@@ -116,28 +121,82 @@ Policy make_policy(const std::vector<double>& values) {
     return policy;
 }
 
-/// One of several policies; by default the first, with its own defaults.
-template <class... Policies>
+/// A policy that a program adds to those of a step. Each step that takes such lists, last of its policies, a class
+/// derived from this one, which keeps what the step asks of a policy behind functions: one indirect call for a whole
+/// population where the step works on one.
+class OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnPolicy(const Policy& policy) : description_(describe_policy<Policy>()), numbers_(numbers_of(policy)) {}
+
+    const PolicyDescription& description() const { return description_; }
+    const std::vector<double>& numbers() const { return numbers_; }
+
+protected:
+    /// What `work` gives. Throws UserError, which names the policy, for whatever it throws.
+    template <class Work>
+    auto tried(Work work) const {
+        try {
+            return work();
+        } catch (...) {
+            refuse(what_was_thrown());
+        }
+    }
+    /// Within tried(), of what the policy gave. Throws UserError.
+    static void require(bool right, const char* otherwise);
+
+private:
+    [[noreturn]] void refuse(const std::string& why) const;
+
+    PolicyDescription description_;
+    std::vector<double> numbers_;
+};
+
+/// Throws UserError: a name that is taken or cannot be asked for, a number whose default is out of its range, or one
+/// that is named twice.
+void require_policy_fits(const PolicyDescription& added, std::string_view noun,
+                         const std::vector<PolicyDescription>& known);
+
+/// One of several policies; by default the first, with its own defaults. Step is the class derived from this one.
+template <class Step, class... Policies>
 class OneOf {
 public:
+    /// What holds the policies that a program adds, if any may be added.
+    using Own = std::tuple_element_t<sizeof...(Policies) - 1, std::tuple<Policies...>>;
+
     OneOf() = default;
     template <class Policy>
     constexpr OneOf(Policy policy) requires(std::is_same_v<Policy, Policies> || ...) : policy_(std::move(policy)) {}
 
-    /// As read() takes it.
+    /// The step that a text names. Throws as read_policy().
+    static Step named(std::string_view text) {
+        NamedPolicy named = read_policy(text, descriptions());
+        return known()[named.index].make(named.numbers);
+    }
+    /// From now on a text can name this policy. Throws as require_policy_fits(). REQUIRES: called by one thread, before
+    /// a search begins.
+    template <class Policy>
+    static void add() requires std::derived_from<Own, OwnPolicy> {
+        PolicyDescription added = describe_policy<Policy>();
+        require_policy_fits(added, Step::noun, descriptions());
+        known().push_back({std::move(added),
+                           [](const std::vector<double>& numbers) { return Step(Own(make_policy<Policy>(numbers))); }});
+    }
+
+    /// As named() takes it.
     std::string text() const {
-        auto print = [](const auto& policy) {
-            return describe_policy<std::remove_cvref_t<decltype(policy)>>().text(numbers_of(policy));
-        };
-        return std::visit(print, policy_);
+        auto [described, numbers] = description();
+        return described.text(numbers);
     }
-    bool has_numbers() const {
-        auto any = []<class Policy>(const Policy&) {
-            return std::tuple_size_v<decltype(stated_numbers<Policy>())> > 0;
-        };
-        return std::visit(any, policy_);
+    /// Throws UserError: a policy that was made as a struct can have any number.
+    void require_numbers_in_range() const { read_policy(text(), {description().first}); }
+    /// Of all that there are: those of the house, then those that were added, in their order.
+    static std::vector<PolicyDescription> descriptions() {
+        std::vector<PolicyDescription> all;
+        for (const Known& each : known())
+            all.push_back(each.description);
+        return all;
     }
-    static std::vector<PolicyDescription> descriptions() { return {describe_policy<Policies>()...}; }
 
     /// Of steps whose policies say what they can work on: whether this one can, and the names of those that can.
     template <class Kind>
@@ -147,25 +206,46 @@ public:
     template <class Kind>
     static std::vector<std::string> fitting(Kind kind) {
         std::vector<std::string> names;
-        auto add = [&](bool fits, std::string_view name) {
-            if (fits)
-                names.emplace_back(name);
-        };
-        (add(Policies::fits(kind), Policies::name), ...);
+        for (const Known& each : known())
+            if (named(each.description.name).fits(kind))
+                names.push_back(each.description.name);
         return names;
     }
 
 protected:
-    /// The Step, a class derived from this one, that a text names. Throws as read_policy().
-    template <class Step>
-    static Step read(std::string_view text) {
-        NamedPolicy named = read_policy(text, descriptions());
-        constexpr std::array make{+[](const std::vector<double>& n) { return Step(make_policy<Policies>(n)); }...};
-        return make[named.index](named.numbers);
-    }
     constexpr const std::variant<Policies...>& policy() const { return policy_; }
 
 private:
+    std::pair<PolicyDescription, std::vector<double>> description() const {
+        auto describe = []<class Policy>(const Policy& policy) {
+            if constexpr (std::derived_from<Policy, OwnPolicy>)
+                return std::pair(policy.description(), policy.numbers());
+            else
+                return std::pair(describe_policy<Policy>(), numbers_of(policy));
+        };
+        return std::visit(describe, policy_);
+    }
+
+    /// A policy by name, and how the step is made of it.
+    struct Known {
+        PolicyDescription description;
+        std::function<Step(const std::vector<double>& numbers)> make;
+    };
+    static std::vector<Known>& known() {
+        static std::vector<Known> all = those_of_the_house();
+        return all;
+    }
+    static std::vector<Known> those_of_the_house() {
+        std::vector<Known> all;
+        auto list = [&]<class Policy>(std::type_identity<Policy>) {
+            if constexpr (!std::derived_from<Policy, OwnPolicy>)
+                all.push_back({describe_policy<Policy>(),
+                               [](const std::vector<double>& numbers) { return Step(make_policy<Policy>(numbers)); }});
+        };
+        (list(std::type_identity<Policies>()), ...);
+        return all;
+    }
+
     std::variant<Policies...> policy_;
 };
 

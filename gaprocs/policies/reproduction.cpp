@@ -98,6 +98,16 @@ Parents TournamentReproduction::operator()(std::span<const double> fitness, std:
     return parents;
 }
 
+Parents OwnReproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
+    return tried([&] {
+        Parents parents = choose_(fitness, count, random);
+        auto there_is = [&](std::size_t parent) { return parent < fitness.size(); };
+        require(!parents || (parents->size() == count && std::ranges::all_of(*parents, there_is)),
+                "it chose parents that there are not, or not as many as were asked for");
+        return parents;
+    });
+}
+
 Parents Reproduction::operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
     return std::visit([&](const auto& way) { return way(fitness, count, random); }, policy());
 }

@@ -3,7 +3,9 @@
 #include "gaprocs/policies/policy.hpp"
 #include "gaprocs/policies/roulette_wheel.hpp"
 
+#include <concepts>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -95,13 +97,25 @@ struct TournamentReproduction {
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
+/// A struct of a program's own with a call operator and needs_positive_fitness as those above: its parents are checked.
+class OwnReproduction : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnReproduction(Policy policy)
+        : OwnPolicy(policy), needs_positive_fitness(Policy::needs_positive_fitness), choose_(std::move(policy)) {}
+    bool needs_positive_fitness;
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
+
+private:
+    std::function<Parents(std::span<const double>, std::size_t, RandomStream&)> choose_;
+};
+
 /// How parents are chosen (thesis 1.1): the step of a genetic algorithm that makes the fit many.
-class Reproduction : public OneOf<RouletteReproduction, UniversalReproduction, ScaledReproduction, RankingReproduction,
-                                  TournamentReproduction> {
+class Reproduction : public OneOf<Reproduction, RouletteReproduction, UniversalReproduction, ScaledReproduction,
+                                  RankingReproduction, TournamentReproduction, OwnReproduction> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "selection", about = "how parents are chosen";
-    static Reproduction named(std::string_view text) { return read<Reproduction>(text); }
 
     /// Whether individuals of fitness <= 0 never become parents.
     bool needs_positive_fitness() const {

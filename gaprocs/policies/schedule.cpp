@@ -42,6 +42,18 @@ std::span<const std::size_t> AsynchronousSchedule::operator()(std::uint64_t,
     return neighbours;
 }
 
+std::span<const std::size_t> OwnSchedule::operator()(std::uint64_t exchange,
+                                                     std::span<const std::size_t> neighbours) const {
+    return tried([&] {
+        std::span<const std::size_t> chosen = choose_(exchange, neighbours);
+        const std::size_t *begin = neighbours.data(), *end = begin + neighbours.size();
+        require(chosen.empty() ||
+                    (!std::less<>()(chosen.data(), begin) && !std::less<>()(end, chosen.data() + chosen.size())),
+                "it gave neighbours that are no part of the list that it was given");
+        return chosen;
+    });
+}
+
 std::span<const std::size_t> Schedule::destinations(std::uint64_t generation,
                                                     std::span<const std::size_t> neighbours) const {
     if (!is_due(generation))
@@ -50,6 +62,8 @@ std::span<const std::size_t> Schedule::destinations(std::uint64_t generation,
 }
 
 std::vector<std::size_t> most_senders_at_once(const Schedule& schedule, const Neighbours& neighbours) {
+    if (schedule.is_own())
+        return most_senders_at_once(BroadcastSchedule{}, neighbours);
     std::vector<std::size_t> most(neighbours.size());
     std::uint64_t round = schedule.takes_turns() ? exchanges_of_a_round(neighbours) : 1;
     for (std::uint64_t exchange = 1; exchange <= round; ++exchange) {

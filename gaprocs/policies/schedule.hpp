@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -52,18 +53,38 @@ struct AsynchronousSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
+/// A struct of a program's own that has `every`, its first number, and a call operator as those above, which depends on
+/// nothing but what it is given: both ends of a channel ask it. The neighbours that it gives stand together in the
+/// list. Islands that exchange wait for each other.
+class OwnSchedule : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnSchedule(Policy policy) : OwnPolicy(policy), every(policy.every), choose_(policy) {
+        tried([&] {
+            require(every > 0 && !numbers().empty() && description().numbers.front().name == "every",
+                    "the first number of a schedule is `every`, 1 or more");
+        });
+    }
+    std::size_t every;
+    std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
+
+private:
+    std::function<std::span<const std::size_t>(std::uint64_t, std::span<const std::size_t>)> choose_;
+};
+
 /// When emigrants leave, and to whom they go.
-class Schedule : public OneOf<BroadcastSchedule, SequentialSchedule, AsynchronousSchedule> {
+class Schedule : public OneOf<Schedule, BroadcastSchedule, SequentialSchedule, AsynchronousSchedule, OwnSchedule> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "schedule",
                                       about = "when emigrants leave an island, and to which neighbours they go";
-    static Schedule named(std::string_view text) { return read<Schedule>(text); }
 
     /// Whether islands that exchange wait for each other, so that all are in the same generation.
     bool in_step() const { return !std::holds_alternative<AsynchronousSchedule>(policy()); }
     /// Whether emigrants go to one neighbour after the other, not always to all.
     bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
+    /// Whether a program added it: nobody knows when its turns begin anew.
+    bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
     /// Whether an exchange follows the evaluation of the given generation, counted from 1.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }
     /// Generations from one exchange to the next.
@@ -76,7 +97,8 @@ public:
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
 
-/// For each island from how many others immigrants come at once at the most. Looks at 10 000 exchanges, in which every
+/// For each island from how many others immigrants come at once at the most: with a schedule of a program's own from
+/// all of which it is a neighbour. Looks at 10 000 exchanges, in which every
 /// coincidence of the turns occurs unless islands have very odd numbers of neighbours.
 /// REQUIRES: neighbours as Topology::neighbours() gives them.
 std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);

@@ -3,6 +3,7 @@
 #include "gaprocs/policies/policy.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -88,13 +89,25 @@ struct GivenTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
+/// A struct of a program's own with a call operator as those above: what it gives is checked as GivenTopology's lists.
+class OwnTopology : public OwnPolicy {
+public:
+    template <class Policy>
+    explicit OwnTopology(Policy policy) : OwnPolicy(policy), neighbours_(std::move(policy)) {}
+    Neighbours operator()(std::size_t islands) const {
+        return tried([&] { return GivenTopology{neighbours_(islands)}(islands); });
+    }
+
+private:
+    std::function<Neighbours(std::size_t)> neighbours_;
+};
+
 /// Which islands exchange individuals.
-class Topology : public OneOf<RingTopology, HypercubeTopology, TorusTopology, StarTopology, CompleteTopology,
-                              NoTopology, GivenTopology> {
+class Topology : public OneOf<Topology, RingTopology, HypercubeTopology, TorusTopology, StarTopology, CompleteTopology,
+                              NoTopology, GivenTopology, OwnTopology> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "topology", about = "which islands exchange individuals";
-    static Topology named(std::string_view text) { return read<Topology>(text); }
 
     bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }
     /// False for "none".

@@ -38,12 +38,15 @@ void set_policy(Step& usual, const std::string& text) {
 /// None where all are drawn by the search.
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
-    if (initial.empty() || initial == RandomStart::name)
-        return {};
-    if (initial != SpreadStart::name)
-        return load_population(initial, problem.representation());
-    RandomStream random = environment.random_stream(stream_name(environment) + " spread");
-    return spread_population(size(environment, "population"), problem, random);
+    std::string name = initial.substr(0, initial.find('('));
+    if (std::ranges::count(InitialPopulation::descriptions(), name, &PolicyDescription::name) == 0)
+        return initial.empty() ? std::vector<Genome>() : load_population(initial, problem.representation());
+    InitialPopulation begin = InitialPopulation::named(initial);
+    RandomStream random = environment.random_stream(stream_name(environment) + " " + name);
+    if (begin.is_spread())
+        return spread_population(size(environment, "population"), problem, random);
+    return begin.own() ? (*begin.own())(size(environment, "population"), problem.representation(), random)
+                       : std::vector<Genome>();
 }
 
 std::size_t bits_of_field(const std::string& word) {

@@ -208,6 +208,24 @@ std::string Representation::text(const Genome& genome) const {
     return std::visit([&](const auto& each) { return text_of(each, genome); }, of_);
 }
 
+bool Representation::holds(std::span<const Genome> strings) const {
+    auto is_one = [&](const Genome& genome) {
+        if (genome.size() != bits() || kind() == StringKind::binary)
+            return genome.size() == bits();
+        if (kind() == StringKind::permutation) {
+            std::vector<std::size_t> places = permutation().decode(genome);
+            std::ranges::sort(places);
+            return places.back() < places.size() && std::ranges::adjacent_find(places) == places.end();
+        }
+        for (std::size_t i = 0; i < reals().parameters(); ++i)
+            if (double value = reals().value(genome, i);
+                !(value >= reals().range(i).low && value <= reals().range(i).high))
+                return false;
+        return true;
+    };
+    return std::ranges::all_of(strings, is_one);
+}
+
 Genome Representation::read(std::string_view text) const {
     return std::visit([&](const auto& each) { return read_string(each, text); }, of_);
 }

@@ -101,6 +101,9 @@ public:
     Genome random(RandomStream& random) const;
     std::vector<Genome> random_population(std::size_t count, RandomStream& random) const;
 
+    /// Whether all are strings of this representation: of its length, each number in its range, each place once.
+    bool holds(std::span<const Genome> strings) const;
+
     /// How far apart two strings are: the bits in which they differ; the Euclidean distance of numbers that are
     /// measured in their ranges; the neighbours in one closed tour that are none in the other. REQUIRES: strings of
     /// this representation.

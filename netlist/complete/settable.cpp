@@ -3,6 +3,7 @@
 #include "netlist/complete/declared_type.hpp"
 #include "netlist/elaborate/attributes.hpp"
 #include "netlist/network/names.hpp"
+#include "text/program_name.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,7 +27,7 @@ std::string list_of_members(const Settable& element) {
     std::vector<std::string> names = element.members();
     bool cut = names.size() > most_names_in_a_list && element.kind != nullptr;
     return list_of(std::move(names), most_names_in_a_list) +
-           (cut ? fmt::format(", see placedpar kinds {}", element.kind->name) : "");
+           (cut ? fmt::format(", see {} kinds {}", program_name(), element.kind->name) : "");
 }
 
 std::vector<std::string> members_of(const Node& node) {

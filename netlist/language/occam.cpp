@@ -24,7 +24,7 @@ constexpr const char* hint_for(Dialect dialect) {
                "to p1.link[1]; and for what runs there, use \"KIND\" for name; place name on p0;";
     default:
         return "programs in occam are not run: a netlist says of which kind a process is, use \"KIND\" for name; "
-               "placedpar kinds lists the kinds, and one of your own is written in C++";
+               "the command kinds lists the kinds, and one of your own is written in C++";
     }
 }
 

@@ -3,8 +3,10 @@
 #include "netlist/read.hpp"
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
+#include "text/program_name.hpp"
 #include "text/user_error.hpp"
 #include "workbench/generate/job.hpp"
+#include "workbench/generate/size.hpp"
 #include "workbench/generate/statements.hpp"
 
 #include <fmt/format.h>
@@ -23,8 +25,9 @@ void require_port(const ProcessKind& kind, const std::string& port, Direction di
 Job job_of_kind(const Wish& wish, const Catalogue& catalogue, const Topology& topology) {
     const ProcessKind* kind = catalogue.find(wish.job);
     if (!kind)
-        throw UserError(there_is_no("kind of process", wish.job, catalogue.kind_names(),
-                                    "expected farm, islands, or a name that placedpar kinds lists"));
+        throw UserError(
+            there_is_no("kind of process", wish.job, catalogue.kind_names(),
+                        fmt::format("expected farm, islands, or a name that {} kinds lists", program_name())));
     require_port(*kind, wish.output, Direction::output, "--output");
     require_port(*kind, wish.input, Direction::input, "--input");
     return processes_of(wish.job, kind->port("from_host") != nullptr, wish.output, wish.input, topology);
@@ -67,8 +70,14 @@ std::string body_of(const Wish& wish, const Job& job, const Topology& topology) 
                        host);
 }
 
-Network read(const std::string& text, const Catalogue& catalogue) {
+/// A channel is written out wire by wire.
+Network read(const Wish& wish, const std::string& text, const Catalogue& catalogue) {
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");
+    for (const Diagnostic& each : result.diagnostics)
+        if (each.message.starts_with("the network is too large"))
+            refuse_size(wish,
+                        "its channels pass through so many processors that the netlist, written out, would be too "
+                        "large; say fewer, or a topology of a smaller diameter");
     if (!result.network)
         throw RefusedInput(render(result));
     return std::move(*result.network);
@@ -79,7 +88,7 @@ std::string option(const char* name, const std::optional<std::size_t>& value) {
 }
 
 std::string command_of(const Wish& wish) {
-    std::string text = fmt::format("placedpar generate {} --size {}{}{}{} --job {}", wish.topology, wish.size,
+    std::string text = fmt::format("{} generate {} --size {}{}{}{} --job {}", program_name(), wish.topology, wish.size,
                                    option("--branches", wish.branches), option("--chord", wish.chord),
                                    option("--degree", wish.degree), wish.job);
     Wish usual;
@@ -103,7 +112,7 @@ Generated generate(const Wish& wish, const Catalogue& catalogue) {
     Topology topology = topology_of(wish);
     Job job = job_of(wish, catalogue, topology);
     std::string body = body_of(wish, job, topology);
-    Distances distances = distances_in(read(body, catalogue));
+    Distances distances = distances_in(read(wish, body, catalogue));
     return {heading_of(wish, job, topology, distances) + body, distances};
 }
 

@@ -27,11 +27,12 @@ const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
 
 std::string use(const char* kind, const char* process) { return fmt::format("use \"{}\" for {};\n", kind, process); }
 
-/// The split of a population of 120, of which an island needs as many as can come at once from four neighbours.
-std::string population_of(const char* islands) {
-    return fmt::format("val population 120 / {0} > 4 ? 120 / {0} : 4; /* of each island */\n"
+/// The split of a population of 120, of which an island needs as many as can come at once from four neighbours, and
+/// more than it has slaves.
+std::string population_of(const char* islands, const char* least) {
+    return fmt::format("val population 120 / {0} > {1} ? 120 / {0} : {1}; /* of each island */\n"
                        "val exchange_every 3;           /* generations between exchanges */\n",
-                       islands);
+                       islands, least);
 }
 
 } // namespace
@@ -65,7 +66,7 @@ Job islands(const Topology& topology) {
     statements += print_channels(topology, "island", "to_neighbours", "from_neighbours");
     return {.has_host = true,
             .about = "Islands: one on every processor, which exchanges individuals with its neighbours.",
-            .vals = workload + population_of("nodes"),
+            .vals = workload + population_of("nodes", "4"),
             .statements = statements};
 }
 
@@ -100,7 +101,7 @@ Job islands_with_slaves() {
     return {.has_host = true,
             .about = "Islands that are masters: one at the head of each chain, its slaves along it; each sends "
                      "individuals to the next one in the ring.",
-            .vals = workload + population_of("clusters"),
+            .vals = workload + population_of("clusters", "slaves + 4"),
             .statements = statements};
 }
 

@@ -2,6 +2,7 @@
 
 #include "text/counted.hpp"
 #include "text/paint.hpp"
+#include "text/program_name.hpp"
 
 #include <fmt/format.h>
 
@@ -176,7 +177,7 @@ std::string print_paths(const std::vector<PathPart>& start, const std::vector<Pa
 }
 
 std::string command_of(const Study& study, const Overrides& settings) {
-    std::string out = "placedpar run " + shell_word(study.netlist);
+    std::string out = program_name() + " run " + shell_word(study.netlist);
     for (const auto& [name, value] : settings)
         out += option("--set", name + "=" + value);
     for (const std::filesystem::path& folder : study.read.include_folders)

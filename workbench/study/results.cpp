@@ -1,6 +1,7 @@
 #include "workbench/study/results.hpp"
 
 #include "text/load_source.hpp"
+#include "text/program_name.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 #include "workbench/manifest.hpp"
@@ -97,7 +98,7 @@ StudyResults::StudyResults(const std::filesystem::path& path, const StudySource&
     : path_(path) {
     require_no_folder(path);
     make_file(path);
-    lock_.emplace(path, path.string(), "placedpar sweep or optimise");
+    lock_.emplace(path, path.string(), program_name() + " sweep or optimise");
     guarded([&] {
         database_.emplace(path);
         require_ours();
@@ -114,13 +115,13 @@ StudyResults::StudyResults(const std::filesystem::path& path, const StudySource&
 
 StudyResults::StudyResults(const std::filesystem::path& path) : path_(path) {
     if (!std::filesystem::exists(path))
-        throw UserError(fmt::format("{}: there is no such file; placedpar sweep makes it", path.string()));
+        throw UserError(fmt::format("{}: there is no such file; {} sweep makes it", path.string(), program_name()));
     require_no_folder(path);
     guarded([&] {
         database_.emplace(path);
         require_ours();
         if (database_->integer("SELECT count(*) FROM sqlite_schema") == 0)
-            throw UserError(fmt::format("{}: it is empty; placedpar sweep adds runs to it", path_.string()));
+            throw UserError(fmt::format("{}: it is empty; {} sweep adds runs to it", path_.string(), program_name()));
     });
 }
 

@@ -1,0 +1,24 @@
+#include "runtime/user_code.hpp"
+
+#include "runtime/history.hpp"
+#include "runtime/kernel.hpp"
+
+#include <exception>
+
+namespace placedpar {
+
+std::string what_was_thrown() {
+    try {
+        throw;
+    } catch (const Unwinding&) {
+        throw;
+    } catch (const Departure&) {
+        throw;
+    } catch (const std::exception& thrown) {
+        return thrown.what();
+    } catch (...) {
+        return "an exception that is not a std::exception";
+    }
+}
+
+} // namespace placedpar
