@@ -14,6 +14,8 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace placedpar {
@@ -81,8 +83,11 @@ std::vector<double> numbers_outside_of_strings(const std::string& json) {
         else if (*at == '"')
             quoted = !quoted;
         else if (double number = 0; !quoted && (*at == '-' || std::isdigit(static_cast<unsigned char>(*at)))) {
-            at = std::from_chars(at, end, number).ptr - 1;
+            auto [stop, error] = std::from_chars(at, end, number);
+            if (error != std::errc())
+                throw std::out_of_range("a number is beyond the range of a double");
             numbers.push_back(number);
+            at = stop - 1;
         }
     }
     return numbers;
@@ -116,8 +121,12 @@ StudyFigures figures_from(const std::string& text) {
     const boost::json::value json = boost::json::parse(text);
     StudyFigures figures;
     std::size_t number = 0;
-    for (const auto& [name, value] : json.as_object())
-        figures[std::string(name)] = {numbers.at(number++), std::string(value.as_array().at(1).as_string())};
+    for (const auto& [name, value] : json.as_object()) {
+        const boost::json::array& figure = value.as_array();
+        if (figure.size() != 2 || !figure[0].is_number())
+            throw std::out_of_range("a figure is a number and its unit");
+        figures[std::string(name)] = {numbers.at(number++), std::string(figure[1].as_string())};
+    }
     return figures;
 }
 

@@ -26,7 +26,7 @@ StudyFigures figures_of(const RunReport&, const Network&);
 
 /// JSON: {"time":[8.9,"ms"], ...}.
 std::string figures_text(const StudyFigures&);
-/// The same to the last bit. REQUIRES: figures_text() made it.
+/// The same to the last bit. Throws std::exception where figures_text() did not make it.
 StudyFigures figures_from(const std::string&);
 
 /// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean of all processes of
