@@ -8,6 +8,7 @@ import sqlite3
 def opened(path):
     """A database, closed in the end."""
     with contextlib.closing(sqlite3.connect(path)) as database:
+        database.text_factory = lambda text: text.decode("utf-8", "surrogateescape")  # names of files are bytes
         with database:
             yield database
 
@@ -15,7 +16,7 @@ def opened(path):
 def checksum(*texts):
     """Of text/checksum.hpp: CRC-64 of ECMA-182, each text behind its length; signed, as SQLite has it."""
     crc = 2 ** 64 - 1
-    for text in map(lambda each: each.encode(), texts):
+    for text in map(lambda each: each.encode("utf-8", "surrogateescape"), texts):
         for byte in len(text).to_bytes(8, "little") + text:
             crc ^= byte
             for _ in range(8):

@@ -109,6 +109,10 @@ StudyFigures figures_of(const RunReport& report, const Network& network) {
     return figures;
 }
 
+boost::json::value read_kept_json(const std::string& text) {
+    return boost::json::parse(text, {}, {.allow_invalid_utf8 = true});
+}
+
 std::string figures_text(const StudyFigures& figures) {
     boost::json::object json;
     for (const auto& [name, figure] : figures)
@@ -118,7 +122,7 @@ std::string figures_text(const StudyFigures& figures) {
 
 StudyFigures figures_from(const std::string& text) {
     const std::vector<double> numbers = numbers_outside_of_strings(text);
-    const boost::json::value json = boost::json::parse(text);
+    const boost::json::value json = read_kept_json(text);
     StudyFigures figures;
     std::size_t number = 0;
     for (const auto& [name, value] : json.as_object()) {

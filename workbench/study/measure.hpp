@@ -5,6 +5,8 @@
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 
+#include <boost/json.hpp>
+
 #include <map>
 #include <optional>
 #include <set>
@@ -23,6 +25,9 @@ struct StudyFigure {
 /// processes measured, "master[0].T_exe", and how busy the processors were, "t[0][1].busy" in percent.
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&);
+
+/// JSON in which texts are the bytes that they were, whether these are UTF-8 or not. Throws std::exception.
+boost::json::value read_kept_json(const std::string&);
 
 /// JSON: {"time":[8.9,"ms"], ...}.
 std::string figures_text(const StudyFigures&);

@@ -40,7 +40,7 @@ constexpr int columns_checked = 9, checksum_column = 9;
 
 std::string settings_json(const Overrides& set) { return boost::json::serialize(boost::json::value_from(set)); }
 
-Overrides settings_from(const std::string& text) { return boost::json::value_to<Overrides>(boost::json::parse(text)); }
+Overrides settings_from(const std::string& text) { return boost::json::value_to<Overrides>(read_kept_json(text)); }
 
 std::string options_of(const Study& study) {
     boost::json::object programs;
@@ -379,7 +379,7 @@ void StudyResults::set_measures(const std::vector<std::string>& measures) {
 }
 
 std::vector<std::string> StudyResults::measures() {
-    return parsed([&] { return boost::json::value_to<std::vector<std::string>>(boost::json::parse(head_.measures)); });
+    return parsed([&] { return boost::json::value_to<std::vector<std::string>>(read_kept_json(head_.measures)); });
 }
 
 std::string StudyResults::netlist() { return head_.source.netlist; }
