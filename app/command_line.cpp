@@ -6,6 +6,7 @@
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/paint.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 #include "workbench/manifest.hpp"
 
@@ -110,7 +111,7 @@ ExitCode parse(CLI::App& app, int argc, char** argv) {
         std::ostringstream help, wrong;
         bool asked_for_help = app.exit(error, help, wrong) == 0;
         print_out(help.str());
-        fmt::print(stderr, "{}", painted(Paint::error, wrong.str()));
+        print_error(painted(Paint::error, wrong.str()));
         return asked_for_help ? ExitCode::success : ExitCode::bad_input;
     }
 }
@@ -124,10 +125,9 @@ ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
 }
 
 ExitCode report_defect(const std::string& what) {
-    fmt::print(stderr,
-               "{} defect of PlacedPar: {}\n"
-               "please report it, with the command and the files that it was given\n",
-               painted(Paint::error, program_name() + ":"), what);
+    print_error(fmt::format("{} defect of PlacedPar: {}\n"
+                            "please report it, with the command and the files that it was given\n",
+                            painted(Paint::error, program_name() + ":"), what));
     return ExitCode::defect;
 }
 
@@ -161,13 +161,13 @@ ExitCode report_error() {
     try {
         throw;
     } catch (const RefusedInput& refused) {
-        fmt::print(stderr, "{}", refused.what());
+        print_error(refused.what());
     } catch (const UserError& error) {
-        fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), error.what());
+        print_error(fmt::format("{} {}\n", painted(Paint::error, program_name() + ":"), error.what()));
     } catch (const std::system_error& error) {
-        fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), error.what());
+        print_error(fmt::format("{} {}\n", painted(Paint::error, program_name() + ":"), error.what()));
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "{} there is not enough memory\n", painted(Paint::error, program_name() + ":"));
+        print_error(fmt::format("{} there is not enough memory\n", painted(Paint::error, program_name() + ":")));
     } catch (...) {
         return report_defect(what_was_thrown());
     }
@@ -216,6 +216,7 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
 const std::vector<Command>& commands() { return commands_of_program(); }
 
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv, const std::function<void()>& begin) {
+    hold_closed_streams();
     choose_paint();
     std::set_terminate(report_termination);
     Action chosen;

@@ -1,28 +1,25 @@
 #include "app/standard_error.hpp"
 
-#include <fmt/format.h>
+#include "text/output_file.hpp"
 
 #include <unistd.h>
 
-#include <cstdio>
-
 namespace placedpar {
 
-void print_warnings(const std::string& warnings) { fmt::print(stderr, "{}", warnings); }
+void print_warnings(const std::string& warnings) { print_error(warnings); }
 
 Progress::Progress() : terminal_(::isatty(STDERR_FILENO)) {}
 
 void Progress::show(const std::string& what) {
     if (terminal_ && what != shown_) {
         shown_ = what;
-        fmt::print(stderr, "\r\033[K{} ...", what);
-        std::fflush(stderr);
+        print_error(what + " ...", "\r\033[K");
     }
 }
 
 void Progress::clear() {
     if (terminal_)
-        fmt::print(stderr, "\r\033[K");
+        print_error("", "\r\033[K");
 }
 
 } // namespace placedpar

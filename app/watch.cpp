@@ -1,5 +1,6 @@
 #include "app/watch.hpp"
 
+#include "text/output_file.hpp"
 #include "workbench/live_curve.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -62,7 +62,7 @@ void Watch::say_milestone() {
         return;
     next_milestone_ = milestone_after(next_milestone_);
     said_ = state_of(log_);
-    fmt::print(stderr, "{}, {}\n", heading_, said_);
+    print_error(fmt::format("{}, {}\n", heading_, said_));
 }
 
 void Watch::draw() {
@@ -70,11 +70,10 @@ void Watch::draw() {
     std::size_t rows = std::clamp<std::size_t>(screen.rows, 8, 19) - 6;
     auto lines = live_curve(log_, screen.columns - 1, rows);
     lines.insert(lines.begin(), heading_.substr(0, screen.columns - 1));
-    std::string out = lines_ > 0 ? fmt::format("\r\033[{}A\033[J", lines_) : "";
+    std::string out;
     for (const std::string& line : lines)
         out += line + "\n";
-    std::fputs(out.c_str(), stderr);
-    std::fflush(stderr);
+    print_error(out, lines_ > 0 ? fmt::format("\r\033[{}A\033[J", lines_) : "");
     lines_ = lines.size();
     drawn_ = Clock::now();
 }
@@ -83,7 +82,7 @@ void Watch::finish() {
     if (terminal_)
         draw();
     else if (std::string last = state_of(log_); !last.empty() && last != said_)
-        fmt::print(stderr, "{}, {}\n", heading_, last);
+        print_error(fmt::format("{}, {}\n", heading_, last));
 }
 
 } // namespace placedpar

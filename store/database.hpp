@@ -36,6 +36,8 @@ public:
 
     /// Any number of statements without parameters, whose results nobody wants.
     void run(const std::string& sql);
+    /// Ends the transaction, as if it had not begun, if one is under way.
+    void roll_back() noexcept;
     /// The first column of the first row; 0 or "" when there is none.
     std::int64_t integer(const std::string& sql);
     std::string text(const std::string& sql);

@@ -51,10 +51,15 @@ void require_writable(const std::filesystem::path&);
 /// input and standard output, both "-", are two.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
-/// Writes to standard output, at once; to standard error where a file takes standard output. Throws UserError when it
-/// could not be written whole: everything that a command prints goes through here, so that a report that a full disk
+/// Writes to standard output, at once; as print_error() does where a file takes standard output. Throws UserError when
+/// it could not be written whole: everything that a command prints goes through here, so that a report that a full disk
 /// has lost is not taken for a success. A reader that has gone, as `head` does, loses nothing that it wants, and the
-/// command goes on to write its files. REQUIRES: SIGPIPE is ignored.
+/// command goes on to write its files. Control characters that came with names and messages are shown, and move no
+/// terminal: escaped_but_paint(). REQUIRES: SIGPIPE is ignored.
 void print_out(std::string_view text);
+
+/// Writes to standard error, in the same way, behind what is to move the terminal. Where that cannot be written, the
+/// text is lost, and everything else goes on as it would.
+void print_error(std::string_view text, std::string_view control = "") noexcept;
 
 } // namespace placedpar

@@ -19,4 +19,7 @@ void set_painted(PaintedStream, bool painted);
 /// the start stay outside.
 std::string painted(Paint, std::string_view text);
 
+/// escaped(), but for ends of lines and what painted() has put around texts: as terminals may have what is printed.
+std::string escaped_but_paint(std::string_view text);
+
 } // namespace placedpar

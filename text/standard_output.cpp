@@ -1,4 +1,5 @@
 #include "text/output_file.hpp"
+#include "text/paint.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
@@ -7,16 +8,31 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <new>
+#include <string>
 
 namespace placedpar {
 
+namespace {
+
+bool write_to(std::FILE* stream, std::string_view text) {
+    return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
+}
+
+} // namespace
+
 void print_out(std::string_view text) {
-    std::FILE* out = standard_output_takes_a_file() ? stderr : stdout;
-    if (std::fwrite(text.data(), 1, text.size(), out) == text.size() && std::fflush(out) == 0)
-        return;
-    if (errno != EPIPE)
-        throw UserError(
-            fmt::format("standard {} cannot be written: {}", out == stdout ? "output" : "error", std::strerror(errno)));
+    if (standard_output_takes_a_file())
+        return print_error(text);
+    if (!write_to(stdout, escaped_but_paint(text)) && errno != EPIPE)
+        throw UserError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+}
+
+void print_error(std::string_view text, std::string_view control) noexcept {
+    try {
+        write_to(stderr, std::string(control) + escaped_but_paint(text));
+    } catch (const std::bad_alloc&) { // it is lost, as on a full disk
+    }
 }
 
 } // namespace placedpar

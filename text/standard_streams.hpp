@@ -19,4 +19,8 @@ std::string shown_output(const std::filesystem::path&);
 void give_standard_output_to_a_file();
 bool standard_output_takes_a_file();
 
+/// Takes the places of standard input, output and error where they are closed, so that no file that is opened later
+/// gets what is printed. Reading and writing there goes wrong as before.
+void hold_closed_streams();
+
 } // namespace placedpar

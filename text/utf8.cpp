@@ -56,20 +56,45 @@ std::string as_utf8(std::string_view text) {
     return result;
 }
 
-std::string as_markup(std::string_view text) {
+namespace {
+
+/// The text in UTF-8, with other words for some of its characters: those for which `word` has one.
+template <class Word>
+std::string reworded(std::string_view text, Word word) {
+    const std::string utf8 = as_utf8(text);
     std::string result;
-    for (char c : as_utf8(text))
-        switch (c) {
-        case '<': result += "&lt;"; break;
-        case '>': result += "&gt;"; break;
-        case '&': result += "&amp;"; break;
-        case '"': result += "&quot;"; break;
-        default: result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-        }
+    for (std::size_t at = 0; at < utf8.size();) {
+        auto [code, bytes] = first_character(std::string_view(utf8).substr(at));
+        const std::string instead = word(code);
+        result += instead.empty() ? utf8.substr(at, bytes) : instead;
+        at += bytes;
+    }
     return result;
 }
 
+} // namespace
+
+std::string as_markup(std::string_view text) {
+    return reworded(text, [](char32_t code) -> std::string {
+        switch (code) {
+        case '<': return "&lt;";
+        case '>': return "&gt;";
+        case '&': return "&amp;";
+        case '"': return "&quot;";
+        default: return is_control(code) || code == '\t' || code == 0xfffe || code == 0xffff ? "?" : "";
+        }
+    });
+}
+
+std::string as_json(std::string_view json) {
+    return reworded(json, [](char32_t code) {
+        return is_control(code) && code != '\n' ? fmt::format("\\u{:04x}", static_cast<unsigned>(code)) : "";
+    });
+}
+
 std::string escaped(std::string_view text) {
+    if (std::ranges::all_of(text, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; }))
+        return std::string(text);
     std::string result;
     while (!text.empty()) {
         auto [code, bytes] = first_character(text);

@@ -22,6 +22,10 @@ std::string as_utf8(std::string_view text);
 /// them, and bytes as in as_utf8(). Control characters, which they do not have, are shown as `?`.
 std::string as_markup(std::string_view text);
 
+/// A text of JSON as others may read it, and terminals show it: bytes as in as_utf8(), and the control characters that
+/// JSON lets pass written as `\u009b`. REQUIRES: the others are written so already.
+std::string as_json(std::string_view json);
+
 /// The text as a terminal may have it: control characters, and bytes that are no UTF-8, as `\x1b`. Tabs stay.
 std::string escaped(std::string_view text);
 

@@ -1,5 +1,7 @@
 #include "workbench/manifest.hpp"
 
+#include "text/utf8.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -109,6 +111,6 @@ private:
 
 } // namespace
 
-std::string print_pretty(const boost::json::value& value) { return PrettyPrinter().print(value); }
+std::string print_pretty(const boost::json::value& value) { return as_json(PrettyPrinter().print(value)); }
 
 } // namespace placedpar

@@ -1,5 +1,7 @@
 #include "workbench/plot.hpp"
 
+#include "text/utf8.hpp"
+
 #include <fmt/format.h>
 
 namespace placedpar {
@@ -9,7 +11,7 @@ namespace {
 /// In quotes, for labels have commas.
 std::string quoted_cell(const std::string& text) {
     std::string quoted;
-    for (char character : text)
+    for (char character : escaped(text))
         quoted += character == '"' ? "\"\"" : std::string(1, character);
     return '"' + quoted + '"';
 }

@@ -1,5 +1,6 @@
 #include "workbench/plot.hpp"
 
+#include "text/utf8.hpp"
 #include "workbench/curve_style.hpp"
 #include "workbench/cut_off.hpp"
 #include "workbench/gnuplot.hpp"
@@ -20,10 +21,11 @@ constexpr int plot_width = 960, title_height = 44, panel_height = 390, left_marg
 constexpr int legend_sample = 70, legend_letter = 9; // of the widest of the fonts that a viewer may take
 
 /// A gnuplot string, in which nothing but the quote means anything.
-std::string quoted(const std::string& text) {
+std::string quoted(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
     std::string out = "'";
-    for (char character : text)
-        out += character == '\'' ? "''" : std::string(1, character == '\n' ? ' ' : character);
+    for (char character : escaped(text))
+        out += character == '\'' ? "''" : std::string(1, character);
     return out + "'";
 }
 

@@ -3,18 +3,19 @@
 #include "gaprocs/fitness.hpp"
 #include "identification/on_line/link_estimate.hpp"
 #include "monitor/service/service.hpp"
+#include "text/number.hpp"
 #include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <type_traits>
@@ -39,10 +40,8 @@ void add_number(CLI::App& command, const std::string& group, const char* name, N
                 Bounds bounds, const char* about) {
     constexpr bool whole = std::is_integral_v<Number>;
     auto refuse = [bounds](const std::string& text) {
-        double number = 0;
-        auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        bool good = error == std::errc() && end == text.data() + text.size() && number >= bounds.least &&
-                    number <= bounds.greatest;
+        std::optional<double> number = parse_number<double>(text);
+        bool good = number && *number >= bounds.least && *number <= bounds.greatest;
         if (whole)
             good = good && text.find_first_not_of("0123456789") == text.npos && (text[0] != '0' || text == "0");
         return good ? std::string()

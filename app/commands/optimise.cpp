@@ -224,8 +224,8 @@ void print_optimum(Session& session, const Optimum& optimum, const StudySummary&
 ExitCode end_of(const Session& session) {
     if (!session.interruption.requested())
         return ExitCode::success;
-    fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
-               session.results.path().string());
+    print_error(fmt::format("interrupted; the runs that ended are in {}: the same command goes on from them\n",
+                            session.results.path().string()));
     return ExitCode::interrupted;
 }
 

@@ -154,7 +154,7 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     write_files(result, options, typed);
     return result.within_tolerance() ? ExitCode::success : ExitCode::missed_tolerance;
 } catch (const UnfinishedRun& unfinished) {
-    fmt::print(stderr, "placedpar: {}\n{}", unfinished.what(), what_is_left(options, unfinished));
+    print_error(fmt::format("placedpar: {}\n{}", unfinished.what(), what_is_left(options, unfinished)));
     return exit_code_of(unfinished.ending);
 }
 

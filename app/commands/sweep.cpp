@@ -127,8 +127,8 @@ private:
 };
 
 void say_interrupted(const StudyResults& results) {
-    fmt::print(stderr, "interrupted; the runs that ended are in {}: the same command goes on from them\n",
-               results.path().string());
+    print_error(fmt::format("interrupted; the runs that ended are in {}: the same command goes on from them\n",
+                            results.path().string()));
 }
 
 /// No more than there is work for.

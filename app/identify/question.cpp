@@ -3,13 +3,14 @@
 #include "identification/compliance_search.hpp"
 #include "identification/offset_calibration.hpp"
 #include "identification/on_line/population_sets.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace placedpar {
@@ -24,12 +25,11 @@ std::optional<AreasFrom> areas_asked(const IdentifyOptions& options) {
 }
 
 double offset_asked(const std::string& text) {
-    double inches = 0;
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), inches);
-    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(inches) <= greatest_spool_offset_in))
+    std::optional<double> inches = parse_number<double>(text);
+    if (!inches || !(std::abs(*inches) <= greatest_spool_offset_in))
         throw UserError(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}", text,
                                     greatest_spool_offset_in, greatest_spool_offset_in));
-    return inches;
+    return *inches;
 }
 
 RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const ChannelSet&)> links) {

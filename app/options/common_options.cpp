@@ -1,9 +1,11 @@
 #include "app/options/common_options.hpp"
 
+#include "text/number.hpp"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <limits>
+#include <optional>
 
 namespace placedpar {
 
@@ -12,11 +14,9 @@ std::string not_a_whole_number(const std::string& text) {
 }
 
 std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most) {
-    std::uint64_t number = 0;
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
     bool octal = text.size() > 1 && text[0] == '0'; // to CLI11
-    bool right =
-        error == std::errc() && end == text.data() + text.size() && !octal && number >= least && number <= most;
+    bool right = number && !octal && *number >= least && *number <= most;
     return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
 }
 

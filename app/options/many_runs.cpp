@@ -2,6 +2,7 @@
 
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
+#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -53,10 +54,10 @@ bool are_meant(const RunsAhead& ahead, const Interruption& interruption) {
                         counted(ahead.at_once, "core"));
     if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
         throw UserError(many + "; --yes begins with them");
-    fmt::print(stderr, "{}. Begin? [y/N] ", many);
+    print_error(fmt::format("{}. Begin? [y/N] ", many));
     std::string answer;
     if (!wait_for_answer(interruption) || !std::getline(std::cin, answer))
-        fmt::print(stderr, "\n"); // no answer ended the line
+        print_error("\n"); // no answer ended the line
     return lower_case(answer).starts_with("y");
 }
 

@@ -1,6 +1,7 @@
 #include "gaprocs/policies/policy.hpp"
 
 #include "text/nearest.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/algorithm/string/trim.hpp>
@@ -8,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -57,14 +57,13 @@ std::size_t index_of(std::string_view name, const std::vector<PolicyDescription>
 }
 
 double read_number(std::string_view text, const PolicyNumberDescription& number) {
-    double value = 0;
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || error != std::errc() || end != text.data() + text.size())
+    std::optional<double> value = parse_number<double>(text);
+    if (!value)
         throw UserError(fmt::format("\"{}\" is no number: {}", text, range_of(number)));
-    bool fits = value >= number.least && value <= number.most && (!number.whole || value == std::floor(value));
+    bool fits = *value >= number.least && *value <= number.most && (!number.whole || *value == std::floor(*value));
     if (!fits)
         throw UserError(fmt::format("{} = {} is out of range: {}", number.name, text, range_of(number)));
-    return value;
+    return *value;
 }
 
 /// The arguments of one policy.

@@ -6,12 +6,12 @@
 #include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <sstream>
 #include <system_error>
@@ -50,10 +50,8 @@ std::vector<Genome> read_initial_population(const ProcessEnvironment& environmen
 }
 
 std::size_t bits_of_field(const std::string& word) {
-    std::size_t bits = 0;
-    const char* end = word.data() + word.size();
-    auto [read, error] = std::from_chars(word.data(), end, bits);
-    if (error != std::errc() || read != end || bits < 1 || bits > 63)
+    std::size_t bits = parse_number<std::size_t>(word).value_or(0);
+    if (bits < 1 || bits > 63)
         throw UserError(
             fmt::format("expected the bits of each field, numbers from 1 to 63 such as \"2 7 7\", not \"{}\"", word));
     return bits;

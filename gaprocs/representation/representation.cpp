@@ -2,6 +2,7 @@
 
 #include "runtime/random.hpp"
 #include "text/counted.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/algorithm/string/classification.hpp>
@@ -13,9 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -87,10 +88,10 @@ std::vector<T> read_numbers(std::string_view text, std::size_t count) {
         throw UserError(fmt::format("\"{}\" has {}, expected {}", trimmed, counted(words.size(), "number"), count));
     std::vector<T> numbers(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const char* end = words[i].data() + words[i].size();
-        auto [read, error] = std::from_chars(words[i].data(), end, numbers[i]);
-        if (error != std::errc() || read != end)
+        std::optional<T> number = parse_number<T>(words[i]);
+        if (!number)
             throw UserError(fmt::format("\"{}\" is no {}number", words[i], std::is_same_v<T, double> ? "" : "whole "));
+        numbers[i] = *number;
     }
     return numbers;
 }

@@ -1,9 +1,11 @@
 #include "monitor/memory/exact_text.hpp"
 
+#include "text/number.hpp"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 namespace placedpar::monitor {
@@ -24,11 +26,10 @@ std::vector<std::string_view> words(std::string_view text) {
 
 template <typename T, typename... Base>
 T value_of(std::string_view word, Base... base) {
-    T value{};
-    auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base...);
-    if (error != std::errc() || end != word.data() + word.size())
+    std::optional<T> value = parse_number<T>(word, base...);
+    if (!value)
         throw std::runtime_error(fmt::format("\"{}\" is no number", word));
-    return value;
+    return *value;
 }
 
 } // namespace

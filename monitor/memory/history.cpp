@@ -1,6 +1,6 @@
 #include "monitor/memory/history.hpp"
 
-#include "monitor/memory/checksum.hpp"
+#include "text/checksum.hpp"
 
 #include <fmt/format.h>
 

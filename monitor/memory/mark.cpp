@@ -1,7 +1,7 @@
 #include "monitor/memory/mark.hpp"
 
-#include "monitor/memory/checksum.hpp"
 #include "store/database.hpp"
+#include "text/checksum.hpp"
 
 #include <fmt/format.h>
 

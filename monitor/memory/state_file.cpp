@@ -1,9 +1,9 @@
 #include "monitor/memory/state_file.hpp"
 
-#include "monitor/memory/checksum.hpp"
 #include "monitor/memory/diagnosis_json.hpp"
 #include "monitor/memory/state_identity.hpp"
 #include "monitor/memory/wal_check.hpp"
+#include "text/checksum.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "monitor/memory/state_identity.hpp"
 
-#include "monitor/memory/checksum.hpp"
 #include "monitor/memory/history.hpp"
+#include "text/checksum.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 

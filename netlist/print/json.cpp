@@ -16,7 +16,7 @@ namespace {
 
 json::value to_json(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value))
-        return json::value(as_utf8(*text));
+        return json::value(*text);
     if (const auto* integer = std::get_if<std::int64_t>(&value))
         return json::value(*integer);
     return json::value(std::get<double>(value));
@@ -48,7 +48,7 @@ public:
 
     json::object print() const {
         json::object document;
-        document["source"] = as_utf8(n_.source_path);
+        document["source"] = n_.source_path;
         document["hash"] = fmt::format("{:016x}", n_.hash);
         document["nodes"] = list(n_.nodes, [](const Node& node) { return to_json(node); });
         document["connections"] =
@@ -138,7 +138,7 @@ private:
 
     json::object process_object(const ProcessInstance& process) const {
         json::object object{{"name", process.name},
-                            {"kind", as_utf8(process.kind)},
+                            {"kind", process.kind},
                             {"stand_in", process.stand_in},
                             {"node", n_.nodes[process.node].name},
                             {"high_priority", process.high_priority},
@@ -233,7 +233,7 @@ void write(const json::value& value, std::string& out, const std::string& indent
 std::string print_json(const Network& network) {
     std::string out;
     write(JsonPrinter(network).print(), out, "");
-    return out + "\n";
+    return as_json(out + "\n");
 }
 
 } // namespace placedpar

@@ -17,18 +17,11 @@ import unittest
 
 from interruption_test import wait_until_it_listens
 from program import EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
+from results_file import opened, renew_checksums
 
 RING = EXAMPLES / "02-deadlock" / "ring.cfs"
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
 LONG = ["sweep", str(FIGURE_E2), "slaves=0..3", "--seeds", "12", "--measure", "master.T_exe"]
-
-
-@contextlib.contextmanager
-def opened(path):
-    """A database, closed in the end."""
-    with contextlib.closing(sqlite3.connect(path)) as database:
-        with database:
-            yield database
 
 
 def rows(path):
@@ -115,6 +108,7 @@ class Sweep(InFolder):
         self.sweep(FIGURE_E2, "slaves=1", "--seeds", 2)
         with opened(self.folder / "figure-e2.sqlite") as database:
             database.execute("UPDATE runs SET fingerprint = '000000000000abcd'")
+            renew_checksums(database)
         self.sweep(FIGURE_E2, "slaves=1", "--seeds", 3)
         self.assertEqual([row[4] == "000000000000abcd" for row in rows(self.folder / "figure-e2.sqlite")],
                          [True, True, False])
@@ -320,6 +314,7 @@ class BadInput(InFolder):
         self.assertIn("with other options", self.sweep(FIGURE_E2, "--until", "1ms", "--results", "kept", code=1))
         with opened(self.folder / "kept") as database:
             database.execute("UPDATE study SET version = '0.0.1'")
+            renew_checksums(database)
         self.assertIn("kept: its runs were made by version 0.0.1", self.sweep(FIGURE_E2, "--results", "kept", code=1))
         self.assertEqual(rows(self.folder / "kept"), before)
         self.sweep(FIGURE_E2, "--results", "kept", "--any-version")

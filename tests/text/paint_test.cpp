@@ -17,3 +17,12 @@ TEST_CASE("nothing is coloured until the program says that its stream is") {
     set_painted(PaintedStream::output, false);
     CHECK(painted(Paint::heading, "ports") == "ports");
 }
+
+TEST_CASE("what is printed keeps its lines, and no colours but its own") {
+    const std::string hostile = "a\n\033[1mb\033[2J\xff\033";
+    CHECK(escaped_but_paint(hostile) == "a\n\\x1b[1mb\\x1b[2J\\xff\\x1b");
+    set_painted(PaintedStream::errors, true);
+    CHECK(escaped_but_paint(painted(Paint::error, "error:") + " " + hostile.substr(9)) ==
+          "\033[1;31merror:\033[0m 2J\\xff\\x1b");
+    set_painted(PaintedStream::errors, false);
+}

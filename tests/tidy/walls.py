@@ -67,7 +67,7 @@ ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
 # What may include everything; no room includes them. Tests mirror the rooms.
 OUTSIDE = ("bench", "examples", "tests")
-TEST_PROJECTS = ("tests/consumer", "tests/own_kinds") # programs of their own
+TEST_PROJECTS = ("tests/consumer", "tests/fuzz", "tests/own_kinds") # programs of their own
 
 # A header and its source are one piece, and no pieces include each other in a circle, but for these, which are one idea
 # in several files.

@@ -1,6 +1,7 @@
 #include "workbench/explain/changes.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
+#include "text/number.hpp"
 
 #include <fmt/format.h>
 
@@ -318,7 +319,7 @@ private:
     std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
         for (const SetByOption& set : network_.set)
             if (set.name == name)
-                return std::atoll(set.value.c_str());
+                return parse_number<std::int64_t>(set.value).value_or(otherwise);
         return otherwise;
     }
 

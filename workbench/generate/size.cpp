@@ -1,21 +1,16 @@
 #include "workbench/generate/size.hpp"
 
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace placedpar::generate {
 
 namespace {
 
 /// 0 where the text is no whole number that could be a size.
-std::size_t number_of(const std::string& text) {
-    std::size_t number = 0;
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? number : 0;
-}
+std::size_t number_of(const std::string& text) { return parse_number<std::size_t>(text).value_or(0); }
 
 void require_not_huge(const Wish& wish, std::size_t processors) {
     if (processors > most_processors)

@@ -90,7 +90,7 @@ boost::json::object report_on_page(const PageContent& content) {
 /// In a page nothing in it may look like the end of the element that it stands in.
 std::string text_of_data(const boost::json::object& data) {
     std::string text;
-    for (char each : boost::json::serialize(data))
+    for (char each : as_json(boost::json::serialize(data)))
         each == '<' ? text += "\\u003c" : text += each;
     return text;
 }

@@ -1,5 +1,6 @@
 #include "workbench/page/stretch.hpp"
 
+#include "text/utf8.hpp"
 #include "workbench/page/encoding.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void Stretch::add(const Passage& passage) {
 
 /// What is cleared keeps its room: a new one would be asked for from the system each time.
 PackedStretch Stretch::pack() {
-    std::string texts = boost::json::serialize(texts_.json()), bytes;
+    std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
     append_number(bytes, texts.size());
     bytes += texts;
     append_slices(bytes);

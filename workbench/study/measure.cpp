@@ -14,6 +14,8 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace placedpar {
@@ -81,8 +83,11 @@ std::vector<double> numbers_outside_of_strings(const std::string& json) {
         else if (*at == '"')
             quoted = !quoted;
         else if (double number = 0; !quoted && (*at == '-' || std::isdigit(static_cast<unsigned char>(*at)))) {
-            at = std::from_chars(at, end, number).ptr - 1;
+            auto [stop, error] = std::from_chars(at, end, number);
+            if (error != std::errc())
+                throw std::out_of_range("a number is beyond the range of a double");
             numbers.push_back(number);
+            at = stop - 1;
         }
     }
     return numbers;
@@ -104,6 +109,10 @@ StudyFigures figures_of(const RunReport& report, const Network& network) {
     return figures;
 }
 
+boost::json::value read_kept_json(const std::string& text) {
+    return boost::json::parse(text, {}, {.allow_invalid_utf8 = true});
+}
+
 std::string figures_text(const StudyFigures& figures) {
     boost::json::object json;
     for (const auto& [name, figure] : figures)
@@ -113,11 +122,15 @@ std::string figures_text(const StudyFigures& figures) {
 
 StudyFigures figures_from(const std::string& text) {
     const std::vector<double> numbers = numbers_outside_of_strings(text);
-    const boost::json::value json = boost::json::parse(text);
+    const boost::json::value json = read_kept_json(text);
     StudyFigures figures;
     std::size_t number = 0;
-    for (const auto& [name, value] : json.as_object())
-        figures[std::string(name)] = {numbers.at(number++), std::string(value.as_array().at(1).as_string())};
+    for (const auto& [name, value] : json.as_object()) {
+        const boost::json::array& figure = value.as_array();
+        if (figure.size() != 2 || !figure[0].is_number())
+            throw std::out_of_range("a figure is a number and its unit");
+        figures[std::string(name)] = {numbers.at(number++), std::string(figure[1].as_string())};
+    }
     return figures;
 }
 

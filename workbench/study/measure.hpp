@@ -5,6 +5,8 @@
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 
+#include <boost/json.hpp>
+
 #include <map>
 #include <optional>
 #include <set>
@@ -24,9 +26,12 @@ struct StudyFigure {
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&);
 
+/// JSON in which texts are the bytes that they were, whether these are UTF-8 or not. Throws std::exception.
+boost::json::value read_kept_json(const std::string&);
+
 /// JSON: {"time":[8.9,"ms"], ...}.
 std::string figures_text(const StudyFigures&);
-/// The same to the last bit. REQUIRES: figures_text() made it.
+/// The same to the last bit. Throws std::exception where figures_text() did not make it.
 StudyFigures figures_from(const std::string&);
 
 /// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean of all processes of

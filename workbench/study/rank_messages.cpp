@@ -47,7 +47,7 @@ std::string text_of(const RankMessage& message) {
 }
 
 RankMessage rank_message_from(const std::string& text) {
-    const boost::json::object json = boost::json::parse(text).as_object();
+    const boost::json::object json = read_kept_json(text).as_object();
     RankMessage message{static_cast<RankMessage::Kind>(json.at("kind").to_number<int>()),
                         boost::json::value_to<std::string>(json.at("text"))};
     if (json.contains("set"))

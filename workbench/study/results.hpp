@@ -39,13 +39,15 @@ struct StudySource {
 StudySource source_of(const Study&, const Network& network);
 
 /// The runs of studies of one netlist, in a file of SQLite: a row a run, with all that is needed to make it again. What
-/// has been kept outlives the program, however that ends. Functions throw UserError with the file's name.
+/// has been kept outlives the program, however that ends. Each row has a checksum, and their number and the sum of
+/// these are kept, so that a file is read only if it is what was written. Functions throw UserError with the file's
+/// name.
 class StudyResults {
 public:
     /// Opens a file to add runs, or makes it. Refuses one of another netlist, of other options, of a later format, and,
     /// unless told otherwise, of another version of PlacedPar; and one that another program adds to.
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);
-    /// Opens a file to read it, also while another program adds to it.
+    /// Opens a file to read it, also while another program adds to it: it stays as it is now.
     explicit StudyResults(const std::filesystem::path&);
     ~StudyResults();
 
@@ -71,18 +73,34 @@ public:
     const std::filesystem::path& path() const { return path_; }
 
 private:
+    /// The rows but the runs, and what checks these.
+    struct Head {
+        StudySource source;
+        std::string version, measures;
+        std::int64_t runs = 0, sum = 0;
+        std::int64_t checksum() const;
+    };
+
     void make(const StudySource&);
-    void require_ours();
+    /// Whether something is in it; throws where that is not ours.
+    bool is_ours();
+    void read_head();
+    void write_head();
+    void read_runs();
+    void check();
     void require_same(const StudySource&);
     void require_version(bool of_any_version);
-    static StudyOutcome outcome_in(const store::Statement& row);
+    [[noreturn]] void refuse_damaged(const std::string& where) const;
     template <class Work>
     auto guarded(Work work);
+    template <class Read>
+    auto parsed(Read read);
 
     std::filesystem::path path_;
     std::optional<store::FileLock> lock_; ///< none: to read
     std::optional<store::Database> database_;
-    std::optional<store::Statement> has_, find_, insert_;
+    std::optional<store::Statement> has_, find_, insert_, update_;
+    Head head_;
 };
 
 } // namespace placedpar

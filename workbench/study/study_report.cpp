@@ -2,6 +2,7 @@
 
 #include "text/counted.hpp"
 #include "text/paint.hpp"
+#include "text/utf8.hpp"
 #include "workbench/study/summary_cells.hpp"
 
 #include <fmt/format.h>
@@ -29,8 +30,9 @@ std::string print_rows(const std::vector<std::vector<std::string>>& rows) {
     return out;
 }
 
-std::string quoted_csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"\n") == text.npos)
+std::string quoted_csv_cell(const std::string& of) {
+    const std::string text = escaped(of);
+    if (text.find_first_of(",\"") == text.npos)
         return text;
     std::string out = "\"";
     for (char character : text)

@@ -1,5 +1,7 @@
 #include "workbench/trace/perfetto_trace.hpp"
 
+#include "text/utf8.hpp"
+
 #include <boost/json.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-std::string json_text(const std::string& text) { return boost::json::serialize(boost::json::string(text)); }
+std::string json_text(const std::string& text) { return as_json(boost::json::serialize(boost::json::string(text))); }
 
 /// The format counts microseconds; six digits more keep every picosecond.
 std::string microseconds(Time t) {

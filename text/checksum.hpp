@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace placedpar::monitor {
+namespace placedpar {
 
 /// The CRC-64 (ECMA-182, as xz has it) of texts, which are told apart from the same bytes divided otherwise.
 template <typename... Texts>
@@ -20,4 +20,4 @@ std::int64_t checksum_of(const Texts&... texts) {
     return static_cast<std::int64_t>(crc.checksum());
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar

@@ -1,0 +1,86 @@
+// The readers of rooms that are few enough to be compiled, and fuzzed for a minute, in CI.
+
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/data/record_table.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/print/print.hpp"
+#include "netlist/read.hpp"
+#include "tests/fuzz/reader.hpp"
+#include "text/load_source.hpp"
+#include "text/paint.hpp"
+#include "text/table.hpp"
+#include "text/utf8.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar::fuzz {
+
+namespace {
+
+const Catalogue& kinds() {
+    static const Catalogue kinds = [] {
+        Catalogue all;
+        add_csp_kinds(all);
+        return all;
+    }();
+    return kinds;
+}
+
+/// What is printed of a network is a netlist of the same network.
+void read_netlist(const std::string& text) {
+    ReadResult result = read_netlist_text(text, kinds());
+    render(result);
+    if (!result.network)
+        return require(has_errors(result.diagnostics), "what is refused is refused with an error");
+    if (result.network->nodes.size() > 300 || result.network->processes.size() > 300)
+        return;
+    ReadResult again = read_netlist_text(print_cfs(*result.network), kinds());
+    require(again.network.has_value(), "what show prints can be read");
+    require(again.network->hash == result.network->hash, "what show prints is the same network");
+}
+
+void read_record(const std::string& text) {
+    hydraulics::ReadRecord read = hydraulics::read_record(text);
+    render(read.faults);
+    if (!read.record)
+        return require(has_errors(read.faults), "what is refused is refused with an error");
+    for (double time : read.record->time_s)
+        require(std::isfinite(time), "times are finite");
+}
+
+void read_machine(const std::string& text) {
+    hydraulics::Parameters parameters = hydraulics::Parameters::excavator();
+    std::vector<Diagnostic> faults;
+    parameters.read(text, faults);
+    render(faults);
+    for (const hydraulics::Parameter& each : parameters.all())
+        require(std::isfinite(each.value), "parameters are finite");
+}
+
+bool moves_a_terminal(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') || c == '\x7f'; }
+
+void show_texts(const std::string& text) {
+    for (const std::string& shown : {escaped(text), escaped_but_paint(text), as_json(text), as_markup(text)}) {
+        require(std::ranges::none_of(shown, moves_a_terminal), "control characters are shown");
+        require(as_utf8(shown) == shown, "what is shown is UTF-8");
+        require(shown.find("\xc2\x9b") == shown.npos, "no terminal is moved by a single character");
+    }
+    require(escaped(escaped(text)) == escaped(text), "what is shown is not changed again");
+    LoadedSource source = check_source("text", text);
+    render(source.problems);
+    std::vector<Diagnostic> faults;
+    TextTable table = split_table(text, faults);
+    for (const TextRow& row : table.rows)
+        require(row.cells.size() == table.header.cells.size(), "rows are as long as the header");
+}
+
+} // namespace
+
+std::span<const Reader> readers() {
+    static const Reader all[] = {
+        {"netlist", read_netlist}, {"record", read_record}, {"machine", read_machine}, {"texts", show_texts}};
+    return all;
+}
+
+} // namespace placedpar::fuzz

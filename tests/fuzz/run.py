@@ -1,0 +1,85 @@
+"""python3 tests/fuzz/run.py PROGRAM SECONDS [READER ...]
+
+Feeds the readers of a program of tests/fuzz, those named or all, for so many seconds of a core altogether. They begin
+with the files and texts of the tests, from which corpora are made in a folder beside the program, where they grow from
+one call to the next. An input that a reader fails on is left there, too, and the exit code is 1.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+TREE = pathlib.Path(__file__).resolve().parents[2]
+LARGEST = 20_000  # bytes of a seed
+
+
+def files(*patterns):
+    """The contents of files of the tree."""
+    return [path.read_bytes() for pattern in patterns for path in sorted(TREE.glob(pattern))]
+
+
+def matches(pattern, *patterns):
+    """What a pattern finds in files of the tree."""
+    return [found for text in files(*patterns) for found in re.findall(pattern.encode(), text, re.DOTALL | re.MULTILINE)]
+
+
+def texts_of(*patterns):
+    """The string literals of the tests' sources."""
+    return matches(r'"((?:[^"\\\n]|\\.)+)"', *patterns)
+
+
+def rows(text, count=40):
+    """The beginning of a table."""
+    return b"".join(text.splitlines(keepends=True)[:count])
+
+
+def kept():
+    """Runs as an experiment keeps them; the checksum is of the one that is read here."""
+    return [b"checked runs of fuzz\n", b"checked runs of fuzz\na\t1\t0.5\t0123456789abcdef\n", b"runs of fuzz\n"]
+
+
+SEEDS = {
+    "netlist": lambda: files("examples/**/*.cfs", "tests/netlist/refusals/**/*.cfs"),
+    "record": lambda: [rows(text) for text in files("examples/records/*.csv")] + texts_of("tests/hydraulics/data/record*.cpp"),
+    "machine": lambda: [rows(text, 12) for text in files("hydraulics/data/excavator.csv")],
+    "policies": lambda: texts_of("tests/gaprocs/policies/*.cpp") + matches(r'= "([a-z(][^"\n]+)"', "examples/**/*.cfs"),
+    "strings": lambda: texts_of("tests/gaprocs/representation/*.cpp"),
+    "texts": lambda: texts_of("tests/text/*.cpp"),
+    "study": lambda: files("examples/**/*.toml") + matches(r"^```toml[^\n]*\n(.*?)^```", "docs/*.md", "examples/**/*.md"),
+    "results": lambda: [],
+    "kept": kept,
+    "message": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/monitor.md", "tests/monitor/**/*.cpp"),
+    "state": lambda: [],
+    "arguments": lambda: texts_of("tests/workbench/study/*.cpp", "tests/workbench/*.cpp"),
+}
+
+
+def fuzz(program, reader, seconds):
+    """Whether the reader stands it."""
+    folder = pathlib.Path(program).resolve().parent / "corpora" / reader
+    folder.mkdir(parents=True, exist_ok=True)
+    for number, seed in enumerate(each for each in SEEDS[reader]() if len(each) <= LARGEST):
+        (folder / f"seed-{number}").write_bytes(seed)
+    run = subprocess.run([program, folder, f"-max_total_time={seconds}", f"-max_len={LARGEST}", "-timeout=20",
+                          "-rss_limit_mb=3000", f"-artifact_prefix={folder.parent}/{reader}-", "-print_final_stats=1",
+                          "-verbosity=0"],
+                         env={**os.environ, "PLACEDPAR_READER": reader, "ASAN_OPTIONS": "detect_stack_use_after_return=0"},
+                         stderr=subprocess.PIPE, text=True, errors="replace", check=False)
+    tried = re.search(r"number_of_executed_units: (\d+)", run.stderr)
+    print(f"{reader}: {tried.group(1) if tried else 'no'} inputs in {seconds} s", flush=True)
+    if run.returncode != 0:
+        print(run.stderr[-6000:], flush=True)
+    return run.returncode == 0
+
+
+def main(program, seconds, *chosen):
+    names = subprocess.run([program], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
+    wanted = chosen or names
+    stood = [fuzz(program, reader, max(1, int(seconds) // len(wanted))) for reader in wanted]
+    sys.exit(0 if all(stood) else 1)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace placedpar {
+
+/// The number that the whole text is, as C++ writes it; none where it is anything else, has blanks around it or lies
+/// beyond the type's range. "inf" and "nan" are floating-point numbers.
+template <class Number, class... Base>
+std::optional<Number> parse_number(std::string_view text, Base... base) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    auto [stop, error] = std::from_chars(text.data(), end, number, base...);
+    return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+} // namespace placedpar
