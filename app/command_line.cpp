@@ -131,7 +131,7 @@ ExitCode report_defect(const std::string& what) {
     return ExitCode::defect;
 }
 
-std::string who_is_running() {
+std::string what_is_running() {
     const Kernel* kernel = Kernel::current();
     const Process* process = kernel ? kernel->who_runs() : nullptr;
     return process ? fmt::format("process {} at {}", process->path(), to_string(kernel->now())) : "the program";
@@ -147,16 +147,16 @@ std::string why_it_is_terminated() {
 
 /// Of an exception that left a destructor or a function that is noexcept: no handler can be reached any more.
 [[noreturn]] void report_termination() {
-    std::string what = fmt::format("{}: {}; it left a destructor or a function that is noexcept", who_is_running(),
+    std::string what = fmt::format("{}: {}; it left a destructor or a function that is noexcept", what_is_running(),
                                    why_it_is_terminated());
     if (program_name() == "placedpar")
         std::_Exit(static_cast<int>(report_defect(what)));
-    fmt::print(stderr, "{} {}\n", painted(Paint::error, program_name() + ":"), what);
+    print_error(fmt::format("{} {}\n", painted(Paint::error, program_name() + ":"), what));
     std::_Exit(static_cast<int>(ExitCode::bad_input));
 }
 
-/// Reports the exception that is being handled. Nobody is to blame for what the system refuses, such as memory or a
-/// file; what is neither that nor a UserError should not have happened.
+/// Reports the exception that is being handled. A refusal by the system, such as of memory or of a file, is not a defect;
+/// any other exception but a UserError is.
 ExitCode report_error() {
     try {
         throw;

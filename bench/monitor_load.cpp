@@ -183,7 +183,8 @@ void run(const Part& part, std::size_t samples, const std::string& state) {
     settings.limits.machines_per_peer = settings.limits.machines;
     if (!state.empty())
         settings.state = fmt::format("{}/{}.state", state, part.name);
-    placedpar::monitor::Service service(settings, [](const std::string&) {});
+    placedpar::monitor::Log nowhere(-1);
+    placedpar::monitor::Service service(settings, nowhere);
     std::thread thread([&] { service.run(); });
     asio::io_context io;
     std::vector<std::shared_ptr<ControlSystem>> systems;

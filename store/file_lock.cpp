@@ -42,4 +42,11 @@ std::size_t FileLock::size() const {
     return static_cast<std::size_t>(status.st_size);
 }
 
+bool FileLock::is_at(const std::filesystem::path& path) const {
+    struct stat mine {
+    }, there{};
+    return ::fstat(file_, &mine) == 0 && ::stat(path.c_str(), &there) == 0 && mine.st_dev == there.st_dev &&
+           mine.st_ino == there.st_ino;
+}
+
 } // namespace placedpar::store

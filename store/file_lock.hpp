@@ -19,6 +19,8 @@ public:
     /// The file's first bytes, at most so many.
     std::string beginning(std::size_t bytes) const;
     std::size_t size() const;
+    /// Does the path lead to the locked file still, rather than to another or to none?
+    bool is_at(const std::filesystem::path& path) const;
 
 private:
     int file_;

@@ -7,13 +7,12 @@
 #include "text/output_file.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
@@ -108,17 +107,12 @@ void add_options(CLI::App& command, MonitorOptions& options) {
     add_file(command, "--unix", settings.unix_path, "listen on a socket there, and on a port only if that is given",
              "PATH");
     add_file(command, "--token-file", settings.token_file, "the word that clients have to say to be served");
+    command.add_option("--host-name", settings.host_names,
+                       "a name by which browsers come, such as a proxy's; more than once for more");
     add_file(command, "--state", settings.state, "keeps what is known over a restart: a database of SQLite");
     add_seed(command, settings.seed);
     add_limits(command, settings.limits);
     add_diagnosis(command, settings.diagnosis);
-}
-
-/// With the time, UTC. What cannot be written, as on a full disk, is left out: no reason to end.
-void say(const std::string& sentence) {
-    std::string line =
-        fmt::format("{:%Y-%m-%dT%H:%M:%S}Z placedpar monitor: {}\n", fmt::gmtime(std::time(nullptr)), sentence);
-    std::fputs(line.c_str(), stderr);
 }
 
 /// An address of IPv6 stands in brackets, and one of all interfaces is this computer's, too.
@@ -128,8 +122,9 @@ std::string for_browsers(const std::string& address) {
 
 ExitCode serve(const ServiceSettings& settings) {
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is like a full disk, no reason to end
-    Service service(settings, say);
-    service.stop_at_signals(); // before anybody can know of it
+    Log log(STDERR_FILENO);
+    Service service(settings, log);
+    service.heed_signals(); // before anybody can know of it
     if (settings.port)
         print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
     if (!settings.unix_path.empty())
@@ -138,7 +133,7 @@ ExitCode serve(const ServiceSettings& settings) {
         print_out(fmt::format("placedpar monitor: page at http://{}:{}/\n", for_browsers(settings.address),
                               service.http_port()));
     service.run();
-    say(settings.state.empty() ? "stopped" : fmt::format("stopped; {} is written", settings.state));
+    log.say(settings.state.empty() ? "stopped" : fmt::format("stopped; {} is written", settings.state));
     return ExitCode::success;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -48,7 +49,7 @@ std::optional<std::uint64_t> Mark::read(const fs::path& state_file) {
 }
 
 Mark::Mark(const fs::path& state_file, std::uint64_t transactions)
-    : path_(mark_of(state_file)), file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)) {
+    : path_(mark_of(state_file)), file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600)) {
     if (file_ < 0)
         fail();
     int folder = ::open(fs::absolute(path_).parent_path().c_str(), O_RDONLY | O_CLOEXEC);
@@ -57,6 +58,8 @@ Mark::Mark(const fs::path& state_file, std::uint64_t transactions)
         if (::fsync(file_) != 0 || folder < 0 || ::fsync(folder) != 0)
             fail();
     } catch (const store::DatabaseError&) {
+        if (struct stat status{}; ::fstat(file_, &status) == 0 && status.st_size == 0)
+            ::unlink(path_.c_str()); // on a full disk: an empty mark is a damaged one
         ::close(file_);
         ::close(folder);
         throw;

@@ -8,7 +8,11 @@
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace placedpar::monitor {
@@ -51,17 +55,20 @@ struct StateFile::Statements {
 
 StateFile::StateFile(const fs::path& path, const std::string& settings, std::uint64_t most_history,
                      StateContent& content)
-    : path_(path), settings_(settings) {
+    : given_(path), path_(path), settings_(settings), most_history_(most_history) {
     require_path_of_file(path_);
     if (!fs::exists(path_))
         create_state_file(path_, settings_);
     lock_.emplace(path_, fmt::format("--state {}", path_.string()), "placedpar monitor");
     path_ = fs::canonical(path_); // SQLite's own files are beside it, not beside a link
+    std::error_code another_owner;
+    for (const char* each : {"", "-wal", "-shm", "-mark"}) // what an earlier version made, too
+        fs::permissions(path_.string() + each, fs::perms::owner_read | fs::perms::owner_write, another_owner);
     auto refuse = [&](const std::string& why) {
         throw UserError(fmt::format("{}: this state file cannot be used: {}", path.string(), why));
     };
     try {
-        open(content, most_history);
+        open(content);
     } catch (const OtherFile& other) {
         refuse(other.what());
     } catch (const store::DatabaseError& error) {
@@ -81,35 +88,118 @@ StateFile::~StateFile() {
 }
 
 void StateFile::close() {
-    if (!whole_)
+    if (!whole_ || !writable_)
         return;
     course_.running = false;
     commit({});
-    statements_.reset();
-    history_.reset();
-    database_.reset();
+    disconnect();
     if (!fs::exists(path_.string() + "-wal"))
         mark_->remove();
 }
 
-void StateFile::open(StateContent& content, std::uint64_t most_history) {
-    require_identity(*lock_);
-    content.said = check_wal(path_);
+void StateFile::disconnect() {
+    writable_ = false;
+    statements_.reset();
+    history_.reset();
+    database_.reset();
+}
+
+/// `alone`: without the file in which SQLite tells other programs where what is in the log. For that a full disk has no
+/// room.
+void StateFile::connect(bool alone) {
     database_.emplace(path_);
     database_->put_log_into_file(false); // what is refused is left as it is
+    if (alone)
+        database_->run("PRAGMA locking_mode = EXCLUSIVE"); // first: others read the log already
     database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = FULL");
     if (database_->text("PRAGMA journal_mode = WAL") != "wal")
         throw store::DatabaseError("SQLite cannot keep a write-ahead log there", false);
+    database_->text("SELECT settings FROM ledger"); // which reads the log
+}
+
+void StateFile::open(StateContent& content) {
+    require_identity(*lock_);
+    content.said = check_wal(path_);
+    try {
+        connect(false);
+    } catch (const store::DatabaseError& error) {
+        if (error.damage())
+            throw;
+        content.trouble = error.what();
+        connect(true);
+    }
     require_integrity(*database_);
     read_ledger();
     require_mark();
     read_machines(content);
     read_messages(content);
-    history_.emplace(*database_, most_history);
+    history_.emplace(*database_, most_history_);
     history_->check();
     statements_ = std::make_unique<Statements>(*database_);
     content.last_message = ledger_.last;
-    begin_running();
+    try {
+        if (content.trouble.empty())
+            begin_running();
+    } catch (const store::DatabaseError& error) {
+        if (error.damage())
+            throw;
+        content.trouble = error.what();
+    }
+    writable_ = whole_ = content.trouble.empty();
+}
+
+History& StateFile::history() {
+    if (!history_)
+        throw store::DatabaseError("it is not open", false);
+    return *history_;
+}
+
+/// Which the files beside it are, by their numbers; 0: none.
+std::vector<std::uint64_t> StateFile::companions() const {
+    std::vector<std::uint64_t> numbers;
+    for (const char* each : {"-wal", "-shm", "-mark"}) {
+        struct stat status {};
+        numbers.push_back(::stat((path_.string() + each).c_str(), &status) == 0 ? status.st_ino : 0);
+    }
+    return numbers;
+}
+
+void StateFile::require_in_place() {
+    if (lock_->is_at(given_) && companions() == companions_)
+        return;
+    whole_ = writable_ = false;
+    throw store::DatabaseError("it, or a file beside it, has been removed or replaced", false);
+}
+
+/// Opens it again as it is to be. When it was removed, a copy of what is still open takes its place; one that another
+/// has put there is left alone.
+void StateFile::renew() {
+    bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
+    if (!gone && !lock_->is_at(given_))
+        throw store::DatabaseError("something else is in its place: move that away", false);
+    fs::path copy;
+    if (statements_) {
+        course_.running = false;
+        transact({});
+        database_->put_log_into_file(true);
+        if (gone)
+            copy = copy_state_file(*database_, path_);
+    }
+    disconnect();
+    mark_.reset();
+    if (gone) {
+        for (const char* each : {"-wal", "-shm"})
+            fs::remove(path_.string() + each);
+        copy.empty() ? create_state_file(path_, settings_) : publish(copy, path_);
+        lock_.emplace(path_, path_.string(), "placedpar monitor");
+    }
+    if (!fs::exists(path_.string() + "-wal"))
+        fs::remove(path_.string() + "-mark");
+    ledger_ = {};
+    StateContent known;
+    open(known);
+    if (!known.trouble.empty())
+        throw store::DatabaseError(known.trouble, false);
 }
 
 void StateFile::require_mark() {
@@ -127,8 +217,9 @@ void StateFile::begin_running() {
     database_->put_log_into_file(true);
     mark_.emplace(path_, course_.transactions);
     course_.running = true;
-    commit({});
+    transact({});
     database_->integer("PRAGMA wal_checkpoint(TRUNCATE)"); // while others read it, the log is put there later
+    companions_ = companions();
 }
 
 void StateFile::read_ledger() {
@@ -186,6 +277,14 @@ void StateFile::write_ledger() {
 }
 
 void StateFile::commit(std::span<const Parcel> parcels) {
+    bool anew = std::ranges::any_of(parcels, [](const Parcel& parcel) { return parcel.all_anew_at.has_value(); });
+    if (anew && !(writable_ && lock_->is_at(given_) && companions() == companions_))
+        renew();
+    transact(parcels);
+    require_in_place(); // after the transaction: until then what it wrote may have gone
+}
+
+void StateFile::transact(std::span<const Parcel> parcels) {
     ++course_.transactions;
     whole_ = false;
     database_->run("BEGIN IMMEDIATE");
@@ -193,7 +292,8 @@ void StateFile::commit(std::span<const Parcel> parcels) {
         apply(parcels);
         write_ledger();
         database_->run("COMMIT");
-        mark_->write(course_.transactions);
+        if (mark_)
+            mark_->write(course_.transactions);
         whole_ = true;
     } catch (const std::exception&) {
         try {

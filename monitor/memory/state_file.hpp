@@ -22,6 +22,7 @@ struct StateContent {
     std::vector<KeptMessage> messages; ///< those that are not in them, by number
     std::uint64_t last_message = 0;    ///< the number of the last one ever kept
     std::string said;                  ///< what an operator should know of opening it; may be ""
+    std::string trouble;               ///< why it can be read, but not written, as on a full disk; "": it can
 };
 
 /// The state file: a database of SQLite with the machines' states, the messages that came after them, and the history.
@@ -31,6 +32,7 @@ struct StateContent {
 ///    are, and the mark how many transactions. So a file that is damaged or cut, or whose log is, is refused, unless
 ///    nothing is stored where the damage is. Only after a loss of power is the last transaction, of which nobody was
 ///    told, left out and that said.
+///    A file that is removed or replaced, or one beside it, is noticed before commit() returns, which throws then.
 /// 3. It is locked: one program at a time.
 /// 4. One thread at a time.
 class StateFile {
@@ -42,10 +44,12 @@ public:
     /// Puts the log into the file, which is then all there is.
     ~StateFile();
 
-    /// In one transaction. Throws DatabaseError, having changed nothing; then the next parcel that is committed must be
-    /// one that begins all anew.
+    /// In one transaction. Throws UserError, DatabaseError too, when what it was given may be lost; then, and after a
+    /// trouble with opening, the next parcel that is committed must be one that begins all anew, with which a file that
+    /// was removed is made again, its history included.
     void commit(std::span<const Parcel> parcels);
-    History& history() { return *history_; }
+    /// Throws DatabaseError when there is none: the file could not be made again.
+    History& history();
 
 private:
     struct Statements;
@@ -62,7 +66,13 @@ private:
         bool running = false; ///< a program has it, or had it until it was killed: there is a mark
     };
 
-    void open(StateContent& content, std::uint64_t most_history);
+    void open(StateContent& content);
+    void connect(bool alone);
+    void renew();
+    void disconnect();
+    void require_in_place();
+    std::vector<std::uint64_t> companions() const;
+    void transact(std::span<const Parcel> parcels);
     void read_ledger();
     void require_mark();
     void begin_running();
@@ -83,8 +93,9 @@ private:
     void keep(const ChangedAlarm& change) { history_->change(change.alarm); }
     void keep(const OpenAlarms& open) { history_->reconcile(open); }
 
-    std::filesystem::path path_;
+    std::filesystem::path given_, path_; ///< which may be a link, and what it leads to
     std::string settings_;
+    std::uint64_t most_history_;
     std::optional<store::FileLock> lock_;
     std::optional<store::Database> database_;
     std::optional<History> history_;
@@ -92,7 +103,9 @@ private:
     std::optional<Mark> mark_;
     Ledger ledger_;
     Course course_;
-    bool whole_ = true; ///< no transaction has failed since all began anew
+    bool whole_ = true;                     ///< no transaction has failed since all began anew
+    bool writable_ = false;                 ///< it has been opened as it is to be
+    std::vector<std::uint64_t> companions_; ///< as they were when it was opened
 };
 
 } // namespace placedpar::monitor

@@ -58,7 +58,20 @@ std::uint32_t header_word(std::string_view header, std::size_t at) {
     return value;
 }
 
-/// Gives the file its name unless another has come to have it meanwhile.
+/// An empty file for SQLite, which gives its own files beside it the same permissions, whatever the umask is.
+fs::path begin_file(const fs::path& path) {
+    fs::path made = path;
+    made += fmt::format(".new-{}", ::getpid());
+    ::unlink(made.c_str());
+    int file = ::open(made.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (file < 0)
+        throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), std::strerror(errno)));
+    ::close(file);
+    return made;
+}
+
+} // namespace
+
 void publish(const fs::path& made, const fs::path& path) {
     sync_path(made);
     if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) != 0) {
@@ -70,7 +83,17 @@ void publish(const fs::path& made, const fs::path& path) {
     sync_path(fs::absolute(path).parent_path());
 }
 
-} // namespace
+fs::path copy_state_file(store::Database& from, const fs::path& path) {
+    fs::path made = begin_file(path);
+    try {
+        store::Statement(from, "VACUUM INTO ?1").run(made.string());
+    } catch (const store::DatabaseError&) {
+        std::error_code ignored;
+        fs::remove(made, ignored);
+        throw;
+    }
+    return made;
+}
 
 void require_path_of_file(const fs::path& path) {
     if (is_standard_stream(path))
@@ -97,8 +120,7 @@ void require_path_of_file(const fs::path& path) {
 }
 
 void create_state_file(const fs::path& path, const std::string& settings) {
-    fs::path made = path;
-    made += fmt::format(".new-{}", ::getpid());
+    fs::path made = begin_file(path);
     try {
         store::Database database(made);
         database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // it is synced before it has its name

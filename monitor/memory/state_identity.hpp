@@ -19,6 +19,12 @@ public:
 /// it.
 void create_state_file(const std::filesystem::path& path, const std::string& settings);
 
+/// Makes a whole copy of an open state file, which has its path with a suffix until it is published; gives its path.
+/// This and publish() throw UserError or DatabaseError.
+std::filesystem::path copy_state_file(store::Database& from, const std::filesystem::path& path);
+/// Gives the file its name, on the disk, unless another has come to have it meanwhile.
+void publish(const std::filesystem::path& made, const std::filesystem::path& path);
+
 /// Throws UserError when the path cannot be that of a state file: a folder, a device, one whose parts are left over.
 void require_path_of_file(const std::filesystem::path& path);
 

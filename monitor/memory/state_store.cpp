@@ -71,6 +71,8 @@ StateStore::StateStore(const fs::path& path, Diagnoses& diagnoses, std::uint64_t
     file_ = std::make_unique<StateFile>(path, settings_text(diagnoses), most_history, content);
     if (!content.said.empty())
         said_ = content.said + "; ";
+    if (!content.trouble.empty())
+        fall_back(content.trouble);
     last_message_ = trimmed_ = content.last_message;
     for (const KeptState& state : content.machines)
         restore_state(diagnoses_, state, path_);
@@ -102,11 +104,19 @@ void StateStore::take_again(const StateContent& content) {
 }
 
 void StateStore::commit_now(const Parcel& parcel) {
+    if (!keeping_)
+        return;
     try {
         file_->commit(std::span(&parcel, 1));
     } catch (const store::DatabaseError& error) {
-        throw UserError(fmt::format("{}: cannot be written: {}", path_.string(), error.what()));
+        fall_back(error.what());
     }
+}
+
+/// What is in the file is known, and served: it is kept again when write_anew() succeeds.
+void StateStore::fall_back(const std::string& why) {
+    trouble_ = fmt::format("{}: cannot be written: {}", path_.string(), why);
+    keeping_ = complete_ = false;
 }
 
 void StateStore::start(std::function<void(Progress)> tell) {

@@ -32,6 +32,8 @@ public:
     StateStore(const std::filesystem::path& path, Diagnoses& diagnoses, std::uint64_t most_history);
     ~StateStore();
 
+    /// Why what is known cannot be kept from the beginning on, as on a full disk; empty: it can.
+    const std::string& trouble() const { return trouble_; }
     /// A sentence for people; empty when there was nothing.
     const std::string& said() const { return said_; }
     /// Those that had not been cleared, or were put on the shelf.
@@ -64,7 +66,7 @@ public:
     std::uint64_t last_ticket() const { return last_ticket_; }
 
     /// Has the history looked into, in the thread that writes. `look` may throw nothing.
-    void look(std::function<void(History&)> look) { writer_->look(std::move(look)); }
+    void look(std::function<void(StateFile&)> look) { writer_->look(std::move(look)); }
 
     /// Waits until all is on the disk and closes the file. Throws UserError when some of it was lost.
     void finish();
@@ -72,6 +74,7 @@ public:
 private:
     void take_again(const StateContent& content);
     void commit_now(const Parcel& parcel);
+    void fall_back(const std::string& why);
     UnwrittenState state_of(const identification::Diagnosis& diagnosis) const;
     void add_state(Parcel& parcel, const identification::Diagnosis& diagnosis);
     std::uint64_t put(Parcel parcel);
@@ -81,7 +84,7 @@ private:
     std::unique_ptr<StateFile> file_;
     std::unique_ptr<Writer> writer_;
     Backlog backlog_;
-    std::string said_;
+    std::string said_, trouble_;
     std::vector<KeptAlarm> noted_alarms_;
     std::uint64_t last_message_ = 0, trimmed_ = 0;
     std::uint64_t last_ticket_ = 0, anew_ticket_ = 0;

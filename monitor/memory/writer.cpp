@@ -28,7 +28,7 @@ std::uint64_t Writer::put(Parcel parcel) {
     return number;
 }
 
-void Writer::look(std::function<void(History&)> look) {
+void Writer::look(std::function<void(StateFile&)> look) {
     {
         std::lock_guard lock(mutex_);
         waiting_.looks.push_back(std::move(look));
@@ -50,7 +50,7 @@ void Writer::run() {
         std::string trouble = work.parcels.empty() ? trouble_ : commit(std::move(work.parcels));
         finish({work.last_parcel, trouble});
         for (const auto& look : work.looks)
-            look(file_.history());
+            look(file_);
         {
             std::lock_guard lock(mutex_);
             busy_ = false;

@@ -36,14 +36,14 @@ public:
     /// Gives its number, from 1.
     std::uint64_t put(Parcel parcel);
     /// Has the history looked into, in the writer's thread, after what was put before.
-    void look(std::function<void(History&)> look);
+    void look(std::function<void(StateFile&)> look);
     /// Until all that was put has been committed or lost; gives the trouble with the last of it.
     std::string wait();
 
 private:
     struct Work {
         std::vector<Parcel> parcels;
-        std::vector<std::function<void(History&)>> looks;
+        std::vector<std::function<void(StateFile&)>> looks;
         std::uint64_t last_parcel = 0;
     };
 

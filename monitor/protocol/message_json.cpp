@@ -5,8 +5,10 @@
 #include <boost/json/basic_parser_impl.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,6 +19,9 @@ namespace placedpar::monitor {
 namespace {
 
 namespace json = boost::json;
+
+constexpr const char *beyond_numbers = "it is beyond the range of numbers",
+                     *within_numbers = "a number from -1.7e308 to 1.7e308";
 
 /// A handler of boost::json::basic_parser that builds the value, as boost::json::parser does, and looks at the keys:
 /// that one would silently keep the last of two.
@@ -29,7 +34,7 @@ public:
 
     Builder() { stack_.reset(); }
 
-    std::string repeated; ///< the path of the first that is; "": none
+    std::optional<BadMessage> wrong; ///< the first thing that is, though it can be parsed
     json::value release() { return stack_.release(); }
 
     bool on_object_begin(Error&) {
@@ -50,9 +55,8 @@ public:
         key_.append(rest.data(), rest.size());
         stack_.push_key(rest);
         objects_.back().current = std::exchange(key_, {});
-        if (!objects_.back().seen.insert(objects_.back().current).second && repeated.empty())
-            for (const Object& object : objects_)
-                repeated += (repeated.empty() ? "" : ".") + object.current;
+        if (!objects_.back().seen.insert(objects_.back().current).second && !wrong)
+            wrong.emplace(path(), "it is given twice", "each field once");
         return true;
     }
 
@@ -81,6 +85,8 @@ public:
         return true;
     }
     bool on_double(double number, Text, Error&) {
+        if (!std::isfinite(number) && !wrong)
+            wrong.emplace(path(), beyond_numbers, within_numbers);
         stack_.push_double(number);
         return true;
     }
@@ -94,6 +100,14 @@ public:
     }
     bool on_comment_part(Text, Error&) { return true; }
     bool on_comment(Text, Error&) { return true; }
+
+    /// "links.BO.inlet_psi": where it is.
+    std::string path() const {
+        std::string path;
+        for (const Object& object : objects_)
+            path += (path.empty() ? "" : ".") + object.current;
+        return path;
+    }
 
 private:
     struct Object {
@@ -123,14 +137,16 @@ json::value read_message_json(std::string_view line) {
         parser.write_some(false, nullptr, 0, error);
         column = line.size() + 1;
     }
+    if (error == json::error::exponent_overflow)
+        throw BadMessage(parser.handler().path(), beyond_numbers, within_numbers, column);
     if (error)
         throw BadMessage("", fmt::format("it is no JSON: {}", error.message()), "one JSON object in one line", column);
     json::value value = parser.handler().release();
     if (!value.is_object())
         throw BadMessage("", "it is no JSON object", "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}",
                          1);
-    if (!parser.handler().repeated.empty())
-        throw BadMessage(parser.handler().repeated, "it is given twice", "each field once");
+    if (parser.handler().wrong)
+        throw *parser.handler().wrong;
     return value;
 }
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -27,6 +28,7 @@ public:
     virtual void hold(std::ptrdiff_t bytes) = 0;
 
     Caller caller;
+    std::uint64_t number = 0;                        ///< later ones have greater numbers
     bool trusted = false;                            ///< it knows the token, or there is none
     std::optional<Hello> hello;                      ///< the one it said
     std::chrono::steady_clock::time_point last_load; ///< when it was sent the load

@@ -62,10 +62,12 @@ void Connection::next_line() {
         refuse(fmt::format("the line has more than {} bytes", limits_.line_bytes), "one short JSON object a line");
     else if (end != std::string::npos)
         hand_on(end);
+    else if (ended_ && !input_.empty())
+        hand_on(input_.size()); // the end of the stream ends its last line, too
     else if (ended_ && held_ > 0)
         held_back_ = true; // until it has been answered
     else if (ended_)
-        finish(); // half a line is no message
+        finish();
     else {
         searched_ = input_.size();
         read();
@@ -78,7 +80,9 @@ void Connection::hand_on(std::size_t end) {
     searched_ = 0;
     if (!line.empty() && line.back() == '\r')
         line.pop_back();
-    ++lines_;
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some programs begin every text with it
+    if (++lines_ == 1 && line.starts_with(byte_order_mark))
+        line.erase(0, byte_order_mark.size());
     last_line_ = line_begun_ = Clock::now();
     if (!line.empty())
         handlers_.line(*this, line);

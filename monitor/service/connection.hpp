@@ -48,6 +48,8 @@ public:
     void hold(std::ptrdiff_t bytes);
     /// It has said what it is: the limit of hello_s is over.
     void greeted() { greeted_ = true; }
+    /// At once.
+    void close();
 
     /// It takes no more lines, and sends no more.
     bool finishing() const { return finishing_ || closed_; }
@@ -63,7 +65,6 @@ private:
     void sent(const boost::system::error_code& error, std::size_t count);
     void refuse(const std::string& wrong, const std::string& right);
     void go_on_finishing();
-    void close();
 
     Socket socket_;
     const ServiceLimits& limits_;

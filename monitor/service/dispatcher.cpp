@@ -31,27 +31,63 @@ Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLim
     if (store)
         alarms_.restore(store->noted_alarms());
     for (const auto& [name, diagnosis] : diagnoses_.all())
-        if (diagnosis.samples() == 0)
+        if (!is_known(name))
             newcomers_.add(name, Newcomers::Clock::now());
 }
 
-bool Dispatcher::enter(Client& client) {
-    if (!peers_.connect(client.caller.peer))
-        return false;
+bool Dispatcher::is_known(const std::string& machine) const {
+    return diagnoses_.knows(machine) && diagnoses_.named(machine).samples() >= limits_.known_samples;
+}
+
+void Dispatcher::enter(Client& client) {
+    auto may_come = [](std::size_t may_stay) { return may_stay + std::max<std::size_t>(1, may_stay / 4); };
+    auto of_peer = [&](const Client& each) { return each.caller.peer == client.caller.peer; };
+    constexpr const char* why = "others want to come in, and this connection has said no hello yet";
+    if (roster_.count(of_peer) >= may_come(limits_.clients_per_peer)) {
+        if (Client* other = roster_.least([&](const Client& each) { return of_peer(each) && !each.hello; }))
+            evict(*other, why);
+    } else if (roster_.size() >= may_come(limits_.clients))
+        if (Client* other = roster_.least([](const Client& each) { return !each.hello; }))
+            evict(*other, why);
     client.trusted = !token_.wanted();
     roster_.enter(client);
-    return true;
+}
+
+void Dispatcher::evict(Client& client, const std::string& why, const std::string& right) {
+    outbox_.send(client, error_line(0, BadMessage("", why, right)));
+    outbox_.finish(client);
+}
+
+void Dispatcher::require_place(Client& client, const Hello& hello) {
+    bool control = hello.role == Role::control;
+    auto require = [&](std::size_t most, const char* option, const std::function<bool(const Client&)>& counted) {
+        if (client.leaving || roster_.count([&](const Client& each) { return each.hello && counted(each); }) < most)
+            return;
+        auto lesser = [&](const Client& each) {
+            return each.hello && counted(each) && (each.hello->role != Role::control || !is_known(each.hello->machine));
+        };
+        Client* other = control && is_known(hello.machine) ? roster_.least(lesser) : nullptr;
+        if (other)
+            evict(*other, "a machine that is known needs the place");
+        else
+            evict(client, fmt::format("there are {} clients already", most),
+                  fmt::format("to come again later; {} allows more", option));
+    };
+    if (control && roster_.control_of(hello.machine)) // whose place it takes
+        return;
+    require(limits_.clients_per_peer, "--max-clients-per-peer",
+            [&](const Client& each) { return each.caller.peer == client.caller.peer; });
+    require(limits_.clients, "--max-clients", [](const Client&) { return true; });
 }
 
 void Dispatcher::leave(Client& client) {
     outbox_.drop(client);
     roster_.leave(client);
-    peers_.disconnect(client.caller.peer);
     if (!client.hello)
         return;
     const std::string& machine = client.hello->machine;
     say_(fmt::format("{}: {} has gone", machine, client.caller.name));
-    if (diagnoses_.knows(machine) && diagnoses_.named(machine).samples() == 0)
+    if (diagnoses_.knows(machine) && !is_known(machine))
         newcomers_.add(machine, Newcomers::Clock::now());
 }
 
@@ -117,6 +153,8 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
     const std::string& peer = client.caller.peer;
     if (!diagnoses_.knows(hello.machine)) {
         if (!peers_.may_introduce(peer))
+            make_room(&peer);
+        if (!peers_.may_introduce(peer))
             throw BadMessage("machine",
                              fmt::format("{} has introduced {} machines already", peer, limits_.machines_per_peer),
                              "one of those; --max-machines-per-peer allows more");
@@ -137,17 +175,26 @@ void Dispatcher::forget(const std::string& machine) {
 }
 
 void Dispatcher::forget_newcomers() {
-    auto idle = [&](const std::string& machine) { return is_idle(machine); };
+    auto idle = [&](const std::string& machine) {
+        return is_idle(machine) && diagnoses_.named(machine).samples() == 0;
+    };
     auto patience =
         std::chrono::duration_cast<Newcomers::Clock::duration>(std::chrono::duration<double>(limits_.newcomer_s));
     while (auto machine = newcomers_.oldest(idle, Newcomers::Clock::now() - patience))
         forget(*machine);
 }
 
-void Dispatcher::make_room() {
-    auto idle = [&](const std::string& machine) { return is_idle(machine); };
-    if (auto machine = newcomers_.oldest(idle, Newcomers::Clock::time_point::max()))
-        forget(*machine);
+void Dispatcher::make_room(const std::string* only_of) {
+    auto peer = [&](const std::string& machine) { return peers_.of(machine); };
+    auto idle = [&](const std::string& machine) { return is_idle(machine) && (!only_of || peer(machine) == *only_of); };
+    auto samples = [&](const std::string& machine) { return diagnoses_.named(machine).samples(); };
+    auto machine = newcomers_.least(idle, peer, samples);
+    if (!machine)
+        return;
+    if (samples(*machine) > 0)
+        say_(
+            fmt::format("{}: forgotten after {} samples, to make room for a new machine", *machine, samples(*machine)));
+    forget(*machine);
 }
 
 void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
@@ -158,6 +205,9 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
         check_token(client, hello.token);
     if (client.leaving)
         return;
+    require_place(client, hello);
+    if (client.leaving)
+        return;
     require_allowance(client, hello);
     bool known = diagnoses_.knows(hello.machine);
     SampleOutcome forgotten;
@@ -166,7 +216,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     Diagnosis& diagnosis = diagnoses_.greet(hello);
     if (!known)
         peers_.introduced(client.caller.peer, hello.machine);
-    if (diagnosis.samples() == 0)
+    if (!is_known(hello.machine))
         newcomers_.add(hello.machine, Newcomers::Clock::now());
     client.hello = hello;
     client.greeted();
@@ -181,6 +231,9 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
                      hello.role == Role::control ? "is its control system" : "watches",
                      other ? fmt::format(", in place of {}", other->caller.name) : ""));
     outbox_.send(client, welcome_line(diagnosis, diagnoses_.seed()));
+    client.told_kept = keeper_.well();
+    if (!client.told_kept) // after its welcome, which may wait for the disk
+        outbox_.send(client, kept_line(keeper_.well(), keeper_.trouble()));
     if (hello.role == Role::control)
         note_cleared(diagnosis, forgotten);
 }
@@ -208,7 +261,8 @@ void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::stri
     Diagnosis& diagnosis = controlled_by(client);
     Settled settled(diagnosis);
     SampleOutcome outcome = diagnosis.take(sample);
-    newcomers_.remove(diagnosis.name());
+    if (is_known(diagnosis.name()))
+        newcomers_.remove(diagnosis.name());
     meter_.count_sample(outcome.generations);
     std::vector<Entry> history;
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));

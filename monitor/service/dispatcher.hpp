@@ -27,8 +27,8 @@ public:
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say);
 
-    /// False when its peer has as many connections as it may: then it is not let in.
-    bool enter(Client& client);
+    /// Lets it in. Where too many are about to say hello, one of the peer with most of them is closed for it.
+    void enter(Client& client);
     void leave(Client& client);
     /// A line of the client. Answers go to it, and to the others that watch its machine.
     void take(Client& client, std::string_view line);
@@ -67,12 +67,17 @@ private:
     void require_trusted(const Client& client, const Message& message) const;
     /// Throws BadMessage when the hello would take more than its peer may have. Makes room for a new machine.
     void require_allowance(const Client& client, const Hello& hello);
+    /// Has the client closed when as many have said hello as may. For the control of a machine that is known a place is
+    /// made.
+    void require_place(Client& client, const Hello& hello);
+    bool is_known(const std::string& machine) const;
+    void evict(Client& client, const std::string& why, const std::string& right = "to come again");
     bool is_idle(const std::string& machine) const { return roster_.staying(machine) == 0; }
     void forget(const std::string& machine);
     /// Those that nobody has been connected to for long.
     void forget_newcomers();
-    /// Forgets the newcomer without a connection that has been there the longest, if there is one.
-    void make_room();
+    /// Forgets a newcomer without a connection, if there is one; `only_of`: one that this peer has introduced.
+    void make_room(const std::string* only_of = nullptr);
     void change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change, const std::string& what);
     identification::Diagnosis& diagnosis_of(Client& client) const;
     identification::Diagnosis& controlled_by(Client& client) const;

@@ -24,14 +24,14 @@ using boost::system::error_code;
 
 namespace {
 
-asio::ip::address network_of(const asio::ip::address& address) {
-    if (!address.is_v6() || address.is_loopback())
-        return address;
+std::string peer_at(const asio::ip::address& address) {
+    if (address.is_loopback())
+        return "loopback";
+    if (!address.is_v6())
+        return address.to_string();
     auto bytes = address.to_v6().to_bytes();
-    if (address.to_v6().is_v4_mapped())
-        return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
     std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
-    return asio::ip::address_v6(bytes);
+    return asio::ip::address_v6(bytes).to_string();
 }
 
 tcp::endpoint tcp_end(const asio::generic::stream_protocol::endpoint& end) {
@@ -44,15 +44,18 @@ Caller caller_of(Door::Socket& socket) {
     error_code error;
     auto end = socket.remote_endpoint(error);
     if (error)
-        return {"nobody", "nobody"};
+        return {"nobody", "nobody", ""};
     if (end.protocol().family() == AF_UNIX) {
         ucred who{};
         socklen_t size = sizeof who;
         ::getsockopt(socket.native_handle(), SOL_SOCKET, SO_PEERCRED, &who, &size);
-        return {fmt::format("user {}", who.uid), fmt::format("process {} of user {}", who.pid, who.uid)};
+        return {fmt::format("user {}", who.uid), fmt::format("process {} of user {}", who.pid, who.uid), ""};
     }
     tcp::endpoint tcp = tcp_end(end);
-    return {network_of(tcp.address()).to_string(), fmt::format("{} port {}", tcp.address().to_string(), tcp.port())};
+    asio::ip::address there = plain_address(tcp.address()), here;
+    if (auto local = socket.local_endpoint(error); !error)
+        here = plain_address(tcp_end(local).address());
+    return {peer_at(there), fmt::format("{} port {}", there.to_string(), tcp.port()), here.to_string()};
 }
 
 /// Throws UserError unless the path is free, or a socket where nobody listens any more: that is removed.
@@ -73,10 +76,16 @@ void clear_path(const std::string& path) {
 
 } // namespace
 
+asio::ip::address plain_address(const asio::ip::address& address) {
+    if (!address.is_v6() || !address.to_v6().is_v4_mapped())
+        return address;
+    return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
+}
+
 bool is_loopback(const std::string& address) {
     error_code error;
     asio::ip::address parsed = asio::ip::make_address(address, error);
-    return !error && parsed.is_loopback();
+    return !error && plain_address(parsed).is_loopback();
 }
 
 Door Door::at_port(asio::io_context& io, const std::string& address, std::uint16_t port, const std::string& option) {

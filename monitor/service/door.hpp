@@ -3,6 +3,7 @@
 #include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include <cstdint>
@@ -13,8 +14,11 @@ namespace placedpar::monitor {
 
 /// Who is at the other end of a connection.
 struct Caller {
-    std::string peer; ///< whom limits are for: an address, of IPv6 the network of 64 bits, "user 1000" of this computer
+    /// Whom limits are for: an address, of IPv6 the network of 64 bits; "loopback", whatever the address, since every
+    /// program of this computer has millions of them; "user 1000" at a socket in the file system.
+    std::string peer;
     std::string name; ///< for people: with the port
+    std::string here; ///< the address by which the connection came in
 };
 
 /// A place where connections come in: a port, or a socket in the file system.
@@ -50,6 +54,9 @@ private:
     std::uint16_t port_ = 0;
     std::string path_;
 };
+
+/// One of IPv4 within IPv6, as IPv4.
+boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 
 /// Does this address lead to this computer only? False if it is no address.
 bool is_loopback(const std::string& address);

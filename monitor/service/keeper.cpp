@@ -14,7 +14,17 @@ namespace {
 /// Beginning anew takes the states of all machines: it is tried less and less often.
 constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
 
+std::string going_on(const std::string& trouble) {
+    return fmt::format("{}; going on, but a restart would forget", trouble);
+}
+
 } // namespace
+
+Keeper::Keeper(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain)
+    : store_(store), outbox_(outbox), complain_(std::move(complain)), trouble_(store ? store->trouble() : "") {
+    if (!well())
+        complain_(going_on(trouble_));
+}
 
 void Keeper::record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,
                     std::vector<Entry> history) {
@@ -51,8 +61,7 @@ bool Keeper::note(const Progress& progress) {
         return false;
     pause_ = first_pause;
     next_attempt_ = Clock::now() + pause_;
-    complain_(well() ? "the state file is written again, with all that is known"
-                     : fmt::format("{}; going on, but a restart would forget", trouble_));
+    complain_(well() ? "the state file is written again, with all that is known" : going_on(trouble_));
     return true;
 }
 

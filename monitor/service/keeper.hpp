@@ -19,8 +19,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// `store` may be null: nothing is kept. `complain` is given sentences for the operator.
-    Keeper(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain)
-        : store_(store), outbox_(outbox), complain_(std::move(complain)) {}
+    Keeper(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain);
 
     /// The client's message, which its machine has taken.
     void record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,

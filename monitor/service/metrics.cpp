@@ -94,9 +94,13 @@ json::object machine_json(const Diagnosis& diagnosis) {
     json::value configuration;
     if (diagnosis.configuration())
         configuration = std::string(1, name_of(*diagnosis.configuration()));
-    return {{"machine", diagnosis.name()},           {"samples", diagnosis.samples()},
-            {"time_s", or_null(diagnosis.time_s())}, {"configuration", configuration},
-            {"verdicts", verdicts_json(diagnosis)},  {"estimates", json::array()}};
+    json::object healthy;
+    for (Link link : all_links)
+        healthy[symbol_of(link)] = diagnosis.baseline_in3_per_psi(link);
+    return {{"machine", diagnosis.name()},    {"healthy", healthy},
+            {"samples", diagnosis.samples()}, {"time_s", or_null(diagnosis.time_s())},
+            {"configuration", configuration}, {"verdicts", verdicts_json(diagnosis)},
+            {"estimates", json::array()}};
 }
 
 } // namespace

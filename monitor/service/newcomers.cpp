@@ -1,5 +1,9 @@
 #include "monitor/service/newcomers.hpp"
 
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
 namespace placedpar::monitor {
 
 std::optional<std::string> Newcomers::oldest(const std::function<bool(const std::string&)>& idle,
@@ -12,6 +16,19 @@ std::optional<std::string> Newcomers::oldest(const std::function<bool(const std:
             since = time;
         }
     return oldest;
+}
+
+std::optional<std::string> Newcomers::least(const std::function<bool(const std::string&)>& idle,
+                                            const std::function<std::string(const std::string&)>& peer,
+                                            const std::function<std::size_t(const std::string&)>& samples) const {
+    std::map<std::string, std::vector<std::tuple<std::size_t, Clock::time_point, std::string>>> of_peers;
+    for (const auto& [machine, time] : since_)
+        if (idle(machine))
+            of_peers[peer(machine)].emplace_back(samples(machine), time, machine);
+    auto most = std::ranges::max_element(of_peers, {}, [](const auto& each) { return each.second.size(); });
+    if (most == of_peers.end())
+        return std::nullopt;
+    return std::get<std::string>(*std::ranges::min_element(most->second));
 }
 
 } // namespace placedpar::monitor

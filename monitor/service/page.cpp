@@ -10,7 +10,9 @@ const char* const page_html = R"page(<!DOCTYPE html>
 <title>placedpar monitor</title>
 <link rel="icon" href="data:,">
 <style>
-:root { --paper: #fff; --ink: #1c2733; --faint: #667; --line: #d4d9df; --alarm: #b3261e; --good: #1b6e3c; }
+:root { --paper: #fff; --ink: #1c2733; --faint: #667; --line: #d4d9df; --alarm: #b3261e; --good: #1b6e3c; color-scheme: light dark; }
+@media (prefers-color-scheme: dark) { :root { --paper: #14191f; --ink: #e3e8ee; --faint: #98a5b3; --line: #38434f; --alarm: #ff8a80; --good: #7fd6a0; } }
+.wide { overflow-x: auto; } .wide svg { min-width: 34em; }
 body { background: var(--paper); color: var(--ink); font: 15px/1.4 sans-serif; margin: 0 auto; max-width: 72em; padding: 1em; }
 h1 { font-size: 1.3em; margin: 0; } h2 { font-size: 1.1em; margin: 1.4em 0 .3em; }
 table { border-collapse: collapse; width: 100%; }
@@ -24,12 +26,14 @@ tr.chosen td:first-child { font-weight: bold; } tr.machine { cursor: pointer; }
 <body>
 <h1>placedpar monitor</h1>
 <div id="load">asking the monitor ...</div>
-<h2>Alarms that hold</h2><div id="alarms"></div>
-<h2>Machines</h2><div id="machines"></div>
-<h2 id="title"></h2><div id="chart"></div><div id="past"></div>
+<p><label><input type="checkbox" id="si"> SI units</label></p>
+<h2>Alarms that hold</h2><div id="alarms" class="wide"></div>
+<h2>Machines</h2><div id="machines" class="wide"></div>
+<h2 id="title"></h2><div id="chart" class="wide"></div><div id="past" class="wide"></div>
 <script>
 "use strict";
-const colours = ["#0057b8", "#b35900", "#1b6e3c", "#7a2a8c", "#8c1d40", "#3d5a6c"];
+const colours = matchMedia("(prefers-color-scheme: dark)").matches
+  ? ["#6cb2ff", "#ffb366", "#7fd6a0", "#d59be6", "#ff9db8", "#a8c4d6"] : ["#0057b8", "#b35900", "#1b6e3c", "#7a2a8c", "#8c1d40", "#3d5a6c"];
 const marks = ["circle", "square", "triangle"];
 let chosen = null;
 const by = id => document.getElementById(id);
@@ -52,9 +56,11 @@ function row(cells) {
   return all;
 }
 const time = at => at === null ? "" : new Date(1000 * at).toLocaleString();
-const compliance = c => c === null ? "" : c.toFixed(5);
+const unit = () => by("si").checked ? {name: "cm³/MPa", factor: 16.387064 / .006894757293} : {name: "in³/psi", factor: 1};
+const compliance = c => c === null ? "" : (c * unit().factor).toPrecision(4);
+const counted = (n, noun) => `${n} ${noun}${n === 1 ? "" : "s"}`;
 function showLoad(d) {
-  const line = made("span", `${d.machines.length} machines, ${d.clients} connections, ` +
+  const line = made("span", `${counted(d.machines.length, "machine")}, ${counted(d.clients, "connection")}, ` +
     `${d.samples_per_s.toFixed(0)} samples/s, ${(100 * d.cpu_of_core).toFixed(1)} % of a core, ` +
     `longest turn ${(1000 * d.longest_turn_s).toFixed(1)} ms, up ${(d.uptime_s / 3600).toFixed(2)} h; `);
   by("load").replaceChildren(line, d.kept ? made("span", "all is kept", "good") : made("span", "not kept: " + d.trouble, "alarm"));
@@ -78,7 +84,7 @@ function showMachines(d) {
     tr.onclick = () => { chosen = m.machine; refresh(); };
     return tr;
   });
-  by("machines").replaceChildren(table(["machine", "configuration", "samples", "verdicts", "settled compliances [in³/psi]", "alarms"],
+  by("machines").replaceChildren(table(["machine", "configuration", "samples", "verdicts", `settled compliances [${unit().name}]`, "alarms"],
     rows, "none has said hello yet"));
 }
 function svg(tag, attributes, text) {
@@ -92,26 +98,50 @@ function mark(kind, x, y, colour) {
   if (kind === "triangle") return svg("path", {d: `M${x - 5} ${y + 4}h10l-5 -9z`, fill: colour});
   return svg("circle", {cx: x, cy: y, r: 4, fill: colour});
 }
-function chart(points, alarms) {
+// Round numbers within the range, some five of them, for compliances and for times.
+function ticks(from, to, steps) {
+  const step = steps.find(s => (to - from) / s <= 6) ?? steps.at(-1), all = [];
+  for (let i = Math.ceil(from / step - 1e-9); i * step <= to + 1e-9 * step; ++i) all.push(i * step);
+  return {all, step};
+}
+const decimal = Array.from({length: 36}, (_, i) => [1, 2, 5][i % 3] * 10 ** (Math.floor(i / 3) - 6));
+const clock = [...decimal.filter(s => s < 5 && s > .0005), 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200];
+for (let days = 86400; days < 1e10; days *= 2) clock.push(days);
+function timeText(at, step) {
+  const t = new Date(1000 * at);
+  if (step >= 86400) return t.toLocaleDateString();
+  const text = t.toLocaleTimeString([], {hour: "2-digit", minute: "2-digit", ...(step < 60 ? {second: "2-digit"} : {}),
+    ...(step < 1 ? {fractionalSecondDigits: 3} : {}), hourCycle: "h23"});
+  return step >= 7200 ? t.toLocaleDateString([], {day: "numeric", month: "short"}) + " " + text : text;
+}
+function chart(points, alarms, healthy) {
+  const factor = unit().factor;
+  points = points.map(p => ({...p, compliance: p.compliance * factor, error: p.error === null ? null : p.error * factor}));
   const w = 900, h = 320, left = 70, right = 130, top = 14, bottom = 34;
   const low = p => p.compliance - (p.error ?? 0), high = p => p.compliance + (p.error ?? 0);
   let from = Math.min(...points.map(p => p.at)), to = Math.max(...points.map(p => p.at));
-  if (to - from < 1) { from -= 1; to += 1; }
-  const most = 1.1 * Math.max(...points.map(high)), least = Math.min(0, ...points.map(low));
+  const margin = Math.max(.5, .03 * (to - from)); // no point is on the frame
+  from -= margin; to += margin;
+  const links = [...new Set(points.map(p => p.link))].filter(link => healthy[link]), known = links.map(link => healthy[link] * factor);
+  const most = 1.1 * Math.max(...points.map(high), ...known), least = Math.min(0, ...points.map(low));
   const x = at => left + (w - left - right) * (at - from) / (to - from);
   const y = c => h - bottom - (h - top - bottom) * (c - least) / (most - least);
   const all = svg("svg", {viewBox: `0 0 ${w} ${h}`, role: "img"});
   all.append(svg("title", {}, "compliances over time"));
-  for (let i = 0; i <= 4; ++i) {
-    const c = least + (most - least) * i / 4, at = from + (to - from) * i / 4;
-    all.append(svg("line", {x1: left, x2: w - right, y1: y(c), y2: y(c), stroke: "#d4d9df"}),
-      svg("text", {x: left - 6, y: y(c) + 4, "text-anchor": "end"}, c.toFixed(4)),
-      svg("text", {x: x(at), y: h - 12, "text-anchor": "middle"}, new Date(1000 * at).toLocaleTimeString()));
+  const cs = ticks(least, most, decimal);
+  for (const c of cs.all)
+    all.append(svg("line", {x1: left, x2: w - right, y1: y(c), y2: y(c), style: "stroke:var(--line)"}),
+      svg("text", {x: left - 6, y: y(c) + 4, "text-anchor": "end"}, c.toFixed(Math.max(0, -Math.floor(Math.log10(cs.step) + 1e-9)))));
+  const zone = 60 * new Date(1000 * from).getTimezoneOffset(), times = ticks(from - zone, to - zone, clock);
+  for (const local of times.all) {
+    const at = local + zone;
+    all.append(svg("line", {x1: x(at), x2: x(at), y1: h - bottom, y2: h - bottom + 4, style: "stroke:var(--faint)"}),
+      svg("text", {x: x(at), y: h - 12, "text-anchor": "middle"}, timeText(at, times.step)));
   }
-  all.append(svg("text", {x: left, y: top - 2}, "in³/psi"));
+  all.append(svg("text", {x: left, y: top - 2}, unit().name));
   for (const a of alarms) if (a.raised_at >= from && a.raised_at <= to)
-    all.append(svg("line", {x1: x(a.raised_at), x2: x(a.raised_at), y1: top, y2: h - bottom, stroke: "#b3261e", "stroke-dasharray": "4 3"}),
-      svg("text", {x: x(a.raised_at) + 3, y: top + 10, style: "fill:#b3261e"}, a.alarm));
+    all.append(svg("line", {x1: x(a.raised_at), x2: x(a.raised_at), y1: top, y2: h - bottom, style: "stroke:var(--alarm)", "stroke-dasharray": "4 3"}),
+      svg("text", {x: x(a.raised_at) + 3, y: top + 10, style: "fill:var(--alarm)"}, a.alarm));
   const names = [...new Set(points.map(p => `${p.link} by ${p.set}`))].sort();
   names.forEach((name, i) => {
     const colour = colours[i % colours.length], kind = marks[i % marks.length];
@@ -124,13 +154,21 @@ function chart(points, alarms) {
     }
     all.append(mark(kind, w - right + 18, top + 10 + 20 * i, colour), svg("text", {x: w - right + 30, y: top + 14 + 20 * i}, name));
   });
+  const beside = [];
+  links.forEach((link, i) => {
+    let at = y(known[i]); // names do not lie on each other
+    while (beside.some(other => Math.abs(other - at) < 12)) at -= 12;
+    beside.push(at);
+    all.append(svg("line", {x1: left, x2: w - right, y1: y(known[i]), y2: y(known[i]), "stroke-dasharray": "1 4", "stroke-width": 2, style: "stroke:var(--good)"}),
+      svg("text", {x: left + 4, y: at - 4, style: "fill:var(--good)"}, `${link} in health`));
+  });
   return all;
 }
-async function showPast(now) {
+async function showPast(now, healthy) {
   by("title").textContent = chosen ? `${chosen}: compliances over time, with their standard errors` : "";
   if (!chosen) { by("chart").replaceChildren(); by("past").replaceChildren(); return; }
   const d = await ask("history?machine=" + encodeURIComponent(chosen));
-  by("chart").replaceChildren(d.estimates.length ? chart(d.estimates, d.alarms)
+  by("chart").replaceChildren(d.estimates.length ? chart(d.estimates, d.alarms, healthy)
     : made("p", "no transient has ended yet, or the monitor has no state file", "faint"));
   by("past").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, now)), "no alarm so far"));
 }
@@ -146,11 +184,13 @@ async function refresh() {
     showLoad(d);
     by("alarms").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, d.at)), "none"));
     showMachines(d);
-    await showPast(d.at);
+    await showPast(d.at, d.machines.find(m => m.machine === chosen)?.healthy ?? {});
   } catch (error) {
     by("load").replaceChildren(made("span", "the monitor does not answer: " + error.message, "alarm"));
   }
 }
+by("si").checked = location.hash === "#si";
+by("si").onchange = () => { history.replaceState(null, "", by("si").checked ? "#si" : " "); refresh(); };
 refresh();
 setInterval(refresh, 2000);
 </script>

@@ -4,18 +4,9 @@
 
 namespace placedpar::monitor {
 
-bool Peers::connect(const std::string& peer) {
-    auto found = connections_.find(peer);
-    if (found != connections_.end() && found->second >= limits_.clients_per_peer)
-        return false;
-    ++connections_[peer];
-    return true;
-}
-
-void Peers::disconnect(const std::string& peer) {
-    auto found = connections_.find(peer);
-    if (--found->second == 0)
-        connections_.erase(found);
+std::string Peers::of(const std::string& machine) const {
+    auto found = introduced_.find(machine);
+    return found == introduced_.end() ? "" : found->second;
 }
 
 bool Peers::may_introduce(const std::string& peer) const {

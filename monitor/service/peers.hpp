@@ -18,14 +18,11 @@ public:
 
     explicit Peers(const ServiceLimits& limits) : limits_(limits) {}
 
-    /// One more connection; false, and nothing changes, when it has as many as it may.
-    bool connect(const std::string& peer);
-    /// REQUIRES: connect() gave true.
-    void disconnect(const std::string& peer);
-
     bool may_introduce(const std::string& peer) const;
     void introduced(const std::string& peer, const std::string& machine);
     void forgotten(const std::string& machine);
+    /// Who introduced it; "": nobody since the start.
+    std::string of(const std::string& machine) const;
 
     /// One more takeover of a machine's control; false, and nothing changes, when there were too many in the last
     /// minute.
@@ -33,7 +30,7 @@ public:
 
 private:
     const ServiceLimits& limits_;
-    std::map<std::string, std::size_t> connections_, machines_;
+    std::map<std::string, std::size_t> machines_;
     std::map<std::string, std::string> introduced_; ///< peers by machine
     std::map<std::string, std::deque<Clock::time_point>> takeovers_;
 };

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace placedpar::monitor {
+
+void Roster::enter(Client& client) {
+    client.number = ++entered_;
+    clients_.insert(&client);
+}
 
 void Roster::leave(Client& client) {
     clients_.erase(&client);
@@ -37,16 +43,29 @@ Client* Roster::control_of(const std::string& machine) const {
 
 namespace {
 
-std::size_t count_staying(const std::set<Client*>& clients) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(clients, [](const Client* client) { return !client->leaving && !client->finishing(); }));
-}
+bool stays(const Client* client) { return !client->leaving && !client->finishing(); }
 
 } // namespace
 
-std::size_t Roster::staying(const std::string& machine) const { return count_staying(of(machine)); }
+std::size_t Roster::staying(const std::string& machine) const {
+    return static_cast<std::size_t>(std::ranges::count_if(of(machine), stays));
+}
 
-std::size_t Roster::size() const { return count_staying(clients_); }
+std::size_t Roster::size() const { return static_cast<std::size_t>(std::ranges::count_if(clients_, stays)); }
+
+std::size_t Roster::count(const std::function<bool(const Client&)>& which) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(clients_, [&](const Client* client) { return stays(client) && which(*client); }));
+}
+
+Client* Roster::least(const std::function<bool(const Client&)>& which) const {
+    std::map<std::string, std::vector<Client*>> of_peers;
+    for (Client* client : clients_)
+        if (stays(client) && which(*client))
+            of_peers[client->caller.peer].push_back(client);
+    auto most = std::ranges::max_element(of_peers, {}, [](const auto& each) { return each.second.size(); });
+    return most == of_peers.end() ? nullptr : *std::ranges::min_element(most->second, {}, &Client::number);
+}
 
 std::size_t Roster::queued_bytes() const {
     std::size_t bytes = 0;

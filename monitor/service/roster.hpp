@@ -3,6 +3,8 @@
 #include "monitor/service/client.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -12,7 +14,7 @@ namespace placedpar::monitor {
 /// Who is connected, and to which machine.
 class Roster {
 public:
-    void enter(Client& client) { clients_.insert(&client); }
+    void enter(Client& client);
     void leave(Client& client);
     /// It has said hello: client.hello. Gives the control system that it takes the place of; null when there is none.
     Client* join(Client& client);
@@ -24,12 +26,17 @@ public:
     std::size_t staying(const std::string& machine) const;
     /// Null when there is none.
     Client* control_of(const std::string& machine) const;
-    /// Without those that are about to be closed.
+    /// Without those that are about to be closed, as are these two.
     std::size_t size() const;
+    std::size_t count(const std::function<bool(const Client&)>& which) const;
+    /// The one to be closed for another, of those that `which` is true of: of the peer with most of them the oldest.
+    /// Null when there is none.
+    Client* least(const std::function<bool(const Client&)>& which) const;
     std::size_t queued_bytes() const;
 
 private:
     std::set<Client*> clients_;
+    std::uint64_t entered_ = 0;
     std::map<std::string, std::set<Client*>> of_machine_;
     std::map<std::string, Client*> control_;
 };

@@ -16,6 +16,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <map>
@@ -47,8 +48,8 @@ Token token_for(const ServiceSettings& settings) {
 
 class Service::Loop {
 public:
-    Loop(const ServiceSettings& settings, std::function<void(const std::string&)> say)
-        : settings_(settings), say_(std::move(say)), ticker_(io_), signals_(io_),
+    Loop(const ServiceSettings& settings, Log& log)
+        : settings_(settings), log_(log), ticker_(io_), signals_(io_),
           diagnoses_(settings.diagnosis, settings.seed, settings.limits.machines) {
         settings.diagnosis.validate();
         doors_.reserve(3);
@@ -58,14 +59,16 @@ public:
         if (!settings.state.empty()) {
             store_.emplace(settings.state, diagnoses_, settings.limits.history);
             if (!store_->said().empty())
-                say_(store_->said());
+                log_.say(store_->said());
         }
         if (settings.http_port)
             page_door_.emplace(Door::at_port(io_, settings.address, *settings.http_port, "--http"));
         if (!settings.unix_path.empty())
             doors_.push_back(Door::at_path(io_, settings.unix_path));
-        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say_);
-        site_.emplace(io_, *dispatcher_, store_ ? &*store_ : nullptr, std::move(token), say_);
+        auto say = [this](const std::string& sentence) { log_.say(sentence); };
+        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say);
+        site_.emplace(io_, *dispatcher_, store_ ? &*store_ : nullptr, std::move(token),
+                      HostNames(settings.address, settings.host_names), say);
         if (store_)
             store_->start([this](Progress progress) {
                 asio::post(io_, [this, progress = std::move(progress)] { dispatcher_->note(progress); });
@@ -75,13 +78,12 @@ public:
     std::uint16_t port() const { return settings_.port ? doors_.front().port() : std::uint16_t{0}; }
     std::uint16_t http_port() const { return page_door_ ? page_door_->port() : std::uint16_t{0}; }
 
-    void stop_at_signals() {
+    void heed_signals() {
         signals_.add(SIGINT);
         signals_.add(SIGTERM);
-        signals_.async_wait([this](const error_code& error, int) {
-            if (!error)
-                stop_now();
-        });
+        if (!log_.is_terminal())
+            signals_.add(SIGHUP);
+        heed_next_signal();
     }
 
     void run() {
@@ -90,7 +92,8 @@ public:
         if (page_door_)
             page_door_->open(
                 [this](Door::Socket socket, const Caller& caller) { site_->welcome(std::move(socket), caller); });
-        tell_systemd("READY=1");
+        if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
+            log_.say(trouble); // once: the rest goes wrong for the same reason
         tick();
         io_.run();
         dispatcher_->finish();
@@ -121,15 +124,20 @@ private:
 
     struct Guest {
         std::shared_ptr<Connection> connection;
-        std::unique_ptr<ConnectedClient> client; ///< null: turned away
+        std::unique_ptr<ConnectedClient> client;
     };
 
     void welcome(Door::Socket socket, const Caller& caller) {
         if (stopping_)
             return;
-        // Those turned away linger until they have read why: their number is limited, too.
-        if (guests_.size() >= 2 * settings_.limits.clients)
-            return;
+        // Those that are closed linger until they have read why: their number is limited, too.
+        auto lingers = [](const auto& guest) { return guest.first->finishing(); };
+        if (guests_.size() >= 2 * settings_.limits.clients + 2) {
+            auto found = std::ranges::find_if(guests_, lingers);
+            if (found == guests_.end())
+                return;
+            std::shared_ptr<Connection>(found->second.connection)->close();
+        }
         error_code ignored; // a socket of this computer has no such options
         socket.set_option(tcp::no_delay(true), ignored);
         socket.set_option(asio::socket_base::keep_alive(true), ignored);
@@ -144,35 +152,18 @@ private:
         guest.connection = connection;
         auto client = std::make_unique<ConnectedClient>(*connection);
         client->caller = caller;
-        if (dispatcher_->clients() >= settings_.limits.clients)
-            turn_away(*connection, fmt::format("there are {} clients already", settings_.limits.clients),
-                      "to come again later; --max-clients allows more");
-        else if (!dispatcher_->enter(*client))
-            turn_away(*connection,
-                      fmt::format("{} has {} connections already", caller.peer, settings_.limits.clients_per_peer),
-                      "one of those; --max-clients-per-peer allows more");
-        else {
-            guest.client = std::move(client);
-            connection->start();
-        }
+        dispatcher_->enter(*client);
+        guest.client = std::move(client);
+        connection->start();
     }
 
-    void turn_away(Connection& connection, const std::string& wrong, const std::string& right) {
-        connection.send(error_line(0, BadMessage("", wrong, right)));
-        connection.finish();
-    }
-
-    void take(Connection& from, std::string_view line) {
-        if (auto& client = guests_.at(&from).client)
-            dispatcher_->take(*client, line);
-    }
+    void take(Connection& from, std::string_view line) { dispatcher_->take(*guests_.at(&from).client, line); }
 
     void leave(Connection& gone) {
         auto found = guests_.find(&gone);
         if (found == guests_.end())
             return;
-        if (found->second.client)
-            dispatcher_->leave(*found->second.client);
+        dispatcher_->leave(*found->second.client);
         guests_.erase(found);
         if (stopping_ && guests_.empty())
             io_.stop();
@@ -186,6 +177,7 @@ private:
         for (const auto& connection : connections) // which may leave meanwhile
             connection->tick(now);
         dispatcher_->tick();
+        log_.tick();
         if (now >= next_sign_of_life_) {
             tell_systemd("WATCHDOG=1");
             next_sign_of_life_ = now + std::chrono::seconds(1);
@@ -198,6 +190,17 @@ private:
         ticker_.async_wait([this](const error_code& error) {
             if (!error)
                 tick();
+        });
+    }
+
+    void heed_next_signal() {
+        signals_.async_wait([this](const error_code& error, int number) {
+            if (error)
+                return;
+            if (number != SIGHUP)
+                return stop_now();
+            log_.reopen();
+            heed_next_signal();
         });
     }
 
@@ -218,7 +221,7 @@ private:
     }
 
     ServiceSettings settings_;
-    std::function<void(const std::string&)> say_;
+    Log& log_;
     asio::io_context io_{1};
     std::vector<Door> doors_;
     std::optional<Door> page_door_;
@@ -233,8 +236,7 @@ private:
     bool stopping_ = false;
 };
 
-Service::Service(const ServiceSettings& settings, std::function<void(const std::string&)> say)
-    : loop_(std::make_unique<Loop>(settings, std::move(say))) {}
+Service::Service(const ServiceSettings& settings, Log& log) : loop_(std::make_unique<Loop>(settings, log)) {}
 
 Service::~Service() = default;
 
@@ -242,7 +244,7 @@ std::uint16_t Service::port() const { return loop_->port(); }
 
 std::uint16_t Service::http_port() const { return loop_->http_port(); }
 
-void Service::stop_at_signals() { loop_->stop_at_signals(); }
+void Service::heed_signals() { loop_->heed_signals(); }
 
 void Service::run() { loop_->run(); }
 

@@ -18,11 +18,11 @@ constexpr const char *json_type = "application/json", *html_type = "text/html; c
 
 } // namespace
 
-Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token,
+Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token, HostNames names,
            std::function<void(const std::string&)> say)
     : io_(io), dispatcher_(dispatcher), store_(store),
       web_(
-          std::move(token),
+          std::move(token), std::move(names),
           [this](const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply) {
               answer(path, query, trusted, reply);
           },
@@ -64,9 +64,10 @@ void Site::answer_history(const std::string& query, const Web::Reply& reply) {
         reply({200, json_type, history_json({}, {})});
         return;
     }
-    store_->look([this, reply, machine = query.substr(name.size())](History& history) {
+    store_->look([this, reply, machine = query.substr(name.size())](StateFile& file) {
         WebAnswer answer{200, json_type, ""};
         try {
+            History& history = file.history();
             answer.text = history_json(history.estimates(machine, most_rows), history.alarms(machine, most_rows));
         } catch (const std::exception& error) {
             answer = {500, "text/plain; charset=utf-8", fmt::format("{}\n", error.what())};

@@ -15,7 +15,7 @@ namespace placedpar::monitor {
 class Site {
 public:
     /// `store` may be null: there is no history. REQUIRES: all outlive it.
-    Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token,
+    Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token, HostNames names,
          std::function<void(const std::string&)> say);
 
     void welcome(Door::Socket socket, const Caller& caller) { web_.welcome(std::move(socket), caller); }

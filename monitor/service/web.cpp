@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -36,11 +37,14 @@ public:
         : web_(&web), stream_(std::move(socket)), caller_(std::move(caller)) {}
 
     const Caller& caller() const { return caller_; }
+    /// Since when a request is waited for, or its answer to be read.
+    std::chrono::steady_clock::time_point since() const { return since_; }
 
     void read() {
         parser_.emplace();
         parser_->header_limit(most_header_bytes);
         parser_->body_limit(0);
+        since_ = std::chrono::steady_clock::now();
         stream_.expires_after(most_patience);
         http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](const error_code& error, std::size_t) {
             if (error)
@@ -67,6 +71,10 @@ private:
             answer({405, "text/plain; charset=utf-8", "GET and HEAD only: nothing can be changed here\n"});
             return;
         }
+        if (std::optional<WebAnswer> refusal = foreign()) {
+            answer(std::move(*refusal));
+            return;
+        }
         std::string target(request.target());
         std::size_t mark = target.find('?');
         std::string authorization(request[http::field::authorization]);
@@ -76,6 +84,21 @@ private:
             web_->say_(fmt::format("{} has said a wrong token", caller_.name));
         web_->handler_(target.substr(0, mark), mark == target.npos ? "" : target.substr(mark + 1), trusted,
                        [self = shared_from_this()](WebAnswer answer) { self->answer(std::move(answer)); });
+    }
+
+    /// What is said to a request of which it is not clear that it is for this service.
+    std::optional<WebAnswer> foreign() const {
+        constexpr const char* plain = "text/plain; charset=utf-8";
+        const auto& request = parser_->get();
+        auto count = request.count(http::field::host);
+        if (count == 0 && request.version() < 11)
+            return std::nullopt; // HTTP/1.0 has no such field, and no browser says so
+        auto host = host_in(std::string_view(request[http::field::host]));
+        if (count != 1 || !host)
+            return WebAnswer{400, plain, "one Host field is wanted, with a name or an address\n"};
+        if (!web_->names_.has(*host, caller_.here))
+            return WebAnswer{421, plain, "the Host is another's; --host-name tells the monitor of names it has\n"};
+        return std::nullopt;
     }
 
     void answer(WebAnswer answer) {
@@ -110,6 +133,7 @@ private:
     Web* web_; ///< null: it has ended
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
+    std::chrono::steady_clock::time_point since_;
     bool guessed_ = false; ///< a token, wrongly: each guess costs a connection
     beast::flat_buffer buffer_{most_header_bytes};
     std::optional<http::request_parser<http::empty_body>> parser_;
@@ -117,13 +141,24 @@ private:
 };
 
 void Web::welcome(Door::Socket socket, const Caller& caller) {
-    auto of_peer = std::ranges::count_if(
-        sessions_, [&](const std::shared_ptr<Session>& each) { return each->caller().peer == caller.peer; });
-    if (sessions_.size() >= most_sessions || static_cast<std::size_t>(of_peer) >= most_sessions_of_peer)
-        return; // which closes it
+    std::map<std::string, std::size_t> of_peers;
+    for (const auto& each : sessions_)
+        ++of_peers[each->caller().peer];
+    if (of_peers[caller.peer] >= most_sessions_of_peer)
+        make_place(caller.peer);
+    else if (sessions_.size() >= most_sessions)
+        make_place(std::ranges::max_element(of_peers, {}, [](const auto& each) { return each.second; })->first);
     auto session = std::make_shared<Session>(*this, std::move(socket), caller);
     sessions_.insert(session);
     session->read();
+}
+
+void Web::make_place(const std::string& peer) {
+    std::shared_ptr<Session> oldest;
+    for (const auto& each : sessions_)
+        if (each->caller().peer == peer && (!oldest || each->since() < oldest->since()))
+            oldest = each;
+    oldest->end();
 }
 
 void Web::close() {

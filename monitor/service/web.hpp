@@ -1,6 +1,7 @@
 #pragma once
 
 #include "monitor/service/door.hpp"
+#include "monitor/service/host_names.hpp"
 #include "monitor/service/token.hpp"
 
 #include <cstddef>
@@ -28,9 +29,10 @@ public:
     using Handler = std::function<void(const std::string& path, const std::string& query, bool trusted, Reply reply)>;
 
     /// `say` is given sentences for the operator.
-    Web(Token token, Handler handler, std::function<void(const std::string&)> say)
-        : token_(std::move(token)), handler_(std::move(handler)), say_(std::move(say)) {}
+    Web(Token token, HostNames names, Handler handler, std::function<void(const std::string&)> say)
+        : token_(std::move(token)), names_(std::move(names)), handler_(std::move(handler)), say_(std::move(say)) {}
 
+    /// Where there are too many, the peer with most of them loses the one that has been waiting the longest.
     void welcome(Door::Socket socket, const Caller& caller);
     /// Closes all connections.
     void close();
@@ -41,9 +43,11 @@ private:
 
     /// "Authorization": the token itself (Bearer), or as the password of anybody (Basic), as browsers ask for it.
     bool trusts(const std::string& authorization) const;
+    void make_place(const std::string& peer);
 
     static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< ours
     Token token_;
+    HostNames names_;
     Handler handler_;
     std::function<void(const std::string&)> say_;
     std::set<std::shared_ptr<Session>> sessions_;

@@ -54,26 +54,27 @@ class Crowd(ServiceTest):
         self.assertEqual(stays.ask(**CONFIGURATION)["type"], "configured")
 
     def test_a_peer_introduces_so_many_machines(self):
-        service = self.service("--max-machines-per-peer", 3)
-        self.names(service, 3)
+        path = str(self.folder / "socket")
+        service = self.service("--max-machines-per-peer", 3, "--unix", path, "--port", 0)
+        clients = [self.client(service, f"name-{i}") for i in range(3)]
         refused = self.client(service, "one-more").welcome
-        self.assertIn("127.0.0.1 has introduced 3 machines already", refused["wrong"])
-        self.assertEqual(self.client(service, "one-more", source="127.0.0.2").welcome["type"], "welcome")
-        self.client(service).ask(type="forget", machine="name-0")
+        self.assertIn("loopback has introduced 3 machines already", refused["wrong"])
+        self.assertEqual(self.client(service, "one-more", path=path).welcome["type"], "welcome")
+        clients[0].ask(type="bye")
+        self.assertIsNone(clients[0].receive())
         self.assertEqual(self.client(service, "in-its-place").welcome["type"], "welcome")
 
     def test_a_peer_has_so_many_connections(self):
-        service = self.service("--max-clients-per-peer", 2)
-        first, _ = self.client(service, "digger"), self.client(service)
-        third = self.client(service)
-        self.assertIn("127.0.0.1 has 2 connections already", third.receive()["wrong"])
+        path = str(self.folder / "socket")
+        service = self.service("--max-clients-per-peer", 2, "--unix", path, "--port", 0)
+        first, _ = self.client(service, "digger"), self.client(service, "dozer")
+        third = self.client(service, "crane")
+        self.assertIn("there are 2 clients already", third.welcome["wrong"])
         self.assertIsNone(third.receive())
-        other = self.client(service, source="127.0.0.2")
-        self.assertEqual(other.ask(type="ping")["type"], "pong")
+        self.assertEqual(self.client(service, "lorry", path=path).welcome["type"], "welcome")
         first.ask(type="bye")
         self.assertIsNone(first.receive())
-        first.close()
-        self.until(lambda: self.client(service).ask(type="ping")["type"] == "pong")
+        self.assertEqual(self.client(service, "crane").welcome["type"], "welcome")
 
     def test_a_peer_takes_over_so_often(self):
         service = self.service("--max-takeovers", 3)

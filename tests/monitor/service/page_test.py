@@ -133,7 +133,7 @@ class Page(ServiceTest):
         service = self.service("--http", 0, "--token-file", token)
         address = "127.0.0.1", int(re.search(r":(\d+)/", service.page)[1])
         with socket.create_connection(address, SECONDS) as raw:
-            raw.sendall(b"GET /sight HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer wrong-horse-battery\r\n\r\n" * 3)
+            raw.sendall(b"GET /sight HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer wrong-horse-battery\r\n\r\n" * 3)
             answers = b"".join(iter(lambda: raw.recv(4096), b""))
         self.assertEqual(answers.count(b"HTTP/1.1 401"), 1)
         self.assertRegex(service.stop()[1], r"Z placedpar monitor: 127.0.0.1 port \d+ has said a wrong token\n")

@@ -61,6 +61,7 @@ class Robustness(ServiceTest):
         half.send_bytes(b'{"type":"ping"}\n{"type":"pi')
         half.socket.shutdown(socket.SHUT_WR)
         self.assertEqual(half.receive()["type"], "pong")
+        self.assertEqual(half.receive()["line"], 2)  # what is no message is answered so
         self.assertIsNone(half.receive())
         self.still_well(service)
 
@@ -185,8 +186,9 @@ class Robustness(ServiceTest):
         service = self.service("--max-clients", 2, "--max-machines", 1)
         first, second = self.client(service, "digger"), self.client(service)
         self.assertIn("1 machines already", second.ask(type="hello", version=1, machine="other")["wrong"])
-        third = self.client(service)
-        self.assertIn("2 clients already", third.receive()["wrong"])
+        self.client(service, "digger", role="watch")
+        third = self.client(service, "digger", role="watch")
+        self.assertIn("2 clients already", third.welcome["wrong"])
         self.assertIsNone(third.receive())
         first.ask(type="bye")
         self.assertIsNone(first.receive())
