@@ -1,6 +1,7 @@
 #include "identification/flags.hpp"
 
 #include "hydraulics/data/frozen_run.hpp"
+#include "hydraulics/data/sampling.hpp"
 #include "identification/compliance_fit.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +67,7 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
     if (double least = std::ranges::min(psi); least < vacuum_psi)
         link.flags.push_back(
             {FlagKind::vacuum, fmt::format("impossible: the pressure reads {:.0f} psi, below vacuum", least)});
-    if (auto frozen = frozen_run(psi, least_jump_psi))
+    if (auto frozen = frozen_run(psi, least_jump_psi, fewest_frozen(method_period_s)))
         link.flags.push_back(
             {FlagKind::frozen, fmt::format("impossible: the pressure stands at {:.1f} psi in {} samples from {:.3f} s "
                                            "on, and then jumps by {:.0f} psi",

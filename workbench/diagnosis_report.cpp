@@ -72,6 +72,10 @@ std::string print_verdict(Link link, const LinkVerdict& said) {
         return fmt::format("{}: sound, {}, by its last {}: off by {}\n", name_of(link), how_sure(verdict.probability),
                            verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
                            print_deviation(said));
+    if (verdict.kind == VerdictKind::cannot_tell)
+        return fmt::format("{}: cannot tell: its last {} leave open whether it is sound: off by {}\n", name_of(link),
+                           verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
+                           print_deviation(said));
     if (verdict.kind == VerdictKind::not_enough_evidence)
         return fmt::format("{}: not enough evidence: {} movements show how it is in health, a verdict takes one more, "
                            "and a fault two\n",

@@ -45,6 +45,11 @@ RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const
     return {needed, options.missing == "skip"};
 }
 
+boost::json::object sampling_json(const Sampling& sampling) {
+    return {
+        {"reading_s", sampling.reading_s}, {"readings_a_sample", sampling.readings}, {"sample_s", sampling.period_s()}};
+}
+
 boost::json::array warnings_json(const std::vector<Diagnostic>& warnings) {
     boost::json::array array;
     for (const Diagnostic& warning : warnings)

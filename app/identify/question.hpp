@@ -3,9 +3,11 @@
 #include "app/options/identify_options.hpp"
 #include "hydraulics/circuit/link_calibration.hpp"
 #include "hydraulics/data/record_table.hpp"
+#include "hydraulics/data/sampling.hpp"
 #include "text/diagnostic.hpp"
 
 #include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
 
 #include <functional>
 #include <optional>
@@ -23,6 +25,8 @@ double offset_asked(const std::string& text);
 hydraulics::RecordNeeds needs_of(const IdentifyOptions& options,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 
+/// How the record's readings were averaged.
+boost::json::object sampling_json(const hydraulics::Sampling& sampling);
 boost::json::array warnings_json(const std::vector<Diagnostic>& warnings);
 
 } // namespace placedpar

@@ -129,9 +129,11 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
     std::vector<std::string_view> names;
     for (Link link : links_of(identifying.links()))
         names.push_back(name_of(link));
-    return fmt::format("{} in configuration {}; a search of {}, {} a sample\n\n", fmt::join(names, ", "),
+    const Sampling& sampling = identifying.diagnosis().sampling();
+    return fmt::format("{} in configuration {}; a search of {}, {} a sample\n{}\n", fmt::join(names, ", "),
                        options.configuration, counted(options.population, "individual"),
-                       counted(options.trials, "generation"));
+                       counted(options.trials, "generation"),
+                       sampling.readings > 1 ? fmt::format("{}\n", print_sampling(sampling)) : "");
 }
 
 [[noreturn]] void refuse_rest(const Identifying& identifying) {
@@ -145,6 +147,7 @@ void report(Identifying& identifying, boost::json::object& json) {
     print_out("\n" + print_verdicts(identifying.diagnosis()));
     for (auto& [key, value] : verdicts_json(identifying.diagnosis()))
         json[key] = value;
+    json["sampling"] = sampling_json(identifying.diagnosis().sampling());
     json["samples"] = identifying.diagnosis().samples();
     json["movements"] = std::move(identifying).movements_json();
 }

@@ -56,6 +56,7 @@ bool uses_spool(const Record& record, const Question& question) {
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
+    Sampling sampling; ///< of the record as it was read
     IdentificationWay way;
     Question question;
     bool calibrates = false;                ///< --offset auto, and it matters
@@ -90,6 +91,9 @@ Case read_case(const IdentifyOptions& options) {
     asked.machine = load_machine(options.machine, print_warnings);
     asked.loaded =
         load_record(options.record, needs_of(options, [links](const ChannelSet&) { return links; }), print_warnings);
+    asked.sampling = Sampling::of(asked.loaded.record.period_s);
+    if (asked.sampling.readings > 1)
+        asked.loaded.record = averaged(asked.loaded.record, asked.sampling);
     if (!uses_spool(asked.loaded.record, asked.question)) {
         if (asked.question.spool_offset_in)
             throw UserError(fmt::format("--offset {}: the areas of these links do not come from the boom's "
@@ -123,6 +127,7 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json) {
     const Case asked = read_case(options);
     json["warnings"] = warnings_json(asked.loaded.warnings);
+    json["sampling"] = sampling_json(asked.sampling);
     identification::ComplianceSearch prepared = prepare(asked.loaded.record, asked.machine, asked.question, asked.way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
     if (asked.calibration)
@@ -132,6 +137,8 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
         processes = search_by_processes(
             {options.netlist, overrides_of(options.set), read_options_of(options.read), options.json}, prepared,
             asked.way, print_warnings);
+    if (asked.sampling.readings > 1)
+        print_out(print_sampling(asked.sampling) + "\n");
     if (asked.calibrates)
         print_out(print_calibration(asked.calibration));
     print_out(print_identified(identified, prepared, asked.way));

@@ -15,13 +15,13 @@ struct FrozenRun {
     double jump;             ///< at its end
 };
 
-/// All ours: five equal readings, for a pressure or a joint that moves passes a converter's code in less; a jump of 40
-/// psi, or of half a degree, that is greater than the step after it, for what has rested begins to move slowly and
-/// gathers speed.
-inline constexpr std::size_t fewest_frozen = 5;
+/// All ours: equal readings for a tenth of a second, at least five, for a pressure or a joint that moves passes a
+/// converter's code in less; a jump of 40 psi, or of half a degree, that is greater than the step after it, for what
+/// has rested begins to move slowly and gathers speed.
+std::size_t fewest_frozen(double period_s);
 inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
 
-/// The first of them.
-std::optional<FrozenRun> frozen_run(std::span<const double> readings, double least_jump);
+/// The first of them. `fewest`: equal readings, by fewest_frozen().
+std::optional<FrozenRun> frozen_run(std::span<const double> readings, double least_jump, std::size_t fewest);
 
 } // namespace placedpar::hydraulics

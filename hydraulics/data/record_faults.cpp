@@ -171,8 +171,8 @@ void check_pressure(std::string_view name, const Unit& unit, std::span<const dou
 }
 
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,
-                  const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults) {
-    const auto frozen = frozen_run(readings, least_jump);
+                  double period_s, const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults) {
+    const auto frozen = frozen_run(readings, least_jump, fewest_frozen(period_s));
     if (!frozen)
         return;
     const TextRow& row = table.rows[frozen->first];

@@ -49,8 +49,8 @@ void check_channel(std::string_view name, Sensor sensor, const Unit& unit, doubl
 /// REQUIRES: table's rows are the samples.
 void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
                     std::size_t index, std::vector<Diagnostic>& faults);
-/// Warns of readings that freeze and then jump by so much. The same is required.
+/// Warns of readings, so far apart, that freeze and then jump by so much. The same is required.
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,
-                  const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults);
+                  double period_s, const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults);
 
 } // namespace placedpar::hydraulics

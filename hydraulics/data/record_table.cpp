@@ -171,18 +171,21 @@ void RecordReader::check_readings(const Column& column, Record& record, std::vec
     const std::vector<double>& readings = column.of(record);
     if (quantity_of(*column.sensor) == Quantity::pressure) {
         check_pressure(column.name, *column.unit, readings, table_, column.index, faults);
-        check_frozen(column.name, *column.unit, readings, least_jump_psi, table_, column.index, faults);
+        check_frozen(column.name, *column.unit, readings, least_jump_psi, record.period_s, table_, column.index,
+                     faults);
     }
     if (*column.sensor == Sensor::angle)
-        check_frozen(column.name, *column.unit, readings, least_jump_deg, table_, column.index, faults);
+        check_frozen(column.name, *column.unit, readings, least_jump_deg, record.period_s, table_, column.index,
+                     faults);
 }
 
 void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
     RowBefore last{table_.rows.back(), record.time_s.back()}; // before its times are resampled
+    const auto time =
+        std::ranges::find_if(columns_, [](const Column& each) { return !each.sensor; }); // gives the period
+    check_times(record, table_, {time->index, {table_.header.line, time->at}, *time->unit}, before_, faults);
     for (const Column& column : columns_)
-        if (!column.sensor)
-            check_times(record, table_, {column.index, {table_.header.line, column.at}, *column.unit}, before_, faults);
-        else if (record.has(column.link, *column.sensor))
+        if (column.sensor && record.period_s > 0 && record.has(column.link, *column.sensor))
             check_readings(column, record, faults);
     if (has_errors(faults)) // what may be why
         std::ranges::move(finish(), std::back_inserter(faults));

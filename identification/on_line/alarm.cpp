@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace placedpar::identification {
 
@@ -15,19 +14,6 @@ namespace {
 
 // Pump 1 feeds bucket and boom, pump 2 swing and stick; through the cross-over each may feed others too.
 constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, LinkSet{Link::stick, Link::swing}};
-
-std::optional<AlarmKind> alarm_of(VerdictKind kind) {
-    switch (kind) {
-    case VerdictKind::compliance: return AlarmKind::compliance;
-    case VerdictKind::leak: return AlarmKind::leak;
-    case VerdictKind::offset: return AlarmKind::offset;
-    case VerdictKind::drift: return AlarmKind::drift;
-    case VerdictKind::sensor: return AlarmKind::sensor;
-    case VerdictKind::sound:
-    case VerdictKind::not_enough_evidence: break;
-    }
-    return std::nullopt;
-}
 
 /// What is off by how much, and where to look.
 std::string what_is_off(const LinkVerdict& link) {
@@ -85,6 +71,20 @@ void check_branch(LinkSet branch, const PerLink<LinkVerdict>& verdicts, std::vec
 }
 
 } // namespace
+
+std::optional<AlarmKind> alarm_of(VerdictKind kind) {
+    switch (kind) {
+    case VerdictKind::compliance: return AlarmKind::compliance;
+    case VerdictKind::leak: return AlarmKind::leak;
+    case VerdictKind::offset: return AlarmKind::offset;
+    case VerdictKind::drift: return AlarmKind::drift;
+    case VerdictKind::sensor: return AlarmKind::sensor;
+    case VerdictKind::sound:
+    case VerdictKind::not_enough_evidence:
+    case VerdictKind::cannot_tell: break;
+    }
+    return std::nullopt;
+}
 
 std::string_view name_of(AlarmKind kind) {
     constexpr std::array<std::string_view, 6> names{"compliance", "leak", "offset", "drift", "sensor", "branch"};

@@ -4,6 +4,7 @@
 #include "identification/verdict/verdict.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ enum class AlarmKind : unsigned char {
 inline constexpr std::array<AlarmKind, 6> all_alarm_kinds{AlarmKind::compliance, AlarmKind::leak,   AlarmKind::offset,
                                                           AlarmKind::drift,      AlarmKind::sensor, AlarmKind::branch};
 
+/// None of sound, and where nothing can be told.
+std::optional<AlarmKind> alarm_of(VerdictKind kind);
 std::string_view name_of(AlarmKind);
 
 struct Alarm {

@@ -15,8 +15,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// The share of a period by which a sample may be early or late. Beyond it, 5 samples no longer count as equally
-/// spaced, and the windows begin anew.
+/// The share of a sample's period by which one may be early or late, or a reading late. Beyond it, 5 samples no longer
+/// count as equally spaced, and the windows begin anew.
 constexpr double jitter = 0.1;
 
 /// The alarms of `a` that are not in `b`.
@@ -48,7 +48,8 @@ Diagnosis::Diagnosis(std::string name, const ExcavatorParameters& parameters, co
     : Diagnosis(first_state_of(std::move(name), parameters), settings, seed) {}
 
 Diagnosis::Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed)
-    : settings_(settings), seed_(seed), state_(std::move(state)), fit_(state_.parameters.period_s) {
+    : settings_(settings), seed_(seed), sampling_(Sampling::of(state.parameters.period_s)), state_(std::move(state)),
+      fit_(sampling_.period_s()) {
     settings_.validate();
     for (auto& [links, set] : state_.sets)
         sets_.try_emplace(links, links, settings_, seed_, fmt::format("{}/{}", state_.name, name_of_set(links)),
@@ -93,6 +94,8 @@ void Diagnosis::change(const ConfigurationChange& change) {
 }
 
 void Diagnosis::restart_windows() {
+    state_.open = {};
+    state_.sample_s.reset();
     for (LinkTrack& track : state_.tracks)
         track.restart();
     for (FrozenWatch& pressure : state_.pressures)
@@ -120,29 +123,57 @@ std::optional<double> Diagnosis::elapsed_s(double time_s) const {
     return state_.time_s && time_s > *state_.time_s ? std::optional(time_s - *state_.time_s) : std::nullopt;
 }
 
-void Diagnosis::push(const ExcavatorSample& sample, std::optional<double> elapsed_s) {
+bool Diagnosis::follows(std::optional<double> elapsed_s) const {
+    const double late_s = jitter * sampling_.period_s();
+    return elapsed_s && *elapsed_s <= sampling_.reading_s + late_s &&
+           (sampling_.readings > 1 || *elapsed_s >= sampling_.reading_s - late_s);
+}
+
+void Diagnosis::read(const ExcavatorSample& sample, std::optional<double> elapsed_s) {
+    if (state_.open.readings++ == 0)
+        state_.open.first_s = sample.time_s;
+    state_.open.after_s += sample.time_s - state_.open.first_s;
     state_.time_s = sample.time_s;
     state_.time_may_restart = false;
     ++state_.samples;
     for (Link link : links_of(state_.active))
-        state_.tracks[index_of(link)].push(*sample.links[index_of(link)], state_.parameters.links[index_of(link)],
+        state_.tracks[index_of(link)].read(*sample.links[index_of(link)], state_.parameters.links[index_of(link)],
                                            elapsed_s);
+}
+
+bool Diagnosis::finish_sample(SampleOutcome& outcome) {
+    if (state_.open.readings < sampling_.readings)
+        return false;
+    const double middle_s = state_.open.middle_s(), late_s = jitter * sampling_.period_s();
+    if (sampling_.readings > 1 && state_.sample_s &&
+        std::abs(middle_s - *state_.sample_s - sampling_.period_s()) > late_s) {
+        outcome.window_restarted = true;
+        restart_windows();
+        state_.sample_s = middle_s;
+        return false;
+    }
+    state_.open = {};
+    state_.sample_s = middle_s;
+    for (Link link : links_of(state_.active))
+        state_.tracks[index_of(link)].finish_sample();
+    return true;
 }
 
 SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
     require_acceptable(sample);
     SampleOutcome outcome;
     std::optional<double> elapsed = elapsed_s(sample.time_s);
-    double period_s = state_.parameters.period_s;
-    if (!elapsed || std::abs(*elapsed - period_s) > jitter * period_s) {
+    if (!follows(elapsed)) {
         outcome.window_restarted = state_.time_s.has_value();
         restart_windows();
     }
-    push(sample, elapsed);
+    read(sample, elapsed);
     watch_readings(sample);
-    double centre_s = sample.time_s - static_cast<double>(line_fit_points / 2) * period_s;
-    for (LinkSet set : sets_in_use())
-        outcome.generations += search(set, sample, centre_s);
+    if (finish_sample(outcome)) {
+        const double centre_s = *state_.sample_s - static_cast<double>(line_fit_points / 2) * sampling_.period_s();
+        for (LinkSet set : sets_in_use())
+            outcome.generations += search(set, sample, centre_s);
+    }
     judge(outcome);
     return outcome;
 }
@@ -179,7 +210,7 @@ std::size_t Diagnosis::search(LinkSet set, const ExcavatorSample& sample, double
 }
 
 SetWatch::State& Diagnosis::watch_of(LinkSet set) {
-    return state_.watches.try_emplace(set, SetWatch(set).state()).first->second;
+    return state_.watches.try_emplace(set, SetWatch::first_state(set)).first->second;
 }
 
 std::vector<double> Diagnosis::health_in3_per_psi(LinkSet set) const {
@@ -194,7 +225,7 @@ void Diagnosis::watch(LinkSet set, const SetSample& centre, const ExcavatorSampl
     for (Link link : links_of(set))
         valves.push_back(areas_from(newest.links[index_of(link)]->valve));
     SetWatch::State& state = watch_of(set);
-    SetWatch watch(std::move(state));
+    SetWatch watch(sampling_, std::move(state));
     if (watch.note_moving_shut(centre, health_in3_per_psi(set)))
         state_.judged = true;
     note(set, watch.take(problem(set), centre, valves, health_in3_per_psi(set)));
@@ -203,7 +234,7 @@ void Diagnosis::watch(LinkSet set, const SetSample& centre, const ExcavatorSampl
 
 void Diagnosis::end_movement(LinkSet set) {
     SetWatch::State& state = watch_of(set);
-    SetWatch watch(std::move(state));
+    SetWatch watch(sampling_, std::move(state));
     note(set, watch.end_movement(problem(set), health_in3_per_psi(set)));
     state = watch.state();
 }
@@ -216,11 +247,13 @@ void Diagnosis::note(LinkSet set, SetWatch::Judged judged) {
 }
 
 void Diagnosis::watch_readings(const ExcavatorSample& sample) {
+    const std::size_t fewest = fewest_frozen(sampling_.reading_s);
     for (LinkSet set : sets_in_use())
         for (Link link : links_of(set)) {
             const Reading& reading = *sample.links[index_of(link)];
-            const bool pressure_froze = state_.pressures[index_of(link)].take(reading.inlet_psi, least_jump_psi);
-            const bool angle_froze = state_.angles[index_of(link)].take(reading.angle_deg, least_jump_deg);
+            const bool pressure_froze =
+                state_.pressures[index_of(link)].take(reading.inlet_psi, least_jump_psi, fewest);
+            const bool angle_froze = state_.angles[index_of(link)].take(reading.angle_deg, least_jump_deg, fewest);
             if (pressure_froze || angle_froze || reading.inlet_psi < vacuum_psi)
                 note_impossible(set, link);
         }
@@ -228,7 +261,7 @@ void Diagnosis::watch_readings(const ExcavatorSample& sample) {
 
 void Diagnosis::note_impossible(LinkSet set, Link link) {
     SetWatch::State& state = watch_of(set);
-    SetWatch watch(std::move(state));
+    SetWatch watch(sampling_, std::move(state));
     watch.note_impossible(position_in(set, link));
     state = watch.state();
     state_.judged = true;
@@ -236,7 +269,7 @@ void Diagnosis::note_impossible(LinkSet set, Link link) {
 
 LinkVerdict Diagnosis::verdict(Link link) const {
     auto weight = [](const Verdict& verdict) {
-        bool fault = verdict.kind != VerdictKind::sound && verdict.kind != VerdictKind::not_enough_evidence;
+        bool fault = alarm_of(verdict.kind).has_value();
         return std::pair(fault, verdict.movements);
     };
     Verdict most;

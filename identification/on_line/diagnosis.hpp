@@ -26,7 +26,17 @@ struct JudgedMovement {
     std::vector<Deviation> links; ///< from the links' compliances in health, no leak, no offset
 };
 
-/// What a sample led to.
+/// The readings of the sample that is not whole yet.
+struct OpenSample {
+    std::size_t readings = 0;
+    double first_s = 0; ///< when the first was read
+    double after_s = 0; ///< by how much later all were, in sum
+
+    double middle_s() const { return first_s + after_s / static_cast<double>(readings); }
+    friend bool operator==(const OpenSample&, const OpenSample&) = default;
+};
+
+/// What a reading led to.
 struct SampleOutcome {
     std::size_t generations = 0;
     bool window_restarted = false;      ///< after a gap in time, or because time began anew
@@ -34,7 +44,9 @@ struct SampleOutcome {
     std::vector<Alarm> raised, cleared;
 };
 
-/// The on-line diagnosis of one excavator: its population sets, what feeds them, and the alarms that hold.
+/// The on-line diagnosis of one excavator: its population sets, what feeds them, and the alarms that hold. Readings of
+/// a quick logger are averaged to the samples that all of it is made for (hydraulics/data/sampling.hpp); only sensors
+/// that freeze and readings that are impossible are looked for before that.
 ///
 /// 1. Its state is a function of settings, seed, name and the inputs taken, in their order; of nothing else.
 /// 2. An input that is refused changes nothing.
@@ -46,9 +58,11 @@ public:
         ExcavatorParameters parameters;
         std::optional<hydraulics::Configuration> configuration;
         hydraulics::LinkSet active;
-        std::optional<double> time_s;  ///< of the last sample
+        std::optional<double> time_s;  ///< of the last reading
         bool time_may_restart = false; ///< a control system has connected since the last sample
-        std::uint64_t samples = 0;
+        std::uint64_t samples = 0;     ///< read
+        OpenSample open;
+        std::optional<double> sample_s; ///< the middle of the last whole sample since the windows began
         hydraulics::PerLink<LinkTrack> tracks;
         std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< those ever used
         hydraulics::PerLink<double> health_in3_per_psi{}; ///< compliances, of its kind unless the control system told
@@ -72,7 +86,10 @@ public:
     std::optional<hydraulics::Configuration> configuration() const { return state_.configuration; }
     hydraulics::LinkSet active() const { return state_.active; }
     std::optional<double> time_s() const { return state_.time_s; }
-    std::uint64_t samples() const { return state_.samples; }
+    std::uint64_t samples() const { return state_.samples; } ///< that were read
+    const hydraulics::Sampling& sampling() const { return sampling_; }
+    /// The middle of the last whole sample since the windows began.
+    std::optional<double> sample_s() const { return state_.sample_s; }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
     /// The compliance of the link in health, of its kind unless the control system told.
     double health_in3_per_psi(hydraulics::Link link) const {
@@ -92,8 +109,8 @@ public:
     void change(const ConfigurationChange& change);
     /// The links' compliances in health; they are judged anew. Gives the alarms that this raises or clears.
     SampleOutcome set_baseline(const Baseline& baseline);
-    /// Throws RefusedSample when there is no configuration yet, a reading of an active link is missing, or the sample
-    /// is not later than the last one.
+    /// What is read at one instant. Throws RefusedSample when there is no configuration yet, a reading of an active
+    /// link is missing, or the sample is not later than the last one.
     SampleOutcome take(const ExcavatorSample& sample);
     /// No sample follows this one for a while: judges what there is of movements.
     SampleOutcome end_movements();
@@ -104,7 +121,10 @@ private:
     void require_acceptable(const ExcavatorSample& sample) const;
     /// Since the last sample; none when there was none, or time has begun anew.
     std::optional<double> elapsed_s(double time_s) const;
-    void push(const ExcavatorSample& sample, std::optional<double> elapsed_s);
+    bool follows(std::optional<double> elapsed_s) const;
+    void read(const ExcavatorSample& sample, std::optional<double> elapsed_s);
+    /// Is a sample whole with this reading, and the next of the windows?
+    bool finish_sample(SampleOutcome& outcome);
     void restart_windows();
     std::size_t search(hydraulics::LinkSet set, const ExcavatorSample& sample, double centre_s);
     void watch(hydraulics::LinkSet set, const SetSample& centre, const ExcavatorSample& newest);
@@ -122,6 +142,7 @@ private:
 
     DiagnosisSettings settings_;
     std::uint64_t seed_;
+    hydraulics::Sampling sampling_;
     State state_;                        ///< without its sets
     std::vector<JudgedMovement> judged_; ///< since the last outcome
     hydraulics::CentredLineFit fit_;

@@ -23,8 +23,8 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const FrozenWatch&, const FrozenWatch&) = default;
 
-    /// Did it freeze? Told one reading after the jump.
-    bool take(double reading, double least_jump);
+    /// Did it freeze, for so many readings? Told one reading after the jump.
+    bool take(double reading, double least_jump, std::size_t fewest);
     /// After a gap the next reading follows none.
     void restart() { state_ = {}; }
 

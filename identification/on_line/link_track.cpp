@@ -46,20 +46,38 @@ double LinkTrack::follow_spool_in(double servo_V, const LinkConstants& constants
     return *state_.spool_in;
 }
 
-ValveAreas LinkTrack::areas_of(const Reading& reading, const LinkConstants& constants,
-                               std::optional<double> elapsed_s) {
-    if (const auto* servo = std::get_if<ServoVoltage>(&reading.valve))
-        return areas_at(follow_spool_in(servo->servo_V, constants, elapsed_s));
+void LinkTrack::add_valve(const Reading& reading, const LinkConstants& constants, std::optional<double> elapsed_s) {
+    if (const auto* servo = std::get_if<ServoVoltage>(&reading.valve)) {
+        state_.sums.spool_in += follow_spool_in(servo->servo_V, constants, elapsed_s);
+        return;
+    }
     state_.spool_in = state_.desired_in = std::nullopt; // not followed any more
-    if (const auto* spool = std::get_if<SpoolPosition>(&reading.valve))
-        return areas_at(spool->spool_in);
-    return std::get<ValveAreas>(reading.valve);
+    if (const auto* spool = std::get_if<SpoolPosition>(&reading.valve)) {
+        state_.sums.spool_in += spool->spool_in;
+        return;
+    }
+    const auto& areas = std::get<ValveAreas>(reading.valve);
+    state_.sums.inlet_in2 += areas.inlet_in2;
+    state_.sums.bypass_in2 += areas.bypass_in2;
 }
 
-void LinkTrack::push(const Reading& reading, const LinkConstants& constants, std::optional<double> elapsed_s) {
-    push_bounded(state_.inlet_psi, reading.inlet_psi);
-    push_bounded(state_.angle_deg, reading.angle_deg);
-    ValveAreas areas = areas_of(reading, constants, elapsed_s);
+void LinkTrack::read(const Reading& reading, const LinkConstants& constants, std::optional<double> elapsed_s) {
+    const bool areas = std::holds_alternative<ValveAreas>(reading.valve);
+    if (state_.sums.areas != areas)
+        state_.sums = {.areas = areas};
+    state_.sums.inlet_psi += reading.inlet_psi;
+    state_.sums.angle_deg += reading.angle_deg;
+    add_valve(reading, constants, elapsed_s);
+    ++state_.sums.readings;
+}
+
+void LinkTrack::finish_sample() {
+    const Sums sums = std::exchange(state_.sums, {});
+    const auto count = static_cast<double>(sums.readings);
+    push_bounded(state_.inlet_psi, sums.inlet_psi / count);
+    push_bounded(state_.angle_deg, sums.angle_deg / count);
+    const ValveAreas areas =
+        sums.areas ? ValveAreas{sums.inlet_in2 / count, sums.bypass_in2 / count} : areas_at(sums.spool_in / count);
     push_bounded(state_.inlet_in2, areas.inlet_in2);
     push_bounded(state_.bypass_in2, areas.bypass_in2);
 }

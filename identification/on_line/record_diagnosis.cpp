@@ -35,7 +35,7 @@ std::vector<MovementFinding> RecordDiagnosis::take(const Record& piece) {
     std::vector<MovementFinding> found;
     for (std::size_t i = 0; i < piece.size(); ++i) {
         const SampleOutcome outcome = diagnosis_.take(sample_of(piece, i, diagnosis_.active(), readers_));
-        follow(piece.time_s[i], outcome, found);
+        follow(outcome, found);
     }
     return found;
 }
@@ -43,17 +43,18 @@ std::vector<MovementFinding> RecordDiagnosis::take(const Record& piece) {
 std::vector<MovementFinding> RecordDiagnosis::end() {
     std::vector<MovementFinding> found;
     const SampleOutcome outcome = diagnosis_.end_movements();
-    follow(diagnosis_.time_s().value_or(0), outcome, found);
+    follow(outcome, found);
     return found;
 }
 
-void RecordDiagnosis::follow(double time_s, const SampleOutcome& outcome, std::vector<MovementFinding>& found) {
-    const double centre_s = time_s - static_cast<double>(line_fit_points / 2) * diagnosis_.parameters().period_s;
+void RecordDiagnosis::follow(const SampleOutcome& outcome, std::vector<MovementFinding>& found) {
+    const double period_s = diagnosis_.sampling().period_s();
+    const double centre_s = diagnosis_.sample_s().value_or(0) - static_cast<double>(line_fit_points / 2) * period_s;
     for (LinkSet set : diagnosis_.sets_in_use()) {
         Progress& progress = progress_[set];
         const Movement::State* movement = diagnosis_.movement(set);
         if (movement && !progress.moves)
-            progress.from_s = centre_s - static_cast<double>(Movement::slope_reach) * diagnosis_.parameters().period_s;
+            progress.from_s = centre_s - static_cast<double>(Movement::slope_reach) * period_s;
         if (movement && movement->closed == 0)
             progress.to_s = centre_s;
         if (!movement && progress.moves)

@@ -58,7 +58,7 @@ private:
         double from_s = 0, to_s = 0;
     };
 
-    void follow(double time_s, const SampleOutcome& outcome, std::vector<MovementFinding>& found);
+    void follow(const SampleOutcome& outcome, std::vector<MovementFinding>& found);
     MovementFinding finding(hydraulics::LinkSet set, const Progress& progress, const SampleOutcome& outcome) const;
 
     Diagnosis diagnosis_;

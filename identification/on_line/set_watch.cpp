@@ -15,13 +15,15 @@ constexpr double least_inflow_in3_per_s = 1;
 /// A piston that goes out faster than this, but for what the hose gives off, is driven by oil; ours.
 constexpr double driven_in3_per_s = 10;
 /// Half a second: a boom that swings after its valve has shut comes back earlier.
-constexpr std::size_t longest_swing = 25;
+constexpr double longest_swing_s = 0.5;
 
 /// What no machine gives: a compliance below 0, a spool off by more than .05 in; either by two standard errors more.
 bool impossible(const Deviation& deviation, AreasFrom valve) {
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
     const double compliance = deviation.by[static_cast<Eigen::Index>(Way::compliance)];
     const double offset = std::abs(deviation.by[static_cast<Eigen::Index>(Way::offset)]);
+    if (!LinkJudge::is_evidence(deviation, valve))
+        return false;
     return compliance + errors * deviation.standard_error(Way::compliance) < no_compliance ||
            (valve == AreasFrom::spool && offset - errors * deviation.standard_error(Way::offset) > furthest_offset);
 }
@@ -39,15 +41,17 @@ bool senseless(const MovementSamples& movement, std::size_t junction) {
 
 } // namespace
 
-SetWatch::SetWatch(LinkSet links)
-    : state_{{}, std::vector<AreasFrom>(links.size()), {}, std::vector<std::size_t>(links.size())} {
-    state_.judges.resize(links.size());
+SetWatch::State SetWatch::first_state(LinkSet links) {
+    return {{},
+            std::vector<AreasFrom>(links.size()),
+            std::vector<LinkJudge::State>(links.size()),
+            std::vector<std::size_t>(links.size())};
 }
 
 SetWatch::Judged SetWatch::take(const SetProblem& problem, const SetSample& sample, std::span<const AreasFrom> valves,
                                 std::span<const double> health_in3_per_psi) {
     std::ranges::copy(valves, state_.valves.begin());
-    Movement movement(std::move(state_.movement));
+    Movement movement(sampling_, std::move(state_.movement));
     const bool over = movement.take(problem.circuit(), problem.flow(), problem.by_junction(sample));
     state_.movement = movement.state();
     return over ? end_movement(problem, health_in3_per_psi) : std::nullopt;
@@ -61,7 +65,7 @@ bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double>
             cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, health_in3_per_psi[i]);
         std::size_t& count = state_.moving_shut[i];
         count = link.inlet_in2 <= 0 && flow > driven_in3_per_s ? count + 1 : 0;
-        if (count != longest_swing)
+        if (count != sampling_.samples_in(longest_swing_s))
             continue;
         note_impossible(i);
         noted = true;
@@ -71,7 +75,7 @@ bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double>
 
 SetWatch::Judged SetWatch::end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi) {
     std::ranges::fill(state_.moving_shut, 0);
-    Movement movement(std::move(state_.movement));
+    Movement movement(sampling_, std::move(state_.movement));
     const MovementSamples samples = movement.finish();
     state_.movement = movement.state();
     std::vector<LinkInHealth> by_junction;

@@ -25,8 +25,8 @@ public:
         friend bool operator==(const State&, const State&) = default;
     };
 
-    explicit SetWatch(hydraulics::LinkSet links);
-    explicit SetWatch(State state) : state_(std::move(state)) {}
+    static State first_state(hydraulics::LinkSet links);
+    SetWatch(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}
     const State& state() const { return state_; }
 
     /// By how much each link is off by a movement that is over, in the order of links_of(); none where there is none.
@@ -47,6 +47,7 @@ private:
     void note_senseless(const SetProblem& problem, const MovementSamples& movement,
                         std::span<const Deviation> deviations);
 
+    hydraulics::Sampling sampling_;
     State state_;
 };
 

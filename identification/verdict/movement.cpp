@@ -28,7 +28,7 @@ bool Movement::take(const Circuit& circuit, const FlowConstants& flow, JunctionS
         return move(std::move(sample));
     state_.opened = under_way() ? state_.opened : 0;
     if (under_way())
-        return ++state_.closed >= shut_for;
+        return ++state_.closed >= sampling_.samples_in(shut_for_s);
     if (all_shut(sample))
         rest(std::move(sample));
     else
@@ -41,7 +41,7 @@ void Movement::rest(JunctionSamples sample) {
     if (state_.shut.size() <= slope_reach)
         return;
     std::vector<JunctionSamples>& at_rest = state_.samples.at_rest;
-    if (at_rest.size() == most_at_rest)
+    if (at_rest.size() == sampling_.samples_in(rest_s))
         at_rest.erase(at_rest.begin());
     at_rest.push_back(std::move(state_.shut.front()));
     state_.shut.erase(state_.shut.begin());
@@ -53,7 +53,7 @@ bool Movement::move(JunctionSamples sample) {
     if (state_.opened++ < slope_reach)
         return false;
     state_.samples.moving.push_back(std::move(sample));
-    return state_.samples.moving.size() == most_moving;
+    return state_.samples.moving.size() == sampling_.samples_in(piece_s);
 }
 
 MovementSamples Movement::finish() {

@@ -3,6 +3,7 @@
 #include "hydraulics/circuit/circuit.hpp"
 #include "hydraulics/circuit/flow_constants.hpp"
 #include "hydraulics/circuit/link_sample.hpp"
+#include "hydraulics/data/sampling.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -20,7 +21,7 @@ struct MovementSamples {
     friend bool operator==(const MovementSamples&, const MovementSamples&) = default;
 };
 
-/// Cuts a stream of samples into movements. All lengths are ours.
+/// Cuts a stream of samples into movements. All lengths are ours, and seconds but for those of slopes.
 class Movement {
 public:
     struct State {
@@ -36,17 +37,15 @@ public:
     /// the path to a cylinder opens between samples and is judged by readings.
     static constexpr std::size_t slope_reach = 3;
     static constexpr std::size_t slope_ahead = 2;     ///< so far they reach when the valves shut, which ends a movement
-    static constexpr std::size_t most_at_rest = 50;   ///< a second
-    static constexpr std::size_t most_moving = 200;   ///< four seconds
-    static constexpr std::size_t shut_for = 3;        ///< samples, after which a movement is over
+    static constexpr double rest_s = 1;               ///< so much of it is kept
+    static constexpr double piece_s = 4;              ///< a longer movement is judged in pieces
+    static constexpr double shut_for_s = 0.06;        ///< after which a movement is over
     static constexpr double open_by_psi = 25;         ///< as UsableSamples
     static constexpr double least_inlet_in2 = 0.0125; ///< .01 in of spool beyond the dead band
 
     Movement() = default;
-    explicit Movement(State state) : state_(std::move(state)) {}
+    Movement(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}
     const State& state() const { return state_; }
-    friend bool operator==(const Movement&, const Movement&) = default;
-
     /// Is the movement over with this sample? REQUIRES: one sample for each junction, one after the other in time.
     bool take(const hydraulics::Circuit& circuit, const hydraulics::FlowConstants& flow, JunctionSamples sample);
     /// Is there one under way?
@@ -58,6 +57,7 @@ private:
     void rest(JunctionSamples sample);
     bool move(JunctionSamples sample);
 
+    hydraulics::Sampling sampling_;
     State state_;
 };
 

@@ -14,8 +14,8 @@ using hydraulics::AreasFrom;
 
 namespace {
 
-constexpr std::array<std::string_view, 7> verdict_names{"sound",  "compliance",         "leak", "offset", "drift",
-                                                        "sensor", "not enough evidence"};
+constexpr std::array<std::string_view, 8> verdict_names{
+    "sound", "compliance", "leak", "offset", "drift", "sensor", "not enough evidence", "cannot tell"};
 
 /// What a mean of many movements may still be off by, in units; ours.
 constexpr double mean_repeats_within = 0.05;
@@ -56,6 +56,14 @@ double probability_sound(const Deviation& mean, const Matrix3d& information, Are
         all += std::exp(suspected.dot(information * (mean.by - suspected / 2)));
     }
     return 1 / all;
+}
+
+/// Is it off in the way that is said by more than its standard error?
+bool beyond_error(VerdictKind kind, const Deviation& mean, AreasFrom valve) {
+    return std::ranges::any_of(all_ways, [&](Way way) {
+        return kind_of(way, valve) == kind &&
+               std::abs(mean.by[static_cast<Eigen::Index>(way)]) > mean.standard_error(way);
+    });
 }
 
 } // namespace
@@ -103,6 +111,12 @@ std::optional<Deviation> LinkJudge::baseline() const {
     return Deviation{covariance * pull, covariance};
 }
 
+bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {
+    return std::ranges::all_of(all_ways, [&](Way way) {
+        return (way == Way::offset && valve == AreasFrom::areas) || movement.standard_error(way) <= most_uncertain;
+    });
+}
+
 void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     state_.impossible = std::exchange(state_.impossible_now, false);
     if (state_.impossible)
@@ -110,6 +124,8 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     if (valve != state_.valve)
         state_ = {}; // another way to know the valve has another offset in health
     state_.valve = valve;
+    if (!is_evidence(movement, valve))
+        return;
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),
                    {valve == AreasFrom::servo ? servo_units_beyond_kind : units_beyond_kind, units_beyond_kind,
@@ -137,6 +153,10 @@ Verdict LinkJudge::verdict() const {
     if (by_itself)
         mean->covariance += baseline()->covariance;
     Verdict verdict = verdict_of(*mean, test.raised(), state_.valve);
+    if (test.raised() && !beyond_error(verdict.kind, *mean, state_.valve))
+        verdict = verdict_of(*mean, false, state_.valve), verdict.kind = VerdictKind::cannot_tell;
+    if (verdict.kind == VerdictKind::sound && verdict.probability < least_sure_sound)
+        verdict.kind = VerdictKind::cannot_tell;
     verdict.movements = test.state().movements;
     return verdict;
 }

@@ -16,12 +16,13 @@ namespace placedpar::identification {
 /// What is said of a link.
 enum class VerdictKind : unsigned char {
     sound,
-    compliance,         ///< of hose, oil and cylinder: greater or smaller
-    leak,               ///< past the piston, or out of the line
-    offset,             ///< the spool is not where its sensor says
-    drift,              ///< the spool is not where the servo-valve's voltage says
-    sensor,             ///< readings that no machine gives
-    not_enough_evidence ///< movements too few, too short or too noisy
+    compliance,          ///< of hose, oil and cylinder: greater or smaller
+    leak,                ///< past the piston, or out of the line
+    offset,              ///< the spool is not where its sensor says
+    drift,               ///< the spool is not where the servo-valve's voltage says
+    sensor,              ///< readings that no machine gives
+    not_enough_evidence, ///< movements too few, too short or too noisy
+    cannot_tell          ///< enough of them, which neither show that it is sound nor what is wrong
 };
 
 std::string_view name_of(VerdictKind);
@@ -32,7 +33,8 @@ std::optional<VerdictKind> verdict_named(std::string_view);
 struct Verdict {
     VerdictKind kind = VerdictKind::not_enough_evidence;
     /// How sure it is, of what was equally likely before. Of a fault: its share of sound and the three ways, each by
-    /// the size that explains most. Of sound: its share of sound and what SequentialTest suspects, a unit each.
+    /// the size that explains most. Of sound: its share of sound and what SequentialTest suspects, a unit each; so much
+    /// of cannot_tell as well.
     double probability = 0;
     Deviation deviation;       ///< mean over the movements that count, from what the link is compared with
     std::size_t movements = 0; ///< that count
@@ -52,6 +54,10 @@ public:
     static constexpr double units_beyond_kind = 2;
     /// By the voltage a compliance comes out half a unit too great, since the valve's dead time is not known.
     static constexpr double servo_units_beyond_kind = 3;
+    /// Usual movements know each way to a unit or better, steady ones one of them hardly better than nothing.
+    static constexpr double most_uncertain = 2.5;
+    /// Less sure that a link is sound means that what is suspected is likelier, all of it together.
+    static constexpr double least_sure_sound = 0.5;
 
     struct State {
         std::vector<Deviation> first; ///< up to movements_of_baseline
@@ -68,10 +74,15 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// A movement is over. One with impossible readings says nothing.
+    /// Does a movement tell in which way a link is off? One that leaves any way uncertain by more than most_uncertain
+    /// units (half of the compliance, a leak of 12 %, an eightieth of an inch of spool) does not, however well it seems
+    /// to know another: the pressure hardly moved, and what is left is noise whose size nobody knows.
+    static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
+    /// A movement is over. One with impossible readings, or without excitation, says nothing.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
     /// A reading that no machine gives: the verdict is sensor until a movement has none.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
+    /// Sound only when that is likelier than not, off only by more than the standard error.
     Verdict verdict() const;
     /// What the link is compared with: the mean of its first movements, from its kind; none before there are enough.
     std::optional<Deviation> baseline() const;

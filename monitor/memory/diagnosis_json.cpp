@@ -72,16 +72,40 @@ ExcavatorParameters parameters_from(const json::value& value) {
     return p;
 }
 
+json::string sums_json(const LinkTrack::Sums& sums) {
+    return json::string(
+        exact_text(std::array{sums.inlet_psi, sums.angle_deg, sums.spool_in, sums.inlet_in2, sums.bypass_in2,
+                              static_cast<double>(sums.readings), static_cast<double>(sums.areas)}));
+}
+
+/// None in states of before readings were averaged.
+LinkTrack::Sums sums_from(const json::value* value) {
+    if (!value)
+        return {};
+    const std::vector<double> n = numbers_from(text(*value));
+    if (n.size() != 7)
+        throw std::runtime_error(fmt::format("sums of {} numbers", n.size()));
+    return {n[0], n[1], n[2], n[3], n[4], static_cast<std::size_t>(n[5]), n[6] != 0};
+}
+
 json::object track_json(const LinkTrack::State& track) {
-    return {{"inlet_psi", exact_text(track.inlet_psi)},  {"angle_deg", exact_text(track.angle_deg)},
-            {"inlet_in2", exact_text(track.inlet_in2)},  {"bypass_in2", exact_text(track.bypass_in2)},
-            {"spool_in", optional_json(track.spool_in)}, {"desired_in", optional_json(track.desired_in)}};
+    return {{"sums", sums_json(track.sums)},
+            {"inlet_psi", exact_text(track.inlet_psi)},
+            {"angle_deg", exact_text(track.angle_deg)},
+            {"inlet_in2", exact_text(track.inlet_in2)},
+            {"bypass_in2", exact_text(track.bypass_in2)},
+            {"spool_in", optional_json(track.spool_in)},
+            {"desired_in", optional_json(track.desired_in)}};
 }
 
 LinkTrack track_from(const json::value& value) {
-    LinkTrack::State track{numbers_from(text(value.at("inlet_psi"))), numbers_from(text(value.at("angle_deg"))),
-                           numbers_from(text(value.at("inlet_in2"))), numbers_from(text(value.at("bypass_in2"))),
-                           optional_from(value.at("spool_in")),       optional_from(value.at("desired_in"))};
+    LinkTrack::State track{numbers_from(text(value.at("inlet_psi"))),
+                           numbers_from(text(value.at("angle_deg"))),
+                           numbers_from(text(value.at("inlet_in2"))),
+                           numbers_from(text(value.at("bypass_in2"))),
+                           optional_from(value.at("spool_in")),
+                           optional_from(value.at("desired_in")),
+                           sums_from(value.as_object().if_contains("sums"))};
     std::size_t size = track.inlet_psi.size();
     if (size > line_fit_points || track.angle_deg.size() != size || track.inlet_in2.size() != size ||
         track.bypass_in2.size() != size || track.spool_in.has_value() != track.desired_in.has_value())
@@ -182,13 +206,14 @@ json::object movement_json(const Movement::State& movement) {
             {"closed", movement.closed}};
 }
 
-Movement::State movement_from(const json::value& value, std::size_t links) {
+Movement::State movement_from(const json::value& value, std::size_t links, const Sampling& sampling) {
     Movement::State movement{{samples_from(value.at("at_rest"), links), samples_from(value.at("moving"), links)},
                              samples_from(value.at("shut"), links),
                              value.at("opened").to_number<std::size_t>(),
                              value.at("closed").to_number<std::size_t>()};
-    if (movement.samples.moving.size() >= Movement::most_moving ||
-        movement.samples.at_rest.size() > Movement::most_at_rest || movement.shut.size() > Movement::slope_reach)
+    if (movement.samples.moving.size() >= sampling.samples_in(Movement::piece_s) ||
+        movement.samples.at_rest.size() > sampling.samples_in(Movement::rest_s) ||
+        movement.shut.size() > Movement::slope_reach)
         throw std::runtime_error("the parts of a movement do not belong together");
     return movement;
 }
@@ -292,8 +317,8 @@ json::object watch_json(LinkSet links, const SetWatch::State& watch) {
             {"moving_shut", json::value_from(watch.moving_shut)}};
 }
 
-SetWatch::State watch_from(const json::value& value, LinkSet links) {
-    SetWatch::State watch{movement_from(value.at("movement"), links.size()), {}, {}, {}};
+SetWatch::State watch_from(const json::value& value, LinkSet links, const Sampling& sampling) {
+    SetWatch::State watch{movement_from(value.at("movement"), links.size(), sampling), {}, {}, {}};
     for (const json::value& valve : value.at("valves").as_array())
         watch.valves.push_back(valve_from(valve));
     for (const json::value& judge : value.at("judges").as_array())
@@ -338,6 +363,26 @@ Alarm alarm_from(const json::value& value) {
     throw std::runtime_error(fmt::format("there is no alarm \"{}\"", name));
 }
 
+json::string open_json(const OpenSample& open) {
+    return json::string(exact_text(std::array{static_cast<double>(open.readings), open.first_s, open.after_s}));
+}
+
+/// Of states of before readings were averaged only those whose readings are samples go on.
+void read_open_sample(Diagnosis::State& state, const json::object& object, const Sampling& sampling) {
+    const json::value* open = object.if_contains("open");
+    if (!open && sampling.readings > 1)
+        throw std::runtime_error(fmt::format("its readings, {}, were judged one by one by an earlier placedpar "
+                                             "monitor, which this one averages",
+                                             print_sampling(sampling)));
+    if (!open)
+        return;
+    const std::vector<double> n = numbers_from(text(*open));
+    if (n.size() != 3 || !(n[0] < static_cast<double>(sampling.readings)))
+        throw std::runtime_error("a sample that is whole, or no sample");
+    state.open = {static_cast<std::size_t>(n[0]), n[1], n[2]};
+    state.sample_s = optional_from(object.at("sample_s"));
+}
+
 } // namespace
 
 json::object state_json(const Diagnosis::State& state) {
@@ -359,6 +404,8 @@ json::object state_json(const Diagnosis::State& state) {
             {"time_s", optional_json(state.time_s)},
             {"time_may_restart", state.time_may_restart},
             {"samples", state.samples},
+            {"open", open_json(state.open)},
+            {"sample_s", optional_json(state.sample_s)},
             {"tracks", std::move(tracks)},
             {"sets", std::move(sets)},
             {"health", exact_text(state.health_in3_per_psi)},
@@ -378,6 +425,8 @@ Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& s
     state.time_s = optional_from(value.at("time_s"));
     state.time_may_restart = value.at("time_may_restart").as_bool();
     state.samples = value.at("samples").to_number<std::uint64_t>();
+    const Sampling sampling = Sampling::of(state.parameters.period_s);
+    read_open_sample(state, value.as_object(), sampling);
     for (std::size_t i = 0; i < all_links.size(); ++i) {
         state.tracks[i] = track_from(value.at("tracks").as_array().at(i));
         state.pressures[i] = frozen_from(value.at("pressures").as_array().at(i));
@@ -393,7 +442,7 @@ Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& s
     std::ranges::copy(health, state.health_in3_per_psi.begin());
     for (const json::value& watch : value.at("watches").as_array()) {
         LinkSet links = set_of(watch);
-        state.watches.emplace(links, watch_from(watch, links));
+        state.watches.emplace(links, watch_from(watch, links, sampling));
     }
     state.judged = value.at("judged").as_bool();
     for (const json::value& alarm : value.at("alarms").as_array())

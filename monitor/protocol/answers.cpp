@@ -140,6 +140,7 @@ std::string welcome_line(const Diagnosis& diagnosis, std::uint64_t seed) {
                       {"machine", diagnosis.name()},
                       {"seed", seed},
                       {"samples", diagnosis.samples()},
+                      {"averaged", diagnosis.sampling().readings},
                       {"time_s", time_json(diagnosis.time_s())},
                       {"configuration", configuration_json(diagnosis)},
                       {"active", symbols(diagnosis.active())}});

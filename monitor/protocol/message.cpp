@@ -19,7 +19,7 @@ namespace {
 
 // Wide enough for any excavator, narrow enough to catch a wrong unit.
 constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spools{0, 10, "in"}, voltages{0, 10, "V"},
-    areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.001, 1, "s"},
+    areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.0001, 0.1, "s"},
     pistons{0.1, 1e6, "in^3/rad"}, lags{0.1, 1000, "1/s"}, up_to_a_day{0, 86400, "s"};
 
 Link link_of(const std::string& name, const std::string& path) {

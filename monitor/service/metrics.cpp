@@ -84,9 +84,10 @@ json::array verdicts_json(const Diagnosis& diagnosis) {
     json::array verdicts;
     for (Link link : all_links)
         if (const Verdict verdict = diagnosis.verdict(link).verdict; verdict.kind != VerdictKind::not_enough_evidence)
-            verdicts.push_back(json::object{{"link", symbol_of(link)},
-                                            {"verdict", name_of(verdict.kind)},
-                                            {"sure", how_sure(verdict.probability)}});
+            verdicts.push_back(
+                json::object{{"link", symbol_of(link)},
+                             {"verdict", name_of(verdict.kind)},
+                             {"sure", verdict.kind == VerdictKind::cannot_tell ? "" : how_sure(verdict.probability)}});
     return verdicts;
 }
 

@@ -86,6 +86,55 @@ class Movements(unittest.TestCase):
         (boom,) = self.result(log)[0]["movements"][0]["links"]
         self.assertAlmostEqual(boom["compliance"], 2 * TRUTH, delta=0.2 * TRUTH)
 
+    def test_a_quick_logger_accuses_no_sound_machine(self):
+        for seed in range(1, 5):
+            for period_s, said in ((0.005, "200 Hz averaged to 50 Hz, 4 readings each"),
+                                   (0.001, "1 kHz averaged to 50 Hz, 20 readings each")):
+                path = self.folder / "quick.csv"
+                placedpar("record", "excavator", "--seed", seed, "--set", f"sensors.period={period_s}",
+                          "--set", "excavator.duration=12", "--out", path)
+                result, run = self.result(path)
+                self.assertEqual(result["alarms"], [], run.stdout)
+                self.assertIn(f"\n{said}\n", run.stdout)
+                self.assertEqual(result["sampling"], {"reading_s": period_s, "readings_a_sample": round(0.02 / period_s),
+                                                      "sample_s": 0.02})
+                self.assertEqual(result["verdicts"][0]["verdict"], "not enough evidence")
+
+    def test_a_soft_hose_is_followed_at_any_rate(self):
+        for period_s in (0.0001, 0.0002, 0.001, 0.0077, 0.0167, 0.025):
+            path = self.folder / "quick.csv"
+            placedpar("record", "excavator", "--seed", 2001, "--set", f"sensors.period={period_s}",
+                      "--set", "boom.inlet_compliance=0.0172", "--out", path)
+            for way in ([], ["--way", "thesis", "--rising", "--offset", "none"]):
+                result, run = self.result(path, *way)
+                (boom,) = result["links"] if way else result["movements"][0]["links"]
+                compliance = boom["compliance"] if way else boom["whole_movement"]["compliance"]
+                self.assertAlmostEqual(compliance, 2 * TRUTH, delta=(0.3 if way else 0.1) * TRUTH, msg=f"{period_s} {way}")
+                self.assertEqual("averaged" in run.stdout, period_s < 0.0133)
+
+    def test_a_quick_clock_that_jitters_or_loses_rows_changes_little(self):
+        path = self.folder / "quick.csv"
+        placedpar("record", "excavator", "--seed", 2001, "--set", "sensors.period=0.001", "--out", path)
+        head, rows = rows_of(path)
+        draw = random.Random(5)
+        for spoil in (lambda row: [f"{float(row[0]) + draw.uniform(-0.0001, 0.0001):.6f}", *row[1:]],
+                      lambda row: row if draw.random() < 0.98 else None):
+            spoiled = [row for row in map(spoil, rows) if row]
+            result = self.result(self.write(head, spoiled))[0]
+            (movement,) = result["movements"]
+            whole = movement["links"][0]["whole_movement"]
+            self.assertAlmostEqual(whole["compliance"], TRUTH, delta=0.1 * TRUTH)
+
+    def test_rates_that_are_too_slow_or_too_quick_are_refused_with_the_reason(self):
+        head, rows = rows_of(STEP)
+        for period_s, said in ((0.2, "the readings are 0.2 s apart, expected at most"),
+                               (0.00005, "the readings are 5e-05 s apart, expected at least 0.0001 s (10 kHz)")):
+            log = self.write(head, [[f"{i * period_s:.5f}", *row[1:]] for i, row in enumerate(rows)])
+            for way in ("service", "thesis"):
+                run = placedpar("identify", log, "--way", way)
+                self.assertEqual(run.returncode, 1, run.stdout)
+                self.assertIn(said, run.stderr)
+
     def test_all_links_that_the_record_has_unless_told(self):
         path = self.folder / "links.csv"
         run = placedpar("record", "links", "--link", "boom,stick", "--configuration", "a", "--noise", "none", "--out", path)

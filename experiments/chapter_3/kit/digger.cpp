@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -60,7 +61,14 @@ Parameters parameters_of(const RecordSource& source, std::uint64_t seed) {
     scatter(parameters, machine_scatter, random);
     for (Parameter& row : noise_rows(parameters, source.noise))
         parameters.put(std::move(row));
+    parameters.set("sensors.period", source.period_s);
     return parameters;
+}
+
+/// Quick sensors ask for short steps of the motion.
+void shorten_steps(Parameters& parameters, double period_s) {
+    for (const char* step : {"excavator.integration_step", "scenario_a.integration_step"})
+        parameters.set(step, std::min(parameters[step], period_s));
 }
 
 } // namespace
@@ -75,6 +83,7 @@ Record Digger::movement(const PlantFault& fault, double compliance_factor, std::
     RandomStream random(seed_, fmt::format("movement/{}", number));
     scatter(parameters, movement_scatter, random);
     command(parameters, source_, random);
+    shorten_steps(parameters, source_.period_s);
     parameters.set("boom.inlet_compliance", parameters["boom.inlet_compliance"] * compliance_factor);
     for (const auto& [name, value] : fault.parameters)
         parameters.set(name, value);

@@ -20,6 +20,7 @@ public:
 
     /// That move, in configuration a.
     hydraulics::LinkSet links() const;
+    double period_s() const { return source_.period_s; } ///< between readings
 
     /// A movement with this fault and so many times the boom's own compliance, from rest: to rest, or to the end of
     /// the record where the plant cannot shut its valve. Its number decides all of it; no two are alike.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hydraulics/data/record.hpp"
+#include "hydraulics/plant/measurement.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/identification.hpp"
 #include "workbench/plot.hpp"
@@ -29,6 +30,7 @@ PlantFault drift_of(double bias_v);
 struct RecordSource {
     const char *scenario, *noise;
     bool has_servo;
+    double period_s = hydraulics::sampling_period_s; ///< between readings
 };
 
 hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);

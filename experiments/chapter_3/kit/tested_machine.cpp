@@ -18,11 +18,16 @@ DiagnosisSettings without_searches() {
     return settings;
 }
 
+ExcavatorParameters read_every(double period_s) {
+    ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
+    parameters.period_s = period_s;
+    return parameters;
+}
+
 } // namespace
 
 TestedMachine::TestedMachine(const RecordSource& source, AreasFrom from, std::uint64_t seed)
-    : digger_(source, from, seed),
-      diagnosis_("digger", excavator_parameters(Parameters::excavator()), without_searches(), seed) {
+    : digger_(source, from, seed), diagnosis_("digger", read_every(source.period_s), without_searches(), seed) {
     diagnosis_.change({Configuration::a, digger_.links()});
 }
 

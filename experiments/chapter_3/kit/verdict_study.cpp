@@ -1,6 +1,5 @@
 #include "experiments/chapter_3/kit/verdict_study.hpp"
 
-#include "experiments/chapter_3/kit/tested_machine.hpp"
 #include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
 
@@ -48,14 +47,6 @@ std::vector<TestedFault> tested_faults(AreasFrom from) {
     return faults;
 }
 
-namespace {
-
-/// What is said in the course of some movements.
-struct Outcome {
-    std::size_t found_after = 0; ///< movements; 0: nothing was found
-    bool called = false;         ///< by its name, when it was found
-};
-
 Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movements, std::uint64_t first_number) {
     for (std::size_t i = 1; i <= movements; ++i) {
         machine.move(fault.fault, fault.compliance_factor, first_number + i);
@@ -64,6 +55,8 @@ Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movem
     }
     return {};
 }
+
+namespace {
 
 /// What is known of a machine's boom after its first movements.
 LinkJudge judge_of(const TestedMachine& machine) {

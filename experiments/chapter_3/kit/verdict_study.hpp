@@ -1,11 +1,14 @@
 #pragma once
 
 #include "experiments/chapter_3/kit/fault_study.hpp"
+#include "experiments/chapter_3/kit/tested_machine.hpp"
 #include "experiments/kit/comparison.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "hydraulics/circuit/link_calibration.hpp"
 #include "identification/on_line/alarm.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace placedpar {
@@ -25,6 +28,15 @@ struct TestedFault {
 };
 
 std::vector<TestedFault> tested_faults(hydraulics::AreasFrom from);
+
+/// What is said in the course of some movements.
+struct Outcome {
+    std::size_t found_after = 0; ///< movements; 0: nothing was found
+    bool called = false;         ///< by its name, when it was found
+};
+
+/// Lets the machine make movements with this fault until there is an alarm, `first_number` the one before the first.
+Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movements, std::uint64_t first_number);
 
 /// What the on-line diagnosis says of machines of their own (tested_machine.hpp), as many as the replay has seeds, at
 /// each of the three levels of noise: sound ones, and ones that become faulty after three sound movements or are so

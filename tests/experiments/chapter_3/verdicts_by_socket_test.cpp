@@ -1,4 +1,5 @@
 #include "experiments/chapter_3/kit/digger.hpp"
+#include "experiments/chapter_3/kit/rate_study.hpp"
 #include "experiments/chapter_3/kit/verdict_study.hpp"
 #include "monitor/service/service.hpp"
 
@@ -59,7 +60,11 @@ public:
     ControlSystem(const RunningService& service, const std::string& machine, const Digger& digger) : digger_(digger) {
         socket_.connect(service.endpoint());
         socket_.set_option(asio::ip::tcp::no_delay(true));
-        say({{"type", "hello"}, {"version", 1}, {"machine", machine}, {"answers", "none"}});
+        say({{"type", "hello"},
+             {"version", 1},
+             {"machine", machine},
+             {"answers", "none"},
+             {"period_s", digger.period_s()}});
         say({{"type", "configuration"}, {"configuration", "a"}, {"active", {"BO"}}});
     }
 
@@ -176,4 +181,46 @@ TEST_CASE("what the monitor says over its socket is so: 200 machines of each fau
             first_seed += 1'000;
         }
     }
+}
+
+namespace {
+
+/// Of sound machines whose loggers read so often, how many an alarm accuses.
+std::size_t accused_at(const RecordSource& source, const LoggerRate& rate, std::size_t movements, std::size_t machines,
+                       std::uint64_t first_seed) {
+    RecordSource at_rate = source;
+    at_rate.period_s = rate.period_s;
+    const TestedFault held{long_movement(source), 1, AlarmKind{}}, sound{no_fault(), 1, AlarmKind{}};
+    std::size_t accused = 0;
+    for (std::uint64_t seed = first_seed; seed < first_seed + machines; ++seed) {
+        const RunningService service;
+        const Digger digger(at_rate, AreasFrom::spool, seed);
+        ControlSystem control(service, fmt::format("digger-{}", seed), digger);
+        bool alarm = control.move(held.fault, 1, 0).has_value();
+        for (std::size_t i = 1; i <= movements; ++i)
+            alarm = control.move(sound.fault, 1, i).has_value() || alarm;
+        accused += alarm || control.move(held.fault, 1, movements + 1);
+    }
+    return accused;
+}
+
+void check_sound(std::size_t movements, std::size_t machines, std::uint64_t first_seed) {
+    for (const RecordSource& source :
+         {RecordSource{"scenario-a", "mid", false}, RecordSource{"excavator", "mid", true}})
+        for (const LoggerRate& rate : logger_rates) {
+            const std::size_t accused = accused_at(source, rate, movements, machines, first_seed);
+            MESSAGE(source.scenario, " at ", rate.name, ": an alarm in ", accused, " of ", machines);
+            CHECK(100 * accused <= machines);
+        }
+}
+
+} // namespace
+
+TEST_CASE("over the socket no sound machine is accused because its logger is quick: two of either plant") {
+    check_sound(3, 2, 51'000);
+}
+
+// An hour: ctest -C studies -R studies/rates
+TEST_CASE("over the socket no sound machine is accused because its logger is quick: 200 of either" * doctest::skip()) {
+    check_sound(8, 200, 52'000);
 }

@@ -16,11 +16,12 @@ using namespace placedpar::identification;
 namespace {
 
 /// The readings at which the watch speaks.
-std::vector<std::size_t> told(std::span<const double> psi, double least_jump = least_jump_psi) {
+std::vector<std::size_t> told(std::span<const double> psi, double least_jump = least_jump_psi,
+                              std::size_t fewest = fewest_frozen(0.02)) {
     FrozenWatch watch;
     std::vector<std::size_t> told;
     for (std::size_t i = 0; i < psi.size(); ++i)
-        if (watch.take(psi[i], least_jump))
+        if (watch.take(psi[i], least_jump, fewest))
             told.push_back(i);
     return told;
 }
@@ -35,6 +36,19 @@ TEST_CASE("a frozen sensor is told at the reading after its jump") {
           std::vector<std::size_t>{8});
 }
 
+TEST_CASE("a sensor is frozen for a tenth of a second, however often it is read, and five readings") {
+    CHECK(fewest_frozen(0.1) == 5);
+    CHECK(fewest_frozen(0.02) == 5);
+    CHECK(fewest_frozen(0.001) == 100);
+    std::vector<double> held; // fifty times a second, and logged a thousand times
+    for (std::size_t i = 0; i < 400; ++i)
+        held.push_back(1000 + 60.0 * static_cast<double>(i / 20));
+    CHECK(told(held, least_jump_psi, fewest_frozen(0.001)).empty());
+    std::vector<double> frozen(100, 1000);
+    frozen.insert(frozen.end(), {1100, 1101});
+    CHECK(told(frozen, least_jump_psi, fewest_frozen(0.001)) == std::vector<std::size_t>{101});
+}
+
 TEST_CASE("sample by sample it finds what frozen_run finds in a record") {
     RandomStream random(1, "pressures");
     int frozen = 0;
@@ -42,7 +56,7 @@ TEST_CASE("sample by sample it finds what frozen_run finds in a record") {
         std::vector<double> psi{1000};
         while (psi.size() < 40)
             psi.push_back(random.uniform() < 0.6 ? psi.back() : psi.back() + std::round(150 * random.uniform()));
-        auto run = frozen_run(psi, least_jump_psi);
+        auto run = frozen_run(psi, least_jump_psi, fewest_frozen(0.02));
         frozen += run.has_value();
         CHECK(told(psi).empty() == !run);
         if (run)

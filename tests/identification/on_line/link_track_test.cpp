@@ -12,10 +12,12 @@ TEST_CASE("the spool is followed from its voltage") {
     // A.2: at a step of the voltage the spool stays for one sample, then goes exp(-8 * .02) of the way a sample.
     double spool = 0.1297, desired = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1297;
     for (int k = 0; k < 8; ++k) {
-        by_voltage.push({1500, 0, ServoVoltage{k < 2 ? 0 : 0.3}}, parameters, 0.020);
+        by_voltage.read({1500, 0, ServoVoltage{k < 2 ? 0 : 0.3}}, parameters, 0.020);
         if (k > 2)
             spool = desired + (spool - desired) * 0.852143788966211;
-        by_spool.push({1500, 0, SpoolPosition{spool}}, parameters, 0.020);
+        by_spool.read({1500, 0, SpoolPosition{spool}}, parameters, 0.020);
+        by_voltage.finish_sample();
+        by_spool.finish_sample();
     }
     REQUIRE(by_voltage.state().inlet_in2.size() == 5);
     for (std::size_t i = 0; i < 5; ++i)

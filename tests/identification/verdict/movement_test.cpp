@@ -59,9 +59,21 @@ TEST_CASE("a valve that shuts for a sample or two goes on") {
 TEST_CASE("memory is bounded: of a rest its end, a long movement in parts") {
     Stream stream;
     stream.feed(1000, false);
-    CHECK(stream.movement.state().samples.at_rest.size() == Movement::most_at_rest);
+    CHECK(stream.movement.state().samples.at_rest.size() == 50);
     CHECK(stream.feed(1000, true) == 4);
-    CHECK(stream.last.moving.size() == Movement::most_moving);
+    CHECK(stream.last.moving.size() == 200);
+}
+
+TEST_CASE("lengths are seconds, whatever the period of the samples") {
+    Stream stream;
+    stream.movement = Movement({0.01, 1}, {});
+    stream.feed(1000, false);
+    CHECK(stream.movement.state().samples.at_rest.size() == 100);
+    CHECK(stream.feed(1000, true) == 2);
+    CHECK(stream.last.moving.size() == 400);
+    stream.feed(10, true);
+    CHECK(stream.feed(5, false) == 0);
+    CHECK(stream.feed(1, false) == 1);
 }
 
 TEST_CASE("pumps that cannot reach the pressure move nothing") {

@@ -80,6 +80,28 @@ TEST_CASE("wrong from its first day: compared with its kind, before there is a b
     CHECK(after({leak, leak, leak, leak, leak, leak}).kind == VerdictKind::leak);
 }
 
+TEST_CASE("a movement without excitation is no evidence, neither of health nor of a fault") {
+    const Deviation blind = off_by(-4, 3, 2, 4);
+    CHECK(after({blind, blind, blind, blind, blind, blind}).kind == VerdictKind::not_enough_evidence);
+    const Verdict verdict = after({in_health, blind, in_health, in_health, blind, blind, in_health, blind});
+    CHECK(verdict.kind == VerdictKind::sound);
+    CHECK(verdict.movements == 1);
+}
+
+TEST_CASE("no fault is named by less than its standard error, and none is sound that is likelier not to be") {
+    LinkJudge::State state;
+    state.first = {in_health, in_health, in_health};
+    state.from_itself = {.raised = true, .total = off_by(1, 0, 0, 1.2), .movements = 1};
+    CHECK(LinkJudge(state).verdict().kind == VerdictKind::cannot_tell);
+    state.from_itself.total = off_by(1.4, 0, 0, 1.2);
+    CHECK(LinkJudge(state).verdict().kind == VerdictKind::compliance);
+    const Deviation vague = off_by(0.5, 0, 0, 0.9);
+    const Verdict verdict = after({vague, vague, vague, vague});
+    CHECK(verdict.kind == VerdictKind::cannot_tell);
+    CHECK(verdict.probability < LinkJudge::least_sure_sound);
+    CHECK(name_of(verdict.kind) == "cannot tell");
+}
+
 TEST_CASE("impossible readings are the sensor's, until a movement makes sense") {
     LinkJudge judge;
     judge.note_impossible();

@@ -106,6 +106,55 @@ TEST_CASE("a killed service comes back to the bit") {
     CHECK(said.find("taken again") == std::string::npos);
 }
 
+TEST_CASE("a sample that is not whole yet outlives a restart") {
+    ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
+    parameters.period_s = 0.001;
+    auto machine = [&] {
+        Diagnosis diagnosis("m", parameters, {}, 1);
+        diagnosis.change({Configuration::a, {Link::boom}});
+        return diagnosis;
+    };
+    auto reading = [](int i) {
+        ExcavatorSample sample{0.001 * i, {}};
+        sample.links[index_of(Link::boom)] =
+            Reading{1500 + 1.7 * i - 0.0003 * i * i, 0.0027 * i, ServoVoltage{0.0001 * i}};
+        return sample;
+    };
+    Diagnosis whole = machine(), broken = machine();
+    for (int i = 0; i < 507; ++i) {
+        whole.take(reading(i));
+        broken.take(reading(i));
+    }
+    const auto kept = boost::json::parse(boost::json::serialize(state_json(broken.state())));
+    Diagnosis back(state_from(kept, {}), {}, 1);
+    for (int i = 507; i < 900; ++i) {
+        whole.take(reading(i));
+        back.take(reading(i));
+    }
+    CHECK(whole.state().sample_s.has_value());
+    CHECK(back.state() == whole.state());
+}
+
+TEST_CASE("a state of before readings were averaged goes on, or is refused with the reason") {
+    auto before = [](double period_s) {
+        ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
+        parameters.period_s = period_s;
+        boost::json::object state = state_json(Diagnosis("m", parameters, {}, 1).state());
+        state.erase("open");
+        state.erase("sample_s");
+        for (boost::json::value& track : state.at("tracks").as_array())
+            track.as_object().erase("sums");
+        return boost::json::value(state);
+    };
+    CHECK(state_from(before(0.02), {}).parameters.period_s == 0.02);
+    CHECK_THROWS_WITH(state_from(before(0.001), {}),
+                      "its readings, 1 kHz averaged to 50 Hz, 20 readings each, were judged one by one by an earlier "
+                      "placedpar monitor, which this one averages");
+    CHECK_THROWS_WITH(state_from(before(0.5), {}),
+                      "the readings are 0.5 s apart, expected at most 0.1 s: a transient of some tenths of a second "
+                      "does not show in fewer");
+}
+
 TEST_CASE("a long backlog goes into states, the oldest machine's first") {
     Scratch scratch, killed;
     Running running(scratch / "state");
