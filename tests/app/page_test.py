@@ -238,6 +238,58 @@ class Pages(unittest.TestCase):
             self.assertTrue([text for text in said if "until 2.0" in text and "at least</li>" in text])
         self.assertTrue([text for text in said if re.search(r"\d %, the last wait since", text)])
 
+    def said_of(self, address, expression):
+        """What an expression is in the page, looked at as the address says."""
+        page = self.browse(address, f"document.documentElement.dataset.seen = JSON.stringify({expression});")
+        return json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1)))
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_what_the_address_asks_for_and_is_not_there_is_said(self):
+        self.page(FIGURE_E2)
+        text = "document.getElementById('address').hidden ? '' : document.getElementById('address').textContent"
+        for address, said in (("view=software&process=master[1]&at=0.5", ""), ("view=foo", 'no view "foo"'), ("process=nobody", '"nobody"'),
+                              ("at=soon", '"soon" is not a number'), ("zoom=3", '"zoom"')):
+            with self.subTest(address=address):
+                found = self.said_of(address, text)
+                self.assertIn(said, found)
+                self.assertEqual(bool(said), bool(found))
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_rows_are_found_and_folded(self):
+        self.page(FIGURE_E2)
+        place = "(() => { const y = topOf(view.rowOf.get(trackNamed.get('slave[3][2]').number)); return [y, view.height, scroller.scrollTop]; })()"
+        y, height, scrolled = self.said_of("process=slave[3][2]", place)
+        self.assertTrue(scrolled > 0 and 0 < y < height - 10, (y, height, scrolled))
+        rows = "view.rows.filter(row => row.track && isOfProcess(row.track)).map(row => row.track.name)"
+        folded = self.said_of("", rows)
+        self.assertFalse([name for name in folded if "/" in name])
+        unfolded = self.said_of("", f"(fold(trackNamed.get('slave[3][2]')), {rows})")
+        self.assertEqual({name.split("/")[0] for name in set(unfolded) - set(folded)}, {"slave[3][2]"})
+        search = "document.getElementById('search')"
+        self.assertEqual(self.said_of("", f"({search}.value = 'MASTER', {search}.dispatchEvent(new Event('input')), {rows})"),
+                         [name for name in folded if name.startswith("master")])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_many_searches_are_bands(self):
+        netlist = self.folder / "ring.cfs"
+        netlist.write_text(placedpar("generate", "ring", "--size", "16", "--job", "islands", "--host", "node").stdout, encoding="utf-8")
+        _, page = self.page(netlist)
+        self.assertEqual(len(data_of(page)["searches"]), 16)
+        count = "['.band', '.curve', '.chosen-curve[d]', '#curves a', '#jumps a'].map(each => document.querySelectorAll(each).length)"
+        self.assertEqual(self.said_of("process=island[3]", count), [6, 3, 3, 0, 2])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_a_large_network_is_a_map_of_loads(self):
+        netlist = self.folder / "torus.cfs"
+        netlist.write_text(placedpar("generate", "torus", "--size", "15x14", "--host", "node").stdout, encoding="utf-8")
+        self.page(netlist, "--until", "20ms")
+        seen = "(() => { const text = () => getComputedStyle(document.querySelector('#machine .texts')).display, far = text(); " \
+               "zoomPicture(pictures[0], d3.zoomIdentity.scale(1 / pictures[0].scale)); " \
+               "return [pictures.map(each => each.large), far, text(), new Set(pictures[0].meters.map(each => each.frame.style('fill'))).size]; })()"
+        large, far, near, colours = self.said_of("at=0.5", seen)
+        self.assertEqual((large, far, near), ([True, True], "none", "inline"))
+        self.assertGreater(colours, 1)
+
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_a_moment_in_the_address_is_exact(self):
         run = data_of(self.page(COMMSTIME)[1])["timeline"]

@@ -6,6 +6,7 @@ import math
 import pathlib
 import random
 import re
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -112,6 +113,11 @@ def random_network(seed):
         text += f"connect {names[-1]}.link[3] to host;\n"
     return text + "".join(f"connect {a} to {b};\n" for a, b in zip(ends[::2], ends[1::2])
                           if a.split(".")[0] != b.split(".")[0] and stream.random() < 0.6)
+
+
+LARGE = [f"{topology} --size {size} --host node" for topology, sizes in {
+    "pipeline": ["220"], "ring": ["64", "300"], "tree": ["255"], "mesh": ["15x20"], "torus": ["8x8", "20x15"], "hypercube": ["16"],
+    "cube-connected-cycles": ["384"], "star": ["5"], "chordal-ring": ["64", "250"], "figure-e2": ["60x4"]}.items() for size in sizes]
 
 
 class Box:
@@ -285,6 +291,65 @@ class Pictures(unittest.TestCase):
             with self.subTest(seed=seed):
                 self.path.write_text(random_network(seed), encoding="utf-8")
                 self.check(self.path)
+
+    def test_wires_of_large_machines_lead_through_no_box(self):
+        """Every point of every wire against every box, of all topologies, where they are drawn as large ones and below."""
+        for arguments in LARGE:
+            with self.subTest(arguments=arguments):
+                done = placedpar("generate", *arguments.split())
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.path.write_text(done.stdout, encoding="utf-8")
+                for software in ([], ["--software"]):
+                    shown = placedpar("show", self.path, "--format", "svg", *software)
+                    self.assertEqual(shown.returncode, 0, shown.stderr)
+                    self.check_large(Drawing(shown.stdout))
+
+    def check_large(self, drawing):
+        tiles = {}
+        tiles_of = lambda box: itertools.product(  # noqa: E731
+            range(int(box.left // 256), int(box.right // 256) + 1), range(int(box.top // 256), int(box.bottom // 256) + 1))
+        for name, box in drawing.boxes.items():
+            for tile in tiles_of(box):
+                for other in tiles.setdefault(tile, []):
+                    self.assertFalse(box.overlaps(drawing.boxes[other]), f"{name} and {other}")
+                tiles[tile].append(name)
+        self.assertNotIn("nan", "".join(data for _, data in drawing.wires))
+        for wire, data in drawing.wires:
+            ends, points = wire.split(" - "), list(points_of(data))
+            for x, y in points:
+                hit = {name for name in tiles.get((int(x // 256), int(y // 256)), []) if drawing.boxes[name].contains(x, y)}
+                self.assertLessEqual(hit, set(), f"{wire} leads through {hit}")
+            for end, (x, y) in zip(ends, (points[0], points[-1])):
+                box = drawing.boxes[re.sub(r"\.(link|slot).*", "", end)]
+                self.assertTrue(Box(box.left - 1, box.top - 1, box.right + 1, box.bottom + 1).contains(x, y), wire)
+
+    def test_the_time_for_a_drawing_grows_with_the_machine(self):
+        """Four times the machine takes at most about four times as long, which the square of it would exceed by far."""
+        def seconds(size):
+            self.path.write_text(placedpar("generate", "torus", "--size", size, "--host", "node").stdout, encoding="utf-8")
+            least = math.inf
+            for form in ("svg", "json"):
+                for _ in range(2):
+                    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                    placedpar("show", self.path, "--format", form)
+                    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                    least = min(least, after.ru_utime - before.ru_utime)
+                if form == "svg":
+                    drawn, least = least, math.inf
+            return max(drawn - least, 0.02)
+        self.assertLess(seconds("48x48"), 9 * seconds("24x24"))
+
+    def test_a_large_ring_is_round_and_its_host_beside_it(self):
+        self.path.write_text(placedpar("generate", "chordal-ring", "--size", "256", "--host", "node").stdout, encoding="utf-8")
+        drawing = Drawing(self.shown(self.path, "svg"))
+        ring = [box.centre for name, box in drawing.boxes.items() if "[" in name]
+        x, y = (sum(each[i] for each in ring) / len(ring) for i in (0, 1))
+        wide, high = (max(each[i] for each in ring) - middle for i, middle in ((0, x), (1, y)))
+        for each in ring:
+            self.assertAlmostEqual(math.hypot((each[0] - x) / wide, (each[1] - y) / high), 1, delta=0.05)
+        for name, box in drawing.boxes.items():
+            if "[" not in name:
+                self.assertLess(box.right, x - wide)
 
     def test_a_torus_stands_in_a_grid(self):
         for n in (4, 8):

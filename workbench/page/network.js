@@ -1,7 +1,8 @@
 // The drawn network: loads and states at a moment, the chosen process, what it waits for, and a deadlock's cycle.
 
 const pictures = ["machine", "software"].map(view => ({ view, svg: d3.select("#" + view + " > svg") })).filter(each => !each.svg.empty());
-const loadColour = d3.interpolateRgb("#ffffff", "#8db7dd");
+const loadColour = d3.interpolateRgb("#ffffff", "#8db7dd"), heatColour = d3.interpolateRgb("#f4f6f8", "#0b3a66"), wireColour = d3.interpolateRgb("#8da2b5", "#1f4e79");
+const largePicture = 200, legible = 0.45; // nodes from which on a picture is a map of loads; the scale from which on its texts are shown
 const drawnProcess = name => name.replace(/ !$/, ""); // high priority is marked
 
 // All that is drawn moves together.
@@ -10,10 +11,24 @@ function wrapPicture(picture) {
   svg.attr("width", null).attr("height", null);
   while (svg.node().firstChild) all.appendChild(svg.node().firstChild);
   svg.node().appendChild(all);
-  svg.call(d3.zoom().scaleExtent([0.3, 20]).on("zoom", () => all.setAttribute("transform", d3.event.transform)));
   picture.all = d3.select(all);
+  picture.large = all.querySelectorAll("g.node").length >= largePicture;
+  const extent = svg.node().viewBox.baseVal, fit = svg.node().getBoundingClientRect();
+  picture.scale = Math.min(fit.width / extent.width, fit.height / extent.height);
+  svg.call(d3.zoom().scaleExtent([0.3, Math.max(20, 2 / picture.scale)]).on("zoom", () => zoomPicture(picture, d3.event.transform)));
   picture.over = picture.all.append("g");
+  all.querySelectorAll(":scope > .link, :scope > .channels").forEach(label => all.appendChild(label)); // no arrow strikes them out
+  zoomPicture(picture, d3.zoomIdentity);
   addDefinitions(svg, picture.view);
+}
+
+// From far away a large network is a map of loads, without texts; its boxes are seen when they are large enough to be read.
+function zoomPicture(picture, transform) {
+  picture.all.attr("transform", transform);
+  const far = picture.large && transform.k * picture.scale < legible, changed = far !== picture.far;
+  picture.far = far;
+  picture.svg.classed("far", far);
+  if (changed && picture.meters) showMoment();
 }
 
 function addDefinitions(svg, view) {
@@ -32,10 +47,12 @@ function trackOfNode(view, name) {
   return view === "machine" ? trackNamed.get("processor " + name) || trackNamed.get(name) : trackNamed.get(drawnProcess(name));
 }
 
-function addMeter(view, element) {
-  const node = d3.select(element), track = trackOfNode(view, node.attr("data-node")), box = element.getBBox();
+function addMeter({ view, large }, element) {
+  const node = d3.select(element), track = trackOfNode(view, node.attr("data-node"));
   if (!track) return null;
   node.on("click", () => choose(view === "software" ? track.name : firstProcessOn(track.node)));
+  if (large) return { track, frame: node.select(".frame") };
+  const box = element.getBBox();
   const meter = { track, frame: node.select(".frame"), width: box.width, isProcess: isOfProcess(track) };
   node.append("rect").attr("class", "load-frame").attr("x", box.x).attr("y", box.y + box.height - 6).attr("width", box.width).attr("height", 6);
   meter.bar = node.append("rect").attr("class", "load").attr("x", box.x).attr("y", box.y + box.height - 6).attr("height", 6);
@@ -53,11 +70,12 @@ function firstProcessOn(node) {
   return track ? track.name : null;
 }
 
-function addProcessSign(element) {
+function addProcessSign({ large }, element) {
   const placed = d3.select(element), track = trackNamed.get(placed.attr("data-process"));
   if (!track) return null;
-  const box = element.getBBox();
   placed.on("click", () => choose(track.name));
+  if (large) return null;
+  const box = element.getBBox();
   return { track, sign: addSign(placed, box.x - 10.5, box.y + box.height / 2 - 4.5) };
 }
 
@@ -72,9 +90,9 @@ function makePicture(picture) {
   element.hidden = false; // what is hidden has no size
   wrapPicture(picture);
   const found = selector => picture.all.selectAll(selector).nodes();
-  picture.meters = found("g.node[data-node]").map(node => addMeter(picture.view, node)).filter(Boolean);
+  picture.meters = found("g.node[data-node]").map(node => addMeter(picture, node)).filter(Boolean);
   found(".texts").forEach(texts => { texts.style.pointerEvents = picture.view === "software" ? "none" : null; });
-  picture.signs = found(".placed").map(addProcessSign).filter(Boolean);
+  picture.signs = found(".placed").map(placed => addProcessSign(picture, placed)).filter(Boolean);
   picture.wires = found("path.wire[data-wire]").map(wire => addWire(picture.view, wire));
   element.hidden = hidden;
 }
@@ -85,8 +103,9 @@ function runningShare(track, from, to) {
   return Math.min(1, d3.sum(lanes, lane => shareOf(lane.running, from, to)));
 }
 
-function showMeter(meter, moment, from, to) {
+function showMeter(meter, moment, from, to, far) {
   const share = runningShare(meter.track, from, to);
+  if (!meter.bar) return meter.frame.style("fill", (far ? heatColour : loadColour)(share));
   meter.bar.attr("width", meter.width * share);
   meter.percent.text(Math.round(100 * share) + " %");
   meter.frame.style("fill", loadColour(share));
@@ -96,7 +115,7 @@ function showMeter(meter, moment, from, to) {
 function showWire(wire, from, to) {
   if (!wire.directions.length) return;
   const share = d3.max(wire.directions, track => shareOf(track.running, from, to));
-  wire.path.style("stroke-width", 1.6 + 6 * share).style("stroke", d3.interpolateRgb("#8da2b5", "#1f4e79")(Math.sqrt(share)));
+  wire.path.style("stroke-width", 1.6 + 6 * share).style("stroke", wireColour(Math.sqrt(share)));
 }
 
 function drawArrow(picture, from, to, kind) {
@@ -130,14 +149,15 @@ function drawOver(picture, moment, name) {
 
 function showNetwork(moment, from, to, name) {
   for (const picture of pictures) {
-    picture.meters.forEach(meter => showMeter(meter, moment, from, to));
+    picture.meters.forEach(meter => showMeter(meter, moment, from, to, picture.far));
     picture.signs.forEach(({ track, sign }) => sign.attr("class", "state " + stateOfProcess(track, moment)));
-    picture.wires.forEach(wire => showWire(wire, from, to));
+    if (!picture.far) picture.wires.forEach(wire => showWire(wire, from, to));
     drawOver(picture, moment, name);
   }
 }
 
 function showView(view) {
+  if (!pictures.some(each => each.view === view)) view = "machine";
   for (const each of ["machine", "software"]) document.getElementById(each).hidden = each !== view;
   d3.selectAll("#views button").classed("on", function () { return this.dataset.view === view; });
 }

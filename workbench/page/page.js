@@ -1,7 +1,7 @@
 // The page as a whole: the moment that is looked at, the process that is chosen, and who is told of them.
 
 const now = { moment: run.begin, chosen: null, timer: null };
-const slider = document.getElementById("slider"), steps = Number(slider.max);
+const views = ["machine", "software"], slider = document.getElementById("slider"), steps = Number(slider.max);
 
 // Loads are those of a fortieth of what the timelines show.
 function around(moment) {
@@ -16,7 +16,7 @@ function showMoment() {
   document.getElementById("now").textContent = timeText(now.moment, lengthInSight());
   showNetwork(now.moment, from, to, now.chosen);
   showChosen(now.chosen, now.moment, from, to);
-  markGenerations(now.moment);
+  markGenerations(now.moment, now.chosen);
   drawTimelines(now.moment, now.chosen);
 }
 
@@ -64,12 +64,15 @@ function lookAt(from, to) {
 function resize() {
   const [from, to] = view.scale.domain();
   fitCanvas();
-  zoom.extent([[labelWidth, 0], [view.width - 12, view.height]]).translateExtent([[labelWidth, 0], [view.width - 12, view.height]]);
+  zoom.extent([[view.label, 0], [view.width - 12, view.height]]).translateExtent([[view.label, 0], [view.width - 12, view.height]]);
   lookAt(from, to);
 }
 
 function addLaneChoices() {
   const lanes = d3.select("#lanes");
+  lanes.append("input").attr("type", "search").attr("id", "search").attr("placeholder", "search a row").attr("aria-label", "search a row")
+    .on("input", function () { view.sought = this.value; arrangeRows(); resize(); })
+    .on("change", function () { const found = view.rows.find(row => row.track && isOfProcess(row.track)); if (this.value && found) choose(found.track.name); });
   for (const name of Object.keys(shown))
     lanes.append("label").text(" " + name).insert("input", ":first-child").attr("type", "checkbox").property("checked", shown[name])
       .on("change", function () { shown[name] = this.checked; arrangeRows(); resize(); });
@@ -87,6 +90,7 @@ function addKey() {
     sign(`<rect y="9" width="20" height="2" fill="${colours.waiting}"/>`, "waiting") +
     (report.deadlock ? sign(`<rect y="8" width="20" height="3" fill="${colours.stuck}"/><path d="M7 6 L13 12 M7 12 L13 6" stroke="${colours.stuck}" stroke-width="1.4"/>`, "waiting for ever") : "") +
     sign(`<rect width="20" height="12" fill="${colours.link}"/>`, "bytes on a link") +
+    (pictures.some(each => each.large) ? sign(`<defs><linearGradient id="key-heat"><stop stop-color="${heatColour(0)}"/><stop offset="1" stop-color="${heatColour(1)}"/></linearGradient></defs><rect width="20" height="12" fill="url(#key-heat)"/>`, "load, from 0 to 100 %: zoom in for names") : "") +
     (path.length ? sign(`<rect y="4" width="20" height="3" fill="${colours.path}"/>`, "critical path") : "");
 }
 
@@ -102,20 +106,52 @@ function listen() {
     .on("click", () => {
       const { track, moment } = placeAt(d3.mouse(canvas));
       if (track && isOfProcess(track)) now.chosen = outermostName(track.name);
+      if (track && moment === null && isFoldable(track)) { fold(track); resize(); }
       goTo(moment === null ? now.moment : moment);
     });
+}
+
+const numbersSaid = ["at", "from", "to"];
+
+// What the address asks for, and the page has not.
+function sayWhatIsUnknown(said) {
+  const faults = [];
+  if (said.has("view") && !views.includes(said.get("view"))) faults.push(`There is no view "${said.get("view")}": say view=machine or view=software.`);
+  if (said.has("process") && !trackNamed.has(outermostName(said.get("process")))) faults.push(`No process of this page is called "${said.get("process")}".`);
+  for (const name of numbersSaid) if (said.has(name) && !Number.isFinite(Number(said.get(name)))) faults.push(`"${said.get(name)}" is not a number: ${name} is a part of the run, from 0 to 1.`);
+  for (const name of said.keys()) if (![...numbersSaid, "view", "process"].includes(name)) faults.push(`The address says "${name}": a page knows view, process, at, from and to.`);
+  d3.select("#address").attr("hidden", faults.length ? null : "").text(faults.join(" "));
+}
+
+// Scrolls to the row of a process.
+function bringIntoView(name) {
+  const track = name && trackNamed.get(name), row = track ? view.rowOf.get(track.number) : undefined;
+  if (row === undefined) return;
+  scroller.scrollTop = headHeight + row * rowHeight - view.height / 2;
+  scroller.scrollIntoView({ block: "nearest" });
+}
+
+function addJumps() {
+  const to = (id, text) => document.getElementById(id).childElementCount ? [[id, text]] : [];
+  d3.select("#jumps").selectAll("a").data([...to("measures", "Results"), ...to("convergence", "Convergence")]).enter()
+    .append("a").attr("class", "to").attr("tabindex", 0).text(each => each[1]).on("click", ([id]) => document.getElementById(id).scrollIntoView());
 }
 
 // What is looked at can be said in the address: run.html#at=0.5&process=master[0]&view=software&from=0.2&to=0.3, in parts of the run.
 function followAddress() {
   const said = new URLSearchParams(location.hash.slice(1));
-  if (said.has("view")) showView(said.get("view"));
-  if (said.has("process")) choose(said.get("process"));
-  if (said.has("from") && said.has("to")) {
+  sayWhatIsUnknown(said);
+  if (views.includes(said.get("view"))) showView(said.get("view"));
+  if (said.has("process")) {
+    choose(said.get("process"));
+    bringIntoView(now.chosen);
+  }
+  const isSaid = name => said.has(name) && Number.isFinite(Number(said.get(name)));
+  if (isSaid("from") && isSaid("to")) {
     const from = Number(said.get("from")), to = Math.max(Number(said.get("to")), from + 1e-9), momentAt = part => whole[0] + part * (whole[1] - whole[0]);
     lookAt(momentAt(from), momentAt(to));
   }
-  if (!said.has("at")) return;
+  if (!isSaid("at")) return;
   goTo(run.begin + Number(said.get("at")) * span); // the slider has 10,000 steps
 }
 
@@ -128,6 +164,7 @@ function begin() {
   showOutcome();
   showMeasures();
   showConvergence();
+  addJumps();
   arrangeRows();
   listen();
   resize();

@@ -104,25 +104,51 @@ function showOutcome() {
     .selectAll("a.to").on("click", function () { choose(this.dataset.process); });
 }
 
-const chart = { width: 460, height: 220, left: 62, bottom: 34, top: 22, right: 12 };
-const strokes = ["none", "6 3", "2 2", "9 3 2 3"];
+const chart = { width: 460, height: 220, bottom: 34, top: 22, right: 26 }, mostCurves = 12;
+const strokes = ["none", "6 3", "2 2", "9 3 2 3"], bands = [[0.05, 0.95, 0.18], [0.25, 0.75, 0.3]];
 
-// A curve for each search; every second search is dashed in its own way.
+// What a share of the searches is below, over the generations: rows as those of a search.
+function quantileCurve(part) {
+  const byGeneration = d3.nest().key(row => row[0]).entries(d3.merge(data.searches.map(search => search.generations)));
+  const quantile = (rows, column) => {
+    const values = rows.map(row => row[column]).filter(value => value !== null).sort(d3.ascending);
+    return values.length ? d3.quantile(values, part) : null;
+  };
+  return byGeneration.map(({ key, values }) => [Number(key), ...[1, 2, 3, 4].map(column => quantile(values, column))]).sort((a, b) => a[0] - b[0]);
+}
+
+const areBanded = () => data.searches.length > mostCurves;
+const curvesDrawn = () => areBanded() ? [quantileCurve(0.5)] : data.searches.map(search => search.generations);
+
+function drawBands(svg, x, y, column) {
+  for (const [low, high, opacity] of bands) {
+    const above = quantileCurve(high).filter(row => row[column] !== null), below = quantileCurve(low).filter(row => row[column] !== null);
+    const area = d3.area().x(row => x(row[0])).y0(row => y(row[column])).y1((row, i) => y(above[i][column]));
+    svg.append("path").attr("class", "band").attr("d", area(below)).attr("fill-opacity", opacity);
+  }
+}
+
+// A curve for each search; every second search is dashed in its own way. Many searches are bands around their median, and the chosen one is a curve.
 function drawChart(title, label, column) {
-  const { width, height, left, bottom, top, right } = chart;
-  const curves = data.searches.map(search => search.generations.filter(row => row[column] !== null)).filter(rows => rows.length);
+  const { width, height, bottom, top, right } = chart;
+  const curves = curvesDrawn().map(rows => rows.filter(row => row[column] !== null)).filter(rows => rows.length);
   if (!curves.length) return;
-  const values = d3.merge(curves).map(row => row[column]), low = d3.quantile(values.slice().sort(d3.ascending), 0.02);
-  const x = d3.scaleLinear().domain([1, d3.max(d3.merge(curves), row => row[0])]).range([left, width - right]);
+  const values = (areBanded() ? d3.merge([0.05, 0.95].map(quantileCurve)) : d3.merge(curves)).map(row => row[column]).filter(value => value !== null), low = d3.quantile(values.slice().sort(d3.ascending), 0.02);
+  const x = d3.scaleLinear().domain([1, d3.max(d3.merge(curves), row => row[0])]).range([0, width - right]);
   const y = d3.scaleLinear().domain([low, d3.max(values)]).nice().range([height - bottom, top]).clamp(true);
-  const svg = d3.select("#convergence .charts").append("svg").attr("width", width).attr("height", height);
+  const numbers = y.ticks(5).map(numberText), left = Math.max(30, 16 + 6.5 * d3.max(numbers, each => each.length));
+  x.range([left, width - right]);
+  const svg = d3.select("#convergence .charts").append("svg").attr("viewBox", `0 0 ${width} ${height}`).attr("width", width);
   svg.append("text").attr("x", left).attr("y", 12).attr("font-weight", "bold").text(title);
   svg.append("g").attr("transform", `translate(0 ${height - bottom})`).call(d3.axisBottom(x).ticks(6));
-  svg.append("g").attr("transform", `translate(${left} 0)`).call(d3.axisLeft(y).ticks(5));
+  svg.append("g").attr("transform", `translate(${left} 0)`).call(d3.axisLeft(y).ticks(5).tickFormat(numberText));
   svg.append("text").attr("x", width - right).attr("y", height - 4).attr("text-anchor", "end").text(label);
   const line = d3.line().x(row => x(row[0])).y(row => y(row[column]));
+  if (areBanded()) drawBands(svg, x, y, column);
   svg.selectAll(".curve").data(curves).enter().append("path").attr("class", "curve").attr("d", line).attr("fill", "none")
     .attr("stroke", (rows, i) => d3.schemeDark2[i % 8]).attr("stroke-width", 1.5).attr("stroke-dasharray", (rows, i) => strokes[i % 4]);
+  if (areBanded()) svg.append("path").attr("class", "chosen-curve").attr("fill", "none").attr("stroke", colours.path).attr("stroke-width", 1.5)
+    .each(function () { this.dataOf = rows => line(rows.filter(row => row[column] !== null)); });
   svg.selectAll(".moment").data(curves).enter().append("circle").attr("class", "moment").attr("r", 4).attr("fill", "#fff").attr("stroke", "#16202a")
     .attr("stroke-width", 1.6).each(function (rows) { Object.assign(this, { rows, place: row => [x(row[0]), y(row[column])] }); });
 }
@@ -130,7 +156,10 @@ function drawChart(title, label, column) {
 function showConvergence() {
   if (!data.searches.some(search => search.generations.length)) return;
   d3.select("#convergence").html(`<h2>Convergence</h2><p id="curves"></p><div class="charts"></div>`);
-  d3.select("#curves").selectAll("span").data(data.searches).enter().append("span").html((search, i) =>
+  const band = opacity => `<svg width="34" height="10"><rect width="28" height="10" fill="#1f4e79" fill-opacity="${opacity}"/></svg>`;
+  if (areBanded()) d3.select("#curves").html(`Of ${data.searches.length} searches: <svg width="34" height="8"><path d="M0 4 L28 4" stroke="${d3.schemeDark2[0]}" stroke-width="2"/></svg>the median &nbsp; ` +
+    `${band(0.45)}half of them &nbsp; ${band(0.18)}nine of ten &nbsp; <svg width="34" height="8"><path d="M0 4 L28 4" stroke="${colours.path}" stroke-width="2"/></svg>the chosen process`);
+  else d3.select("#curves").selectAll("span").data(data.searches).enter().append("span").html((search, i) =>
     `<svg width="34" height="8"><path d="M0 4 L28 4" stroke="${d3.schemeDark2[i % 8]}" stroke-width="2" stroke-dasharray="${strokes[i % 4]}"/></svg>${processLink(search.name)} &nbsp; `);
   const what = data.searches.some(search => search.objective) ? "objective" : "fitness";
   drawChart(`Best ${what} so far`, "generation", 2);
@@ -139,8 +168,10 @@ function showConvergence() {
   d3.selectAll("#convergence a.to").on("click", function () { choose(this.dataset.process); });
 }
 
-// Where the searches are at a moment.
-function markGenerations(moment) {
+// Where the searches are at a moment; the chosen one among many.
+function markGenerations(moment, chosen) {
+  const search = data.searches.find(each => outermostName(each.name) === chosen);
+  d3.selectAll("#convergence .chosen-curve").attr("d", function () { return search ? this.dataOf(search.generations) : null; });
   d3.selectAll("#convergence .moment").each(function () {
     const done = this.rows.filter(row => row[1] !== null && row[1] <= moment), last = done[done.length - 1];
     d3.select(this).attr("visibility", last ? "visible" : "hidden");

@@ -19,8 +19,8 @@ namespace placedpar {
 
 namespace {
 
-/// Larger networks are not drawn: the picture would be no help.
-constexpr std::size_t most_drawn = 1200;
+/// Larger networks are not drawn: a browser would take too long over them.
+constexpr std::size_t most_drawn = 20'000;
 /// Of the tables: those of larger networks are for --json.
 constexpr std::size_t most_rows = 3000;
 constexpr std::size_t most_generations = 500;

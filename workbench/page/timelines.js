@@ -1,12 +1,12 @@
 // The timelines: a row a track, on a canvas that shows the part of them that is in sight.
 
-const rowHeight = 17, headHeight = 22, labelWidth = 210, most = { messages: 4000 };
+const rowHeight = 17, headHeight = 22, most = { messages: 4000 };
 const colours = { path: "#d6006c", running: "#1f4e79", ready: "#d98a1f", waiting: "#9aa7b4", stuck: "#b3261e", link: "#2f7d6b" };
 const canvas = document.getElementById("canvas"), pen = canvas.getContext("2d"), scroller = document.getElementById("scroller");
-const shown = { processors: true, processes: true, components: true, links: true, messages: true };
+const shown = { processors: true, processes: true, components: false, links: true, messages: true };
 if (path.length) shown["critical path"] = true;
 const whole = [run.begin, run.begin + span + drawnEnd - run.end];
-const view = { width: 0, height: 0, full: d3.scaleLinear().domain(whole), scale: d3.scaleLinear().domain(whole), rows: [], rowOf: new Map() };
+const view = { label: 210, wanted: 210, sought: "", unfolded: new Set(), width: 0, height: 0, full: d3.scaleLinear().domain(whole), scale: d3.scaleLinear().domain(whole), rows: [], rowOf: new Map() };
 
 // Running is full and dark, ready half as high and hatched, waiting a thin line: told apart without colour.
 const hatch = (() => {
@@ -23,18 +23,32 @@ const hatch = (() => {
 function isShown(track) {
   if (track.kind === "processor" || track.kind === "bus") return shown.processors;
   if (track.kind === "link") return shown.links && track.running.length > 1;
-  return shown.processes && (track.outermost === track.number || shown.components);
+  return shown.processes && (track.outermost === track.number || isUnfolded(track.outermost));
+}
+
+// The components of a PAR are in the row of their process, or unfolded in rows of their own.
+const isUnfolded = number => shown.components || view.unfolded.has(number);
+const isFoldable = track => track.outermost === track.number && (componentsOf[track.number] || []).length > 1;
+const foldedIn = track => isFoldable(track) && !isUnfolded(track.number) ? componentsOf[track.number].filter(each => each !== track) : [];
+const isSought = track => (view.sought === "" ? true : `${track.name} ${run.nodes[track.node]}`.toLowerCase().includes(view.sought.toLowerCase()));
+
+function fold(track) {
+  if (!view.unfolded.delete(track.number)) view.unfolded.add(track.number);
+  arrangeRows();
 }
 
 function arrangeRows() {
   view.rows = [];
   view.rowOf.clear();
   let node = -1;
-  for (const track of drawnTracks.filter(isShown)) {
+  for (const track of drawnTracks.filter(each => isShown(each) && isSought(each))) {
     if (track.node !== node) view.rows.push({ heading: run.nodes[node = track.node] });
     view.rowOf.set(track.number, view.rows.length);
+    foldedIn(track).forEach(each => view.rowOf.set(each.number, view.rows.length));
     view.rows.push({ track });
   }
+  pen.font = "11px Helvetica, Arial, sans-serif";
+  view.wanted = 20 + Math.max(80, d3.max(view.rows, row => pen.measureText(row.heading || labelOf(row.track)).width) || 0);
   document.getElementById("spacer").style.height = headHeight + view.rows.length * rowHeight + "px";
 }
 
@@ -42,13 +56,14 @@ function fitCanvas() {
   const ratio = window.devicePixelRatio || 1;
   view.height = Math.min(headHeight + view.rows.length * rowHeight, Math.max(260, Math.round(window.innerHeight * 0.55)));
   scroller.style.height = view.height + 2 + "px"; // before its width is read: it may have a scrollbar at one height and none at another
-  view.width = Math.max(scroller.clientWidth, 400);
+  view.width = Math.max(scroller.clientWidth, 240);
+  view.label = Math.min(view.wanted, Math.round(view.width * 0.4));
   canvas.width = view.width * ratio;
   canvas.height = view.height * ratio;
   canvas.style.width = view.width + "px";
   canvas.style.height = view.height + "px";
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  view.full.range([labelWidth, view.width - 12]);
+  view.full.range([view.label, view.width - 12]);
 }
 
 const lengthInSight = () => view.scale.domain()[1] - view.scale.domain()[0];
@@ -65,7 +80,7 @@ function drawWait(slice, x, y, width) {
   if (slice.doing === "delayed") for (let at = x; at < x + width; at += 5) pen.fillRect(at, y + 12, 2, 2);
   else pen.fillRect(x, y + (stuck ? 11 : 12), Math.max(width, 0.3), stuck ? 3 : 1.5);
   if (stuck) for (let at = x + 8; at < x + width; at += 14) drawCross(at, y + 12.5);
-  if (width > 90) drawText(describe(slice), x + 4, y + 9, stuck ? colours.stuck : "#5a6876", width - 8);
+  if (width > 90 && slice.doing !== "joins") drawText(describe(slice), x + 4, y + 9, stuck ? colours.stuck : "#5a6876", width - 8);
 }
 
 function drawCross(x, y) {
@@ -75,6 +90,15 @@ function drawCross(x, y) {
   pen.moveTo(x - 3, y - 3); pen.lineTo(x + 3, y + 3);
   pen.moveTo(x - 3, y + 3); pen.lineTo(x + 3, y - 3);
   pen.stroke();
+}
+
+// The longest beginning and end of a text that there is room for.
+function shortened(text, width) {
+  if (pen.measureText(text).width <= width) return text;
+  let kept = text.length - 1;
+  const short = () => text.slice(0, Math.ceil(kept / 2)) + "\u2026" + text.slice(text.length - Math.floor(kept / 2));
+  while (kept > 2 && pen.measureText(short()).width > width) --kept;
+  return short();
 }
 
 function drawSlice(track, slice, from, to) {
@@ -87,13 +111,16 @@ function drawSlice(track, slice, from, to) {
   } else if (state === "ready") {
     pen.fillStyle = width < 2 ? colours.ready : hatch;
     pen.fillRect(x, y + 7, Math.max(width, 0.3), 7);
-  } else drawWait(slice, x, y, width);
+  } else if (!foldedAway(track)) drawWait(slice, x, y, width);
 }
+
+// In the row of its process only what a component computes is drawn.
+const foldedAway = track => track.kind === "process" && track.outermost !== track.number && !isUnfolded(track.outermost);
 
 // Of each column of pixels, how much of it is running and, on top of that, ready.
 function drawShares(track, from, to) {
   const y = topOf(view.rowOf.get(track.number)), high = rowHeight - 4;
-  const x0 = Math.max(view.scale(from), labelWidth), x1 = Math.min(view.scale(to), view.width);
+  const x0 = Math.max(view.scale(from), view.label), x1 = Math.min(view.scale(to), view.width);
   if (isOfProcess(track)) { pen.fillStyle = colours.waiting; pen.fillRect(x0, y + 13, x1 - x0, 1); }
   for (let x = x0; x < x1; ++x) {
     const begin = view.scale.invert(x), end = view.scale.invert(Math.min(x + 1, x1));
@@ -116,26 +143,22 @@ function drawPiece(track, from, to, known) {
 
 function labelOf(track) {
   if (track.kind === "processor") return "processor";
+  if (isFoldable(track)) return (isUnfolded(track.number) ? "\u25be " : "\u25b8 ") + track.name;
   return track.outermost === track.number ? track.name : "   " + track.name.slice(track.name.indexOf("/"));
 }
 
 function drawLabel(row, y, chosen) {
   pen.fillStyle = "#fff";
-  pen.fillRect(0, y, labelWidth - 4, rowHeight);
+  pen.fillRect(0, y, view.label - 4, rowHeight);
   if (row.heading) {
     pen.font = "bold 11px Helvetica, Arial, sans-serif";
-    drawText(row.heading, 4, y + 13, "#16202a");
+    drawText(shortened(row.heading, view.label - 12), 4, y + 13, "#16202a");
     pen.font = "11px Helvetica, Arial, sans-serif";
     return;
   }
   const isChosen = isOfProcess(row.track) && outermostName(row.track.name) === chosen;
-  if (isChosen) { pen.fillStyle = "#dfe8f1"; pen.fillRect(6, y + 1, labelWidth - 12, rowHeight - 2); }
-  pen.save();
-  pen.beginPath();
-  pen.rect(0, y, labelWidth - 6, rowHeight);
-  pen.clip();
-  drawText(labelOf(row.track), 12, y + 12.5, isOfProcess(row.track) ? "#16202a" : "#5a6876");
-  pen.restore();
+  if (isChosen) { pen.fillStyle = "#dfe8f1"; pen.fillRect(6, y + 1, view.label - 12, rowHeight - 2); }
+  drawText(shortened(labelOf(row.track), view.label - 18), 12, y + 12.5, isOfProcess(row.track) ? "#16202a" : "#5a6876");
 }
 
 function visibleMessages() {
@@ -197,12 +220,16 @@ function drawAxis(moment) {
   pen.fillStyle = "#fff";
   pen.fillRect(0, 0, view.width, headHeight);
   const [from, to] = view.scale.domain(), [unit, size] = unitFor(Math.max(Math.abs(to), 1));
-  const ticks = view.scale.ticks(Math.max(3, (view.width - labelWidth) / 130)), step = ticks.length > 1 ? ticks[1] - ticks[0] : size;
+  const ticks = view.scale.ticks(Math.max(3, (view.width - view.label) / 130)), step = ticks.length > 1 ? ticks[1] - ticks[0] : size;
   const digits = Math.max(0, Math.ceil(Math.log10(size / step) - 1e-9));
+  let free = 0;
   for (const tick of ticks) {
     pen.fillStyle = "#e3e7eb";
     pen.fillRect(view.scale(tick), headHeight - 5, 1, view.height);
-    drawText(`${(tick / size).toFixed(digits)} ${unit}`, view.scale(tick) + 3, 13, "#5a6876");
+    const text = `${(tick / size).toFixed(digits)} ${unit}`, wide = pen.measureText(text).width, right = view.scale(tick) + 3, x = right + wide > view.width ? right - wide - 6 : right;
+    if (x < free) continue;
+    drawText(text, x, 13, "#5a6876");
+    free = x + wide + 8;
   }
   pen.fillStyle = "#16202a";
   if (moment >= from && moment <= to) pen.fillRect(view.scale(moment) - 0.5, 0, 1.4, view.height);
@@ -215,22 +242,22 @@ function drawTimelines(moment, chosen) {
   const first = Math.max(0, Math.floor(scroller.scrollTop / rowHeight)), last = Math.min(view.rows.length, first + Math.ceil(view.height / rowHeight) + 1);
   pen.save();
   pen.beginPath();
-  pen.rect(labelWidth - 2, headHeight, view.width, view.height);
+  pen.rect(view.label - 2, headHeight, view.width, view.height);
   pen.clip();
   const pieces = piecesOf(...view.scale.domain());
-  for (const { track } of view.rows.slice(first, last)) if (track) pieces.forEach(([from, to, known]) => drawPiece(track, from, to, known));
+  for (const { track } of view.rows.slice(first, last)) if (track) for (const each of [track, ...foldedIn(track)]) pieces.forEach(([from, to, known]) => drawPiece(each, from, to, known));
   drawMessages(chosen);
   drawPath();
   pen.restore();
   for (let row = first; row < last; ++row) drawLabel(view.rows[row], topOf(row), chosen);
   pen.fillStyle = "#fff";
-  pen.fillRect(0, 0, labelWidth - 4, headHeight);
+  pen.fillRect(0, 0, view.label - 4, headHeight);
 }
 
 // What is at a place of the canvas: {track, moment}; neither in the head or beside it.
 function placeAt([x, y]) {
   const row = view.rows[Math.floor((y - headHeight + scroller.scrollTop) / rowHeight)];
-  return { track: row && row.track && y > headHeight ? row.track : null, moment: x >= labelWidth ? view.scale.invert(x) : null };
+  return { track: row && row.track && y > headHeight ? row.track : null, moment: x >= view.label ? view.scale.invert(x) : null };
 }
 
 function textAt({ track, moment }) {

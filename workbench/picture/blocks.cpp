@@ -13,7 +13,7 @@ namespace placedpar::picture {
 
 namespace {
 
-constexpr std::size_t longest_row = 8, largest_circle = 40;
+constexpr std::size_t longest_row = 8, largest_circle = 40, largest_cube = 160;
 
 using Nodes = std::vector<std::size_t>;
 
@@ -157,9 +157,9 @@ std::vector<Shape> shapes_in_order(const Pattern& pattern, std::size_t count) {
     if (pattern.has_partners())
         return {column(count), row(count)};
     bool round = count > 2 && count <= largest_circle;
-    if (round && pattern.is_ring())
+    if (pattern.is_ring())
         return {circle(count)};
-    if (round && pattern.has_hub() && !pattern.has_wires_inside())
+    if (count > 2 && pattern.has_hub() && !pattern.has_wires_inside())
         return {star(count)};
     if (auto hangs_from = pattern.tree(); !hangs_from.empty() && !pattern.is_line())
         return {picture::tree(hangs_from)};
@@ -197,7 +197,8 @@ private:
         for (auto node : nodes)
             subscripts.push_back(subscripts_of(n_.nodes[node].name));
         auto columns = static_cast<std::size_t>(subscripts.back().back()) + 1;
-        if (subscripts.front().size() == 2 && Pattern(n_, wiring_, nodes).is_cube_of_cycles(columns))
+        bool small = subscripts.front().size() == 2 && nodes.size() <= largest_cube;
+        if (small && Pattern(n_, wiring_, nodes).is_cube_of_cycles(columns))
             blocks_.push_back({nodes, {cube_connected_cycles(columns)}});
         else if (subscripts.front().size() == 1 || Pattern(n_, wiring_, nodes).is_hypercube())
             add_in_order(nodes);
@@ -207,7 +208,9 @@ private:
 
     void add_in_order(const Nodes& nodes) {
         taken_.insert(nodes.begin(), nodes.end());
-        blocks_.push_back({nodes, shapes_in_order(Pattern(n_, wiring_, nodes), nodes.size())});
+        auto shapes = shapes_in_order(Pattern(n_, wiring_, nodes), nodes.size());
+        bool round = nodes.size() > largest_circle && is_circle(shapes.front());
+        blocks_.push_back({nodes, std::move(shapes), round});
     }
 
     bool is_single_processor(std::size_t node) const { return is_single(node) && n_.nodes[node].kind->make_executive; }

@@ -1,11 +1,18 @@
 #include "workbench/picture/picture.hpp"
 
 #include "workbench/picture/arrange.hpp"
+#include "workbench/picture/large.hpp"
+
+#include <tuple>
 
 namespace placedpar::picture {
 
 Picture draw(const Network& network, const std::vector<Span>& spans, const std::vector<Point>& places) {
     Picture picture;
+    if (network.nodes.size() >= large_network) {
+        std::tie(picture.nodes, picture.wires) = draw_large(network, spans);
+        return picture;
+    }
     picture.nodes = draw_nodes(network, spans, places.empty() ? arrange(network, Wiring(network)) : places);
     picture.wires = draw_wires(network, spans, picture.nodes);
     return picture;

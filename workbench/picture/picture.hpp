@@ -15,7 +15,7 @@ struct Picture {
 };
 
 /// The same network gives the same picture. No two boxes or labels overlap. The spans are those of its wires.
-/// Without places for its nodes, in cells, they are arranged.
+/// Without places for its nodes, in cells, they are arranged; those of a large network always are (large.hpp).
 Picture draw(const Network&, const std::vector<Span>&, const std::vector<Point>& places = {});
 
 /// What all of it takes. REQUIRES: there is a node.

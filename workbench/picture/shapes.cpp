@@ -49,7 +49,7 @@ bool centre_has_room(const Shape& shape) {
 /// The smallest circle of which that is true.
 template <class Condition>
 Shape smallest_circle(std::size_t count, Condition condition) {
-    double radius = 0.5;
+    double radius = std::max(0.5, std::floor(as_cells(count) / 8) - 1);
     Shape shape = circle_of_radius(count, radius);
     while (!condition(shape))
         shape = circle_of_radius(count, radius += 0.125);
@@ -129,6 +129,19 @@ Shape rectangle(std::size_t count) {
     while (length * length < count)
         ++length;
     return shape_of(count, [&](std::size_t i) -> Point { return {as_cells(i % length), as_cells(i / length)}; });
+}
+
+bool is_circle(const Shape& shape) {
+    double least = 1e9, most = 0;
+    Point c{};
+    for (Point each : shape)
+        c = c + 1 / as_cells(shape.size()) * each;
+    for (Point each : shape) {
+        double radius = std::hypot(each.x - c.x, each.y - c.y);
+        least = std::min(least, radius);
+        most = std::max(most, radius);
+    }
+    return most - least < 0.5;
 }
 
 Shape circle(std::size_t count) { return smallest_circle(count, neighbours_have_room); }

@@ -24,6 +24,8 @@ Shape snake(std::size_t count, std::size_t longest);
 Shape rectangle(std::size_t count);
 /// Clockwise from the top; four of them are a square.
 Shape circle(std::size_t count);
+/// Whether all stand about as far from the middle.
+bool is_circle(const Shape&);
 /// The same with room for a node in the centre.
 Shape star(std::size_t count);
 /// Each node below the one that it hangs from, which stands above the middle of all that hang from it. The

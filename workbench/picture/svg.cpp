@@ -22,6 +22,7 @@ namespace placedpar::picture {
 
 namespace {
 
+constexpr std::size_t longest_tooltip = 4000;
 constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
 
 /// Readable in grey: what is drawn by colour is drawn by shape, too.
@@ -131,7 +132,8 @@ enum class View { hardware, software };
 class SvgPrinter {
 public:
     SvgPrinter(const Network& network, Picture picture, View view)
-        : n_(network), view_(view), picture_(std::move(picture)), carried_(channels_on_wires()),
+        : n_(network), view_(view), picture_(std::move(picture)), directions_(network.connections.size()),
+          carried_(channels_on_wires()),
           marks_(view == View::hardware ? fault_marks(n_, picture_) : std::vector<FaultMark>{}) {}
 
     std::string print() {
@@ -218,12 +220,18 @@ private:
             std::ranges::count_if(n_.nodes, [](const Node& node) { return node.kind->runs_processes; }));
     }
 
-    /// The names of the channels on each wire.
-    std::vector<std::string> channels_on_wires() const {
+    /// The names of the channels on each wire, and in which directions they go.
+    std::vector<std::string> channels_on_wires() {
         std::vector<std::string> names(n_.connections.size());
         for (const NetworkChannel& channel : n_.channels)
-            for (const RouteHop& hop : channel.placement.route)
-                names[hop.connection] += "\n" + channel.name;
+            for (const RouteHop& hop : channel.placement.route) {
+                auto& [onward, back] = directions_[hop.connection];
+                (hop.from_a_to_b ? onward : back) = true;
+                if (auto& text = names[hop.connection]; text.size() < longest_tooltip)
+                    text += "\n" + channel.name;
+                else if (!text.ends_with("..."))
+                    text += "\n...";
+            }
         return names;
     }
 
@@ -257,11 +265,7 @@ private:
     /// An arrow at each end that channels lead to.
     void print_heads(std::size_t index) {
         const Path& path = picture_.wires[index].spans.front();
-        bool onward = false, back = false;
-        for (const NetworkChannel& channel : n_.channels)
-            for (const RouteHop& hop : channel.placement.route)
-                if (hop.connection == index)
-                    (hop.from_a_to_b ? onward : back) = true;
+        auto [onward, back] = directions_[index];
         if (onward)
             text_ += arrow_head(path[path.size() - 2], path.back()) + "\n";
         if (back)
@@ -396,6 +400,8 @@ private:
     const Network& n_;
     View view_;
     Picture picture_;
+    std::vector<std::pair<bool, bool>>
+        directions_;                   ///< by each wire: whether channels lead from its a to its b, and back
     std::vector<std::string> carried_; ///< by each wire; "" where there is none
     std::vector<FaultMark> marks_;
     std::string text_, legend_;

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -54,11 +56,11 @@ std::size_t axis_to_draw_over(const StudySummary& summary, const std::string& na
     return *best;
 }
 
-/// What the other axes are on a line: the name of its curve.
+/// What differs between curves of the other axes, on a line: the name of its curve.
 std::string curve_of(const StudySummary& summary, const StudyLine& line, std::size_t over) {
     std::string name;
     for (std::size_t i = 0; i < summary.axes.size(); ++i)
-        if (i != over)
+        if (i != over && values_of_axis(summary, i).size() > 1)
             name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", summary.axes[i],
                                 line.values[i].empty() ? "-" : line.values[i]);
     return name;
@@ -76,20 +78,52 @@ bool is_drawn_by_decades(const StudySummary& summary, std::size_t over) {
     return least > 0 && greatest / least > wide && median < crowded * greatest;
 }
 
-/// The curves of one measure, by name in the order of the lines.
+/// A range with room beside what is drawn in it, so that no point lies on the frame.
+struct RoomyRange {
+    double least = std::numeric_limits<double>::max(), most = std::numeric_limits<double>::lowest();
+    bool logarithmic = false;
+
+    void add(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    /// A value moved by a part of the range.
+    double moved(double value, double part) const {
+        return logarithmic ? value * std::pow(most / least, part) : value + part * (most - least);
+    }
+    void give_to(Axis& axis) const {
+        constexpr double room = .05;
+        bool wide = least < most;
+        double margin = least == 0 ? 1 : std::abs(least) / 2;
+        axis.from = wide ? moved(least, -room) : least - margin;
+        axis.to = wide ? moved(most, room) : most + margin;
+        if (least > 0 && !logarithmic)
+            axis.from = std::max(*axis.from, 0.);
+    }
+};
+
+/// The curves of one measure, by name in the order of the lines. Those that have intervals stand a little beside each
+/// other, so that one interval does not hide another.
 class PanelOfMeasure {
 public:
     PanelOfMeasure(const StudySummary& summary, std::size_t measure, std::size_t over)
         : summary_(summary), measure_(measure), over_(over) {
+        x_.logarithmic = is_drawn_by_decades(summary, over);
         for (const StudyLine& line : summary.lines)
             add(line);
+        set_beside();
     }
 
     Panel panel() && {
         curves_.insert(curves_.end(), bars_.begin(), bars_.end());
-        return {.x = {.label = summary_.axes[over_], .logarithmic = is_drawn_by_decades(summary_, over_)},
-                .y = {.label = measure_with_unit(summary_, measure_)},
-                .series = std::move(curves_)};
+        Panel panel{.x = {.label = summary_.axes[over_], .logarithmic = x_.logarithmic},
+                    .y = {.label = measure_with_unit(summary_, measure_)},
+                    .series = std::move(curves_)};
+        if (!panel.series.empty()) {
+            x_.give_to(panel.x);
+            y_.give_to(panel.y);
+        }
+        return panel;
     }
 
 private:
@@ -100,11 +134,32 @@ private:
         const StudyCell& cell = line.cells[measure_];
         double x = *number_of_setting(line.values[over_]);
         curves_[curve].points.push_back({x, cell.mean});
+        x_.add(x);
+        y_.add(cell.mean - std::max(cell.half_width, 0.));
+        y_.add(cell.mean + std::max(cell.half_width, 0.));
         if (cell.half_width > 0)
             bars_.push_back({.name = "",
                              .points = {{x, cell.mean - cell.half_width}, {x, cell.mean + cell.half_width}},
                              .stroke = Stroke::bar,
                              .colour = static_cast<int>(curve)});
+    }
+
+    void set_beside() {
+        if (bars_.empty())
+            return;
+        auto beside = [&](double x, int curve) {
+            return x_.moved(x, .008 * (curve - static_cast<double>(curves_.size() - 1) / 2));
+        };
+        for (Series& curve : curves_)
+            for (Point& point : curve.points)
+                point.x = beside(point.x, *curve.colour);
+        for (Series& bar : bars_)
+            bar.points = with_caps(beside(bar.points[0].x, *bar.colour), bar.points[0].y, bar.points[1].y);
+    }
+
+    std::vector<Point> with_caps(double x, double low, double high) const {
+        double left = x_.moved(x, -.005), right = x_.moved(x, .005);
+        return {{left, low}, {right, low}, {x, low}, {x, high}, {left, high}, {right, high}};
     }
 
     std::size_t number_of(const std::string& curve) {
@@ -120,6 +175,7 @@ private:
 
     const StudySummary& summary_;
     std::size_t measure_, over_;
+    RoomyRange x_, y_;
     std::map<std::string, std::size_t> numbers_;
     std::vector<Series> curves_, bars_;
 };
