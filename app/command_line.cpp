@@ -155,8 +155,8 @@ std::string why_it_is_terminated() {
     std::_Exit(static_cast<int>(ExitCode::bad_input));
 }
 
-/// Reports the exception that is being handled. A refusal by the system, such as of memory or of a file, is not a defect;
-/// any other exception but a UserError is.
+/// Reports the exception that is being handled. A refusal by the system, such as of memory or of a file, is not a
+/// defect; any other exception but a UserError is.
 ExitCode report_error() {
     try {
         throw;
