@@ -22,7 +22,8 @@ if ! [ -d "$folder/base" ]; then
 fi
 rm -rf --one-file-system "$root"
 cp -a "$folder/base" "$root"
-trap 'rm -rf --one-file-system "$root"' EXIT
+mount -t proc proc "$root/proc"
+trap 'umount "$root/proc" && rm -rf --one-file-system "$root"' EXIT
 cp "$packages"/*placedpar*.deb "$root/srv/"
 cp -r "$here/../consumer/small" "$root/srv/"
 
