@@ -87,8 +87,8 @@ void write_local(const std::string& how, std::size_t bytes) {
         write_ends(static_cast<char*>(__builtin_alloca(bytes)), bytes);
     else if (bytes == 100'000)
         write_array<100'000>();
-    else if (bytes == 321'500)
-        write_array<321'500>();
+    else if (bytes == 340'000)
+        write_array<340'000>();
     else
         write_array<4'000'000>();
 }

@@ -12,7 +12,7 @@ endforeach()
 # A process whose local array is too large is named, however large it is, and nobody else's variables are overwritten.
 foreach(program plain_20 lto_23)
     must(${SCRATCH}/${program} array 100000)
-    foreach(large "array;321500" "array;4000000" "alloca;321500" "alloca;4000000")
+    foreach(large "array;340000" "array;4000000" "alloca;340000" "alloca;4000000")
         execute_process(COMMAND ${SCRATCH}/${program} ${large} RESULT_VARIABLE result ERROR_VARIABLE error)
         if(NOT result MATCHES "Segmentation|11|139" OR NOT error MATCHES "^process large has used up its stack of 256 Kbyte")
             message(FATAL_ERROR "${program} ${large} ended with ${result}: ${error}")
