@@ -1,0 +1,27 @@
+"""More runs than can be meant are begun only after a question: of every command that takes a number of seeds."""
+
+import tempfile
+import unittest
+
+from program import EXAMPLES, placedpar
+
+NETLIST = str(EXAMPLES / "01-commstime" / "commstime.cfs")
+CLUSTER = str(EXAMPLES / "03-table-e1" / "cluster.cfs")
+
+
+class ManySeeds(unittest.TestCase):
+    def test_very_many_seeds_are_asked_about(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for words in (["run", NETLIST], ["run", CLUSTER, "--convergence", "c.svg"], ["sweep", NETLIST], ["replay", "faults"]):
+                for seeds, said in (("10001", "10,001 runs"), ("1000000", "1,000,000 runs")):
+                    refused = placedpar(*words, "--seeds", seeds, folder=folder)
+                    self.assertEqual((refused.returncode, refused.stdout), (1, ""), words)
+                    self.assertIn(said, refused.stderr, words)
+                    self.assertIn("--yes begins with them", refused.stderr, words)
+
+    def test_a_few_are_not(self):
+        self.assertEqual(placedpar("run", NETLIST, "--seeds", "3").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
