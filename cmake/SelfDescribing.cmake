@@ -2,7 +2,7 @@
 
 # placedpar_list_entries(list.cpp.in TYPE file.cpp ...): each file defines `extern const TYPE name_TYPE`, in small
 # letters, where name is the file's. Writes list.cpp to the build folder from list.cpp.in, in which @DECLARATIONS@
-# stands for the declarations of them all, and @NAMES@ for their names. The linker misses what a file does not define.
+# stands for the declarations of them all, and @NAMES@ for their names; where the variable LIST is set, to LIST.cpp. The linker misses what a file does not define.
 # Rejected: registration by constructors of statics, whose order is nobody's, and which linkers drop from libraries.
 function(placedpar_list_entries template type)
     string(TOLOWER ${type} suffix)
@@ -13,5 +13,8 @@ function(placedpar_list_entries template type)
     endforeach()
     list(JOIN names ", " NAMES)
     cmake_path(GET template STEM LAST_ONLY list)
+    if(LIST)
+        set(list ${LIST}.cpp)
+    endif()
     configure_file(${template} ${CMAKE_CURRENT_BINARY_DIR}/${list} @ONLY)
 endfunction()
