@@ -154,6 +154,13 @@ class Page(ServiceTest):
                               capture_output=True, text=True, timeout=SECONDS, check=True)
         self.assertIn('<span class="good">all is kept</span>', done.stdout)
         self.assertIn("BO by P1b", done.stdout)
+        self.assertIn(">1 machine, 1 connection, ", done.stdout)
+        self.assertIn(">BO in health</text>", done.stdout)
+        times = re.findall(r">(\d\d:\d\d[\d:.]*)</text>", done.stdout)
+        self.assertGreater(len(times), 1)
+        self.assertEqual(len(times), len(set(times)), times)  # none twice
+        ticks = re.findall(r'text-anchor="end">([\d.]+)</text>', done.stdout)
+        self.assertEqual(ticks[:2], ["0.000", "0.002"])
         self.assertEqual(done.stdout.count("<circle "), 4)  # three transients, and the legend's mark
         self.assertRegex(done.stdout, r'<td><span class="alarm">\w+</span></td><td>BO</td>')
         self.assertRegex(done.stdout, r"<td>BO \w+, more than 99 % sure</td>")
