@@ -93,12 +93,20 @@ Box around_ports(const std::vector<Port>& ports) {
 class Raster::Search {
 public:
     Search(Raster& raster, const std::vector<Port>& to)
-        : r_(raster), goal_(around_ports(to)), costs_(4 * raster.marks_.size(), std::numeric_limits<unsigned>::max()),
-          before_(4 * raster.marks_.size(), from_nowhere) {
+        : r_(raster), goal_(around_ports(to)), costs_(raster.costs_), before_(raster.before_) {
+        costs_.resize(4 * raster.marks_.size(), unreached);
+        before_.resize(4 * raster.marks_.size(), from_nowhere);
         for (const Port& port : to)
             if (auto index = r_.index_of(port.at); !r_.marks_[index].has_wire())
                 entries_.emplace(index, opposite(way_of(port.outward)));
     }
+
+    ~Search() {
+        for (State state : reached_)
+            costs_[state] = unreached;
+    }
+    Search(const Search&) = delete;
+    Search& operator=(const Search&) = delete;
 
     std::optional<Path> find(const std::vector<Port>& from) {
         for (const Port& port : from)
@@ -118,8 +126,9 @@ public:
 
 private:
     /// The ways on from a point; the opposite of one is two further.
-    enum Way : std::size_t { right, below, left, above, from_nowhere };
+    enum Way : unsigned char { right, below, left, above, from_nowhere };
     using State = std::size_t;
+    static constexpr unsigned unreached = std::numeric_limits<unsigned>::max();
 
     static Way opposite(Way way) { return static_cast<Way>((way + 2) % 4); }
     static Way way_of(Point outward) {
@@ -163,6 +172,8 @@ private:
         cost += step_cost + (mark.has_wire() ? crossing_cost : 0) + (mark.near ? near_cost : 0);
         if (cost >= costs_[state])
             return;
+        if (costs_[state] == unreached)
+            reached_.push_back(state);
         costs_[state] = cost;
         before_[state] = before;
         open_.emplace(cost + at_least(*next), order_++, state);
@@ -182,7 +193,7 @@ private:
     Path trace(State state) const {
         Path path{r_.point_of(state / 4)};
         while (true) {
-            Way way = way_to(state), before = before_[state];
+            Way way = way_to(state), before = static_cast<Way>(before_[state]);
             auto back = step(state / 4, opposite(way)).value();
             if (before != way)
                 path.push_back(r_.point_of(back));
@@ -199,8 +210,9 @@ private:
     Raster& r_;
     Box goal_;
     std::map<std::size_t, Way> entries_; ///< the points at which the search may end, and how they are reached
-    std::vector<unsigned> costs_;
-    std::vector<Way> before_; ///< the way by which the point before was reached
+    std::vector<unsigned>& costs_; ///< the raster's, so that a search takes no time for points that it does not reach
+    std::vector<unsigned char>& before_;
+    std::vector<State> reached_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
     std::size_t order_ = 0;
 };

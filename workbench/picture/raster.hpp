@@ -49,6 +49,8 @@ private:
     std::ptrdiff_t columns_, lines_;
     std::vector<Mark> marks_; ///< none where there are too many points
     std::size_t steps_left_;
+    std::vector<unsigned> costs_;       ///< by state of a search; between searches of none
+    std::vector<unsigned char> before_; ///< by state: the way by which the point before was reached
 };
 
 } // namespace placedpar::picture
