@@ -145,10 +145,10 @@ std::string why_it_is_terminated() {
     }
 }
 
-/// Of an exception that left a destructor or a function that is noexcept: no handler can be reached any more.
+/// Reports an exception that left a destructor or a function that is noexcept, so that no handler can be reached.
 [[noreturn]] void report_termination() {
-    std::string what = fmt::format("{}: {}; it left a destructor or a function that is noexcept", what_is_running(),
-                                   why_it_is_terminated());
+    const char* left = std::current_exception() ? "; it left a destructor or a function that is noexcept" : "";
+    std::string what = fmt::format("{}: {}{}", what_is_running(), why_it_is_terminated(), left);
     if (program_name() == "placedpar")
         std::_Exit(static_cast<int>(report_defect(what)));
     print_error(fmt::format("{} {}\n", painted(Paint::error, program_name() + ":"), what));

@@ -2,7 +2,7 @@
 # Removes what `cmake --install` has written to the manifest, below DESTDIR if that is set, and the folders that are ours
 # alone and empty then.
 if(NOT EXISTS ${MANIFEST})
-    message(FATAL_ERROR "Nothing was installed from this build: there is no ${MANIFEST}")
+    message(FATAL_ERROR "There is no ${MANIFEST}: nothing was installed from this build as a whole")
 endif()
 file(STRINGS ${MANIFEST} installed)
 foreach(file IN LISTS installed)
@@ -11,11 +11,10 @@ foreach(file IN LISTS installed)
     file(REMOVE "${file}")
     cmake_path(GET file PARENT_PATH folder)
     while(folder MATCHES "/[Pp]laced[Pp]ar")
-        file(GLOB left "${folder}/*" "${folder}/.*")
-        if(left)
+        execute_process(COMMAND rmdir -- "${folder}" RESULT_VARIABLE kept OUTPUT_QUIET ERROR_QUIET)
+        if(NOT kept EQUAL 0) # it is not empty
             break()
         endif()
-        file(REMOVE_RECURSE "${folder}")
         cmake_path(GET folder PARENT_PATH folder)
     endwhile()
 endforeach()

@@ -63,7 +63,16 @@ template <class Word>
 std::string reworded(std::string_view text, Word word) {
     const std::string utf8 = as_utf8(text);
     std::string result;
+    auto is_plain = [](char each) {
+        return each >= ' ' && each <= '~' && std::string_view("<>&\"").find(each) == std::string_view::npos;
+    };
     for (std::size_t at = 0; at < utf8.size();) {
+        const auto plain = std::find_if_not(utf8.begin() + static_cast<std::ptrdiff_t>(at), utf8.end(), is_plain);
+        const auto end = static_cast<std::size_t>(plain - utf8.begin());
+        result.append(utf8, at, end - at);
+        at = end;
+        if (at == utf8.size())
+            break;
         auto [code, bytes] = first_character(std::string_view(utf8).substr(at));
         const std::string instead = word(code);
         result += instead.empty() ? utf8.substr(at, bytes) : instead;

@@ -17,8 +17,9 @@ namespace placedpar {
 template <class Mutate>
 void mutate_places(const Mutate& mutate, std::span<Genome> population, double probability,
                    const Representation& representation, RandomStream& random) {
+    const std::size_t places = representation.bits() / representation.unit();
     for (Genome& genome : population)
-        for (std::size_t place = 0; place < representation.bits() / representation.unit(); ++place)
+        for (std::size_t place = 0; place < places; ++place)
             if (random.chance(probability))
                 mutate(genome, place, representation, random);
 }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <sstream>
 #include <system_error>
 #include <variant>
@@ -39,7 +40,8 @@ void set_policy(Step& usual, const std::string& text) {
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
     std::string name = initial.substr(0, initial.find('('));
-    if (std::ranges::count(InitialPopulation::descriptions(), name, &PolicyDescription::name) == 0)
+    const bool is_file = std::filesystem::exists(initial); // even where its name looks like a policy with numbers
+    if (is_file || std::ranges::count(InitialPopulation::descriptions(), name, &PolicyDescription::name) == 0)
         return initial.empty() ? std::vector<Genome>() : load_population(initial, problem.representation());
     InitialPopulation begin = InitialPopulation::named(initial);
     RandomStream random = environment.random_stream(stream_name(environment) + " " + name);

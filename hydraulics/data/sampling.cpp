@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Ours: slower, and five samples are longer than a transient; quicker, and nobody has tried it.
+/// Bounds of ours: five slower samples would be longer than a transient, and quicker readings are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
 /// By which a stated period may be beyond them.
 constexpr double rounding = 1 + 1e-6;

@@ -118,14 +118,14 @@ bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {
 }
 
 void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
+    if (!state_.impossible_now && !is_evidence(movement, valve))
+        return;
     state_.impossible = std::exchange(state_.impossible_now, false);
     if (state_.impossible)
         return;
     if (valve != state_.valve)
         state_ = {}; // another way to know the valve has another offset in health
     state_.valve = valve;
-    if (!is_evidence(movement, valve))
-        return;
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),
                    {valve == AreasFrom::servo ? servo_units_beyond_kind : units_beyond_kind, units_beyond_kind,
@@ -154,7 +154,7 @@ Verdict LinkJudge::verdict() const {
         mean->covariance += baseline()->covariance;
     Verdict verdict = verdict_of(*mean, test.raised(), state_.valve);
     if (test.raised() && !beyond_error(verdict.kind, *mean, state_.valve))
-        verdict = verdict_of(*mean, false, state_.valve), verdict.kind = VerdictKind::cannot_tell;
+        verdict = {VerdictKind::cannot_tell, verdict_of(*mean, false, state_.valve).probability, *mean};
     if (verdict.kind == VerdictKind::sound && verdict.probability < least_sure_sound)
         verdict.kind = VerdictKind::cannot_tell;
     verdict.movements = test.state().movements;

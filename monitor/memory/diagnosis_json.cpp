@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace placedpar::monitor {
@@ -78,6 +79,13 @@ json::string sums_json(const LinkTrack::Sums& sums) {
                               static_cast<double>(sums.readings), static_cast<double>(sums.areas)}));
 }
 
+std::size_t count_from(double number) {
+    constexpr double most = 1e6;
+    if (!(number >= 0 && number <= most) || number != std::floor(number))
+        throw std::runtime_error(fmt::format("a count of {}", number));
+    return static_cast<std::size_t>(number);
+}
+
 /// None in states of before readings were averaged.
 LinkTrack::Sums sums_from(const json::value* value) {
     if (!value)
@@ -85,7 +93,7 @@ LinkTrack::Sums sums_from(const json::value* value) {
     const std::vector<double> n = numbers_from(text(*value));
     if (n.size() != 7)
         throw std::runtime_error(fmt::format("sums of {} numbers", n.size()));
-    return {n[0], n[1], n[2], n[3], n[4], static_cast<std::size_t>(n[5]), n[6] != 0};
+    return {n[0], n[1], n[2], n[3], n[4], count_from(n[5]), n[6] != 0};
 }
 
 json::object track_json(const LinkTrack::State& track) {
@@ -379,7 +387,7 @@ void read_open_sample(Diagnosis::State& state, const json::object& object, const
     const std::vector<double> n = numbers_from(text(*open));
     if (n.size() != 3 || !(n[0] < static_cast<double>(sampling.readings)))
         throw std::runtime_error("a sample that is whole, or no sample");
-    state.open = {static_cast<std::size_t>(n[0]), n[1], n[2]};
+    state.open = {count_from(n[0]), n[1], n[2]};
     state.sample_s = optional_from(object.at("sample_s"));
 }
 

@@ -73,11 +73,13 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
             evict(client, fmt::format("there are {} clients already", most),
                   fmt::format("to come again later; {} allows more", option));
     };
-    if (control && roster_.control_of(hello.machine)) // whose place it takes
+    const Client* held = control ? roster_.control_of(hello.machine) : nullptr;
+    if (held && held->caller.peer == client.caller.peer) // it takes the place of one of its own
         return;
     require(limits_.clients_per_peer, "--max-clients-per-peer",
             [&](const Client& each) { return each.caller.peer == client.caller.peer; });
-    require(limits_.clients, "--max-clients", [](const Client&) { return true; });
+    if (!held)
+        require(limits_.clients, "--max-clients", [](const Client&) { return true; });
 }
 
 void Dispatcher::leave(Client& client) {

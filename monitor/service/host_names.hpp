@@ -16,7 +16,7 @@ std::optional<std::string> host_in(std::string_view field);
 /// what is served under it (DNS rebinding): other names are foreign.
 class HostNames {
 public:
-    /// Of a service that listens at the address, and further names, such as a proxy's. "localhost" is one where
+    /// Takes the address at which the service listens, and further names, such as a proxy's. "localhost" is one where
     /// loopback leads to it, this computer's name where others do. Throws UserError when one is no name.
     HostNames(const std::string& address, const std::vector<std::string>& further);
 

@@ -21,7 +21,7 @@ public:
     bool may_introduce(const std::string& peer) const;
     void introduced(const std::string& peer, const std::string& machine);
     void forgotten(const std::string& machine);
-    /// Who introduced it; "": nobody since the start.
+    /// The peer that introduced the machine; "" for one that was restored at the start.
     std::string of(const std::string& machine) const;
 
     /// One more takeover of a machine's control; false, and nothing changes, when there were too many in the last

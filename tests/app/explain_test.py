@@ -86,7 +86,7 @@ class Explain(unittest.TestCase):
         self.assertGreater(len(netlists), 20)
         for netlist in netlists:
             with self.subTest(netlist):
-                if netlist.endswith(("thin.cfs", "tin.cfs")):
+                if netlist.endswith(("thin.cfs", "tin.cfs", "46-own-policy/islands.cfs")):
                     continue  # they are for programs that have more kinds than this one
                 run, document = explained(netlist, "--no-what-if")
                 self.assertIn(run.returncode, (0, 2), run.stderr)

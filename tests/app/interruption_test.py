@@ -83,7 +83,7 @@ class Interruption(unittest.TestCase):
         for kept, said in (([], "hint: with --resume FILE the runs that ended are kept\n"),
                            (["--resume", "kept"], "the runs that ended are in kept: the same command goes on from them\n")):
             with tempfile.TemporaryDirectory() as folder:
-                with subprocess.Popen([PROGRAM, "replay", "pga-4", "--seeds", "100000", *kept], cwd=folder,
+                with subprocess.Popen([PROGRAM, "replay", "pga-4", "--seeds", "100000", "--yes", *kept], cwd=folder,
                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
                     wait_until_it_listens(run, signal.SIGINT)
                     run.send_signal(signal.SIGINT)

@@ -138,7 +138,7 @@ class Log(unittest.TestCase):
         self.assertLessEqual(max(float(row["time_ms"]) for row in rows), 300)
         path = self.folder / "interrupted.csv"
         for moment in range(12): # some within a run, some between two
-            with subprocess.Popen([PROGRAM, "run", CLUSTER, "--seeds", "100000", "--log", path],
+            with subprocess.Popen([PROGRAM, "run", CLUSTER, "--seeds", "100000", "--yes", "--log", path],
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
                 time.sleep(0.5 + 0.007 * moment)
                 self.assertFalse(path.exists())

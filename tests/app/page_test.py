@@ -248,7 +248,7 @@ class Pages(unittest.TestCase):
         self.page(FIGURE_E2)
         text = "document.getElementById('address').hidden ? '' : document.getElementById('address').textContent"
         for address, said in (("view=software&process=master[1]&at=0.5", ""), ("view=foo", 'no view "foo"'), ("process=nobody", '"nobody"'),
-                              ("at=soon", '"soon" is not a number'), ("zoom=3", '"zoom"')):
+                              ("at=soon", '"soon" is not a part of the run'), ("zoom=3", '"zoom"')):
             with self.subTest(address=address):
                 found = self.said_of(address, text)
                 self.assertIn(said, found)

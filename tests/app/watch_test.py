@@ -89,7 +89,7 @@ class Watched(unittest.TestCase):
         self.assertEqual(len([line for line in screen_after(text) if "generation 80:" in line]), 5)
 
     def test_an_interruption_leaves_the_terminal_whole(self):
-        terminal = Terminal(80, CLUSTER, "--seeds", "100000")
+        terminal = Terminal(80, CLUSTER, "--seeds", "100000", "--yes")
         terminal.read(until=lambda text: "seed 2" in text)
         terminal.process.send_signal(signal.SIGINT)
         text = terminal.read()

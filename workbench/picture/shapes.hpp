@@ -26,7 +26,7 @@ Shape rectangle(std::size_t count);
 Shape circle(std::size_t count);
 /// Whether all stand about as far from the middle.
 bool is_circle(const Shape&);
-/// The same with room for a node in the centre.
+/// Makes a circle with room for a node in the centre.
 Shape star(std::size_t count);
 /// Each node below the one that it hangs from, which stands above the middle of all that hang from it. The
 /// root hangs from no_node.

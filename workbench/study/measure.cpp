@@ -131,6 +131,8 @@ StudyFigures figures_from(const std::string& text) {
             throw std::out_of_range("a figure is a number and its unit");
         figures[std::string(name)] = {numbers.at(number++), std::string(figure[1].as_string())};
     }
+    if (number != numbers.size())
+        throw std::out_of_range("a figure is there twice");
     return figures;
 }
 

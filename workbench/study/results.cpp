@@ -125,12 +125,15 @@ StudySource source_of(const Study& study, const Network& network) {
     return source;
 }
 
-std::int64_t StudyResults::Head::checksum() const {
-    std::string texts;
+void StudyResults::Head::add_up_texts() {
+    texts_checksums.clear();
     for (const auto& [path, text] : source.texts)
-        texts += hex(static_cast<std::uint64_t>(checksum_of(path, text)));
+        texts_checksums += hex(static_cast<std::uint64_t>(checksum_of(path, text)));
+}
+
+std::int64_t StudyResults::Head::checksum() const {
     return checksum_of(source.netlist, source.options, version, measures, std::to_string(runs), std::to_string(sum),
-                       texts);
+                       texts_checksums);
 }
 
 /// What SQLite says is said of the file.
@@ -158,7 +161,7 @@ auto StudyResults::parsed(Read read) {
 }
 
 void StudyResults::refuse_damaged(const std::string& where) const {
-    throw UserError(fmt::format("{}: it is damaged ({}): take a copy of it, or move it away and sweep again",
+    throw UserError(fmt::format("{}: it is damaged ({}): put back a copy from before, or move it away and sweep again",
                                 path_.string(), where));
 }
 
@@ -241,6 +244,7 @@ void StudyResults::make(const StudySource& source) {
     database_->run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; {}", results_application,
                                results_format, results_schema));
     head_ = {source, version_text(), "[]"};
+    head_.add_up_texts();
     store::Statement(*database_, "INSERT INTO study VALUES(1, ?1, ?2, ?3, ?4, 0, 0, ?5)")
         .run(source.netlist, source.options, head_.version, head_.measures, head_.checksum());
     store::Statement text(*database_, "INSERT INTO texts VALUES(?1, ?2, ?3)");
@@ -258,6 +262,7 @@ void StudyResults::read_head() {
     store::Statement texts(*database_, "SELECT path, text FROM texts ORDER BY place");
     while (texts.step())
         head_.source.texts.emplace_back(texts.text(0), texts.text(1));
+    head_.add_up_texts();
     if (checksum != head_.checksum())
         refuse_damaged("the row of table study, or one of table texts");
 }
@@ -276,8 +281,9 @@ void StudyResults::read_runs() {
         sum ^= checksum;
     }
     if (count != head_.runs || sum != head_.sum)
-        refuse_damaged(
-            fmt::format("table runs has {}, and had {}", counted(static_cast<std::size_t>(count), "row"), head_.runs));
+        refuse_damaged(count != head_.runs ? fmt::format("table runs has {}, and had {}",
+                                                         counted(static_cast<std::size_t>(count), "row"), head_.runs)
+                                           : "a row of table runs is of another file");
 }
 
 void StudyResults::check() {
@@ -331,7 +337,7 @@ std::optional<StudyOutcome> StudyResults::find(const StudyRun& run) {
 void StudyResults::keep(const StudyRun& run, const StudyOutcome& outcome) {
     if (has(run))
         return;
-    const Head before = head_;
+    const auto [runs_before, sum_before] = std::pair(head_.runs, head_.sum);
     const std::string set = settings_json(run.set), figures = figures_text(outcome.figures);
     const auto seed = static_cast<std::int64_t>(run.seed), time = std::int64_t{outcome.time.count()};
     const std::int64_t checksum = checksum_of_run(set, seed, outcome.ended, time, hex(outcome.fingerprint),
@@ -346,7 +352,8 @@ void StudyResults::keep(const StudyRun& run, const StudyOutcome& outcome) {
         database_->run("COMMIT");
     } catch (const store::DatabaseError& error) {
         database_->roll_back();
-        head_ = before;
+        head_.runs = runs_before;
+        head_.sum = sum_before;
         throw UserError(fmt::format("{}: {}; the runs that it has are kept, and the same command goes on from them",
                                     path_.string(), error.what()));
     }

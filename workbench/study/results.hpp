@@ -78,7 +78,9 @@ private:
         StudySource source;
         std::string version, measures;
         std::int64_t runs = 0, sum = 0;
-        std::int64_t checksum() const;
+        std::string texts_checksums = {}; ///< of the source's texts, which may be long and do not change
+        void add_up_texts();
+        std::int64_t checksum() const; ///< REQUIRES: add_up_texts() was called for these texts
     };
 
     void make(const StudySource&);

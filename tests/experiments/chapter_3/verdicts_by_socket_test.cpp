@@ -27,7 +27,7 @@ namespace json = boost::json;
 /// `placedpar monitor`, in a thread of its own.
 class RunningService {
 public:
-    RunningService() : service_(settings(), [](const std::string&) {}), thread_([this] { service_.run(); }) {}
+    RunningService() : service_(settings(), log_), thread_([this] { service_.run(); }) {}
     ~RunningService() {
         service_.stop();
         thread_.join();
@@ -41,6 +41,7 @@ private:
         return settings;
     }
 
+    monitor::Log log_{-1};
     monitor::Service service_;
     std::thread thread_;
 };
