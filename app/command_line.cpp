@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <unistd.h>
 
@@ -100,6 +101,16 @@ void require_command(const CLI::App& app, std::span<char*> words) {
     throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
 
+/// Throws UserError for an option that takes one value and was given several.
+void refuse_repeated(const CLI::App& app) {
+    for (const CLI::App* command : app.get_subcommands())
+        for (const CLI::Option* option : command->get_options())
+            if (option->get_items_expected_max() > 0 &&
+                option->results().size() > static_cast<std::size_t>(option->get_items_expected_max()))
+                throw UserError(fmt::format("{} is given {} times ({}), and takes one value", option->get_name(),
+                                            option->results().size(), fmt::join(option->results(), ", ")));
+}
+
 /// Parses the command line. What it chose is then in `chosen`, or it was wrong, or asked for help.
 ExitCode parse(CLI::App& app, int argc, char** argv) {
     try {
@@ -108,6 +119,8 @@ ExitCode parse(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::ExtrasError&) {
         refuse_extras(app);
     } catch (const CLI::ParseError& error) {
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+            refuse_repeated(app);
         std::ostringstream help, wrong;
         bool asked_for_help = app.exit(error, help, wrong) == 0;
         print_out(help.str());

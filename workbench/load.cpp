@@ -5,6 +5,8 @@
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace placedpar {
@@ -52,6 +54,10 @@ Network load_network(const ParsedNetlist& netlist, const Overrides& overrides, c
         throw RefusedInput(render(read));
     if (!read.diagnostics.empty())
         warn(render(read));
+    if (read.network->nodes.empty() && read.network->processes.empty())
+        throw RefusedInput(fmt::format("{}: error: the netlist is empty\nhint: it declares processors and processes; "
+                                       "placedpar generate writes one\n",
+                                       read.network->source_path));
     return std::move(*read.network);
 }
 

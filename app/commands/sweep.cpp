@@ -100,10 +100,11 @@ std::filesystem::path results_of(const SweepOptions& options) {
 /// One line that says how far it is, and how long the rest takes.
 class SweepProgress {
 public:
-    explicit SweepProgress(const StudySweep::Missing& missing) : missing_(missing) {}
+    /// Of these, so many have been made already.
+    SweepProgress(const StudySweep::Missing& missing, std::uint64_t made) : missing_(missing), made_(made) {}
 
     void show(std::uint64_t ended) {
-        progress_.show(fmt::format("{} of {}{} runs, {}", print_count(ended), missing_.exact ? "" : "at most ",
+        progress_.show(fmt::format("{} of {}{} runs, {}", print_count(made_ + ended), missing_.exact ? "" : "at most ",
                                    print_count(missing_.runs), left(ended)));
     }
 
@@ -114,7 +115,7 @@ private:
         if (ended == 0)
             return seconds() < patience_seconds ? "none has ended yet"
                                                 : "none has ended yet; --until stops runs that do not end";
-        auto runs = static_cast<double>(missing_.runs - std::min(ended, missing_.runs));
+        auto runs = static_cast<double>(missing_.runs - std::min(made_ + ended, missing_.runs));
         return print_duration(seconds() * runs / static_cast<double>(ended)) + " left";
     }
 
@@ -122,6 +123,7 @@ private:
     static constexpr double patience_seconds = 20;
 
     StudySweep::Missing missing_;
+    std::uint64_t made_;
     Clock::time_point begun_ = Clock::now();
     Progress progress_;
 };
@@ -140,7 +142,8 @@ std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& 
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
                        Interruption& interruption, RankZero* others) {
     StudySweep sweep(study, results);
-    StudySweep::Missing missing = sweep.missing();
+    const StudySweep::Missing asked = sweep.missing();
+    StudySweep::Missing missing = asked;
     std::size_t at_once = options.jobs * (others ? others->ranks() : 1);
     if (missing.runs > most_unasked && !options.yes)
         if (auto seconds = sweep.seconds_a_run(interruption);
@@ -148,7 +151,8 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
             return false;
     sweep.try_measures(interruption);
     missing = sweep.missing();
-    SweepProgress progress(missing);
+    SweepProgress progress(
+        asked, asked.runs - std::min(missing.runs, asked.runs)); // the first have been made to see what they measure
     std::function<bool(bool)> serve;
     if (others) {
         others->begin(sweep, results.source());

@@ -18,6 +18,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace placedpar {
@@ -49,10 +50,42 @@ private:
         try {
             return toml::parse(source_->text(), source_->path());
         } catch (const toml::parse_error& error) {
-            report(error.source().begin, std::string(error.description()), "a study is TOML: https://toml.io");
+            report(error.source().begin, described(error), "a study is TOML: https://toml.io");
         }
         refuse_if_failed();
         return {};
+    }
+
+    /// The parser garbles the names of keys that are given twice.
+    std::string described(const toml::parse_error& error) const {
+        const std::string description(error.description());
+        if (description.find("redefine existing") == std::string::npos ||
+            description.ends_with("as dotted key-value pair"))
+            return description;
+        return fmt::format("\"{}\" is given twice", key_at(error.source().begin));
+    }
+
+    /// Without its quotes. The place may be in the key or in its value.
+    std::string key_at(const toml::source_position& place) const {
+        std::string key;
+        char quote = 0;
+        bool complete = false;
+        std::size_t column = 0;
+        for (char each : source_->line(place.line)) {
+            if (const bool past = ++column >= place.column; past && complete)
+                break;
+            if (quote ? each == quote : each == '"' || each == '\'') {
+                quote = quote ? 0 : each;
+            } else if (quote == 0 && (each == ',' || each == '{')) {
+                key.clear();
+                complete = false;
+            } else if (quote == 0 && (each == '=' || each == ']')) {
+                complete = true;
+            } else if (!complete && (quote || std::string_view(" \t\r[").find(each) == std::string_view::npos)) {
+                key += each;
+            }
+        }
+        return key;
     }
 
     void read_top(const toml::table& top) {
