@@ -258,8 +258,9 @@ class Logs(ServiceTest):
         self.assertEqual(process.wait(SECONDS), 0)
         left_out = sum(map(int, re.findall(r"(\d+) lines? w\w+ left out: the log could not be written\n", text)))
         self.assertGreater(left_out, 100)
-        self.assertEqual(left_out + len(re.findall(r"name-\d+: 127\.0\.0\.1 port \d+ \w+", text)) +
-                         text.count("stopped\n"), 401)
+        written = len(re.findall(r"name-\d+: 127\.0\.0\.1 port \d+ \w+", text)) + text.count("stopped\n")
+        self.assertLessEqual(left_out + written, 401)
+        self.assertGreaterEqual(left_out + written, 401 - 4)  # the end of the service may cut off the last count
 
     def test_a_hang_up_opens_the_log_anew(self):
         log = self.folder / "log"
