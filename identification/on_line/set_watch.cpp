@@ -17,22 +17,19 @@ constexpr double driven_in3_per_s = 10;
 /// Half a second: a boom that swings after its valve has shut comes back earlier.
 constexpr double longest_swing_s = 0.5;
 
-/// Whether both were excited: a steady movement leaves one of them hardly better known than before. Not the leak, which
-/// pressures in a smaller unit hide.
-bool knows_area_and_compliance(const Deviation& deviation, AreasFrom valve) {
-    return deviation.standard_error(Way::compliance) <= LinkJudge::most_uncertain &&
-           (valve == AreasFrom::areas || deviation.standard_error(Way::offset) <= LinkJudge::most_uncertain);
-}
+/// Whether the movement tells the size of this: a steady one leaves it hardly better known than before.
+bool tells(const Deviation& deviation, Way way) { return deviation.standard_error(way) <= LinkJudge::most_uncertain; }
 
 /// What no machine gives: a compliance below 0, a spool off by more than .05 in; either by two standard errors more.
 bool impossible(const Deviation& deviation, AreasFrom valve) {
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
     const double compliance = deviation.by[static_cast<Eigen::Index>(Way::compliance)];
     const double offset = std::abs(deviation.by[static_cast<Eigen::Index>(Way::offset)]);
-    if (!knows_area_and_compliance(deviation, valve))
-        return false;
-    return compliance + errors * deviation.standard_error(Way::compliance) < no_compliance ||
-           (valve == AreasFrom::spool && offset - errors * deviation.standard_error(Way::offset) > furthest_offset);
+    const bool tells_offset = valve == AreasFrom::areas || tells(deviation, Way::offset);
+    return (tells_offset && tells(deviation, Way::compliance) &&
+            compliance + errors * deviation.standard_error(Way::compliance) < no_compliance) ||
+           (valve == AreasFrom::spool && tells_offset &&
+            offset - errors * deviation.standard_error(Way::offset) > furthest_offset);
 }
 
 /// One reading all through a movement, or a piston that goes back while oil flows in.
