@@ -149,9 +149,8 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     simulation.process("y", [&] { b.in().input(); });
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
-#if !defined(PLACEDPAR_ADDRESS_SANITIZER) // which keeps apart what is freed
-    REQUIRE(same_place);
-#endif
+    if (!SwitchedStack::is_watched()) // AddressSanitizer keeps apart what is freed
+        REQUIRE(same_place);
     // x/0 waits for an outputter of a: for x, whose last component output to it; and x waits for x/0.
     CHECK(result.deadlock->cycle == std::vector<std::string>{"x", "x/0"});
     REQUIRE(result.deadlock->channels.size() == 2);
