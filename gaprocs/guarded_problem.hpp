@@ -4,8 +4,9 @@
 
 namespace placedpar {
 
-/// The same problems, of a program that is built on PlacedPar: what they throw when they are made, evaluated or read
-/// becomes a UserError that names the problem.
+/// Guards the problems of a program that is built on PlacedPar: what they throw while one is made, its fitness is
+/// evaluated or a string is decoded becomes a UserError that names the problem. Other questions, such as bits(), are
+/// not guarded.
 ProblemFamily guarded(const ProblemFamily&);
 
 } // namespace placedpar

@@ -111,7 +111,7 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
-// The same of a vector, such as environment.inputs<T>("in"), which may be made within the call of alt().
+// Takes a vector, such as environment.inputs<T>("in"), which may be made within the call of alt().
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return each(std::span<const Input<T>>(inputs), std::move(body), where);

@@ -100,7 +100,7 @@ std::filesystem::path results_of(const SweepOptions& options) {
 /// One line that says how far it is, and how long the rest takes.
 class SweepProgress {
 public:
-    /// Of these, so many have been made already.
+    /// Shows the progress of the missing runs, of which `made` have been made already.
     SweepProgress(const StudySweep::Missing& missing, std::uint64_t made) : missing_(missing), made_(made) {}
 
     void show(std::uint64_t ended) {

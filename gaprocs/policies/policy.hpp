@@ -190,7 +190,7 @@ public:
     }
     /// Throws UserError: a policy that was made as a struct can have any number.
     void require_numbers_in_range() const { read_policy(text(), {description().first}); }
-    /// Of all that there are: those of the house, then those that were added, in their order.
+    /// Lists the policies of PlacedPar, then those that were added, in their order.
     static std::vector<PolicyDescription> descriptions() {
         std::vector<PolicyDescription> all;
         for (const Known& each : known())

@@ -83,7 +83,7 @@ public:
     bool in_step() const { return !std::holds_alternative<AsynchronousSchedule>(policy()); }
     /// Whether emigrants go to one neighbour after the other, not always to all.
     bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
-    /// Whether a program added it: nobody knows when its turns begin anew.
+    /// Returns whether a program added it; then it is not known when its turns begin anew.
     bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
     /// Whether an exchange follows the evaluation of the given generation, counted from 1.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }

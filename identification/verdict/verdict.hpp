@@ -76,7 +76,7 @@ public:
 
     /// Does a movement tell in which way a link is off? One that leaves any way uncertain by more than most_uncertain
     /// units (half of the compliance, a leak of 12 %, an eightieth of an inch of spool) does not, however well it seems
-    /// to know another: the pressure hardly moved, and what is left is noise whose size nobody knows.
+    /// to know another: the pressure hardly moved, and what is left is noise of unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// A movement is over. One with impossible readings, or without excitation, says nothing.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);

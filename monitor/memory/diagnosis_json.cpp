@@ -375,7 +375,8 @@ json::string open_json(const OpenSample& open) {
     return json::string(exact_text(std::array{static_cast<double>(open.readings), open.first_s, open.after_s}));
 }
 
-/// Of states of before readings were averaged only those whose readings are samples go on.
+/// Reads the sample that is being averaged. A state from a version that did not average can go on only where each
+/// reading is a sample.
 void read_open_sample(Diagnosis::State& state, const json::object& object, const Sampling& sampling) {
     const json::value* open = object.if_contains("open");
     if (!open && sampling.readings > 1)

@@ -130,7 +130,7 @@ private:
     void welcome(Door::Socket socket, const Caller& caller) {
         if (stopping_)
             return;
-        // Those that are closed linger until they have read why: their number is limited, too.
+        // A closed connection stays until it has read the reason, so the number of these is limited, too.
         auto lingers = [](const auto& guest) { return guest.first->finishing(); };
         if (guests_.size() >= 2 * settings_.limits.clients + 2) {
             auto found = std::ranges::find_if(guests_, lingers);

@@ -24,7 +24,7 @@ PlantFault long_movement(const RecordSource& source) {
 
 namespace {
 
-/// Of a sound machine: is there an alarm?
+/// Returns whether a sound machine has an alarm.
 bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     TestedMachine machine(source, from, seed);
     machine.move(long_movement(source), 1, 0);
@@ -37,7 +37,7 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Of a machine: is it accused while it is sound, and of each fault whether it is found and called so.
+/// Tells whether a machine is accused while it is sound, and whether each fault is found and named.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)
