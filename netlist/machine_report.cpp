@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <unordered_map>
+#include <utility>
 
 namespace placedpar {
 
@@ -44,14 +46,22 @@ const ProcessInstance* outermost(const Network& network, std::string_view path) 
     return find_named(network.processes, path.substr(0, path.find('/')));
 }
 
-/// Where the netlist declares what is stuck.
+/// Where the netlist declares what is stuck. The channels stand in its order, and after them those that a program made.
 void add_places(Deadlock& deadlock, const Network& network) {
     for (StuckProcess& stuck : deadlock.processes)
         if (const ProcessInstance* process = outermost(network, stuck.path))
             stuck.netlist = file_and_line(process->declared);
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (const NetworkChannel& channel : network.channels)
+        places.emplace(channel.name, places.size());
+    auto place_of = [&](const StuckChannel& stuck) {
+        auto found = places.find(stuck.name);
+        return found == places.end() ? network.channels.size() : found->second;
+    };
+    std::ranges::stable_sort(deadlock.channels, {}, place_of);
     for (StuckChannel& stuck : deadlock.channels)
-        if (const NetworkChannel* channel = find_named(network.channels, stuck.name))
-            stuck.netlist = file_and_line(channel->connected);
+        if (std::size_t place = place_of(stuck); place < network.channels.size())
+            stuck.netlist = file_and_line(network.channels[place].connected);
 }
 
 /// Which process failed, and when if not at the start. Those of the network are the outermost; it may be a component.
@@ -137,6 +147,7 @@ RunReport Machine::run(Time limit) {
         record_->report = report;
         record_->events = events;
     }
+    report.measurements = in_order_of_netlist(std::move(report.measurements), network_);
     return report;
 }
 

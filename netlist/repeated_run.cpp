@@ -23,7 +23,7 @@ bool is_determinate(const Network& network, const Catalogue& catalogue) {
 
 RepeatedRun::RepeatedRun(const Network& network, const Catalogue& catalogue, std::uint64_t seed,
                          const RecordedRun& recorded)
-    : recorded_(recorded), software_(network, catalogue, seed) {
+    : network_(network), recorded_(recorded), software_(network, catalogue, seed) {
     software_.start(simulation_, std::vector<Executive*>(network.nodes.size()));
     auto original = recorded.histories.begin();
     for (Process* process : software_.processes())
@@ -51,6 +51,7 @@ std::optional<RunReport> RepeatedRun::run() {
     report = *recorded_.report;
     report.measurements = in_recorded_order(software_.measurements());
     report.result.fingerprint = fingerprint_with(recorded_.events, report.measurements);
+    report.measurements = in_order_of_netlist(std::move(report.measurements), network_);
     return report;
 }
 

@@ -47,6 +47,7 @@ public:
 private:
     std::vector<Measurement> in_recorded_order(const std::vector<Measurement>&) const;
 
+    const Network& network_;
     const RecordedRun& recorded_;
     RunHistory course_;
     std::list<History> histories_;

@@ -1,11 +1,13 @@
 #include "netlist/run_report.hpp"
 
+#include "netlist/network/network.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <unordered_map>
 
 namespace placedpar {
 
@@ -41,6 +43,14 @@ std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measureme
     for (const Measurement& measurement : measurements)
         mix_measurement(fingerprint, measurement);
     return fingerprint.value();
+}
+
+std::vector<Measurement> in_order_of_netlist(std::vector<Measurement> measurements, const Network& network) {
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (const ProcessInstance& process : network.processes)
+        places.emplace(process.name, places.size());
+    std::ranges::stable_sort(measurements, {}, [&](const Measurement& each) { return places.at(each.process); });
+    return measurements;
 }
 
 std::optional<double> RunReport::share(Time part) const {

@@ -114,6 +114,9 @@ struct RunReport {
     const std::string& measured_text(std::string_view process, std::string_view name) const;
 };
 
+/// Sorted by the processes' places in the netlist; each one's stay in the order in which it made them.
+std::vector<Measurement> in_order_of_netlist(std::vector<Measurement>, const Network&);
+
 /// The fingerprint of a run: of the order of its events, and of what its processes measured.
 std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measurement>& measurements);
 

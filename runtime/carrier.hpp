@@ -31,6 +31,10 @@ public:
     /// something is lost, or one of them has given it up.
     virtual bool output_is_lost(const AnyChannel&) const { return false; }
     virtual bool input_is_lost(const AnyChannel&) const { return false; }
+    /// Whether the other end has given up a message in the middle, and this one is still in it: nothing comes over
+    /// until this end is given up and reset, too.
+    virtual bool output_must_be_reset(const AnyChannel&) const { return false; }
+    virtual bool input_must_be_reset(const AnyChannel&) const { return false; }
     /// What keeps a process that outputs waiting, though its partner inputs: other channels that are to be output at
     /// the same time, or whose message is not taken.
     virtual std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const { return {}; }

@@ -125,6 +125,9 @@ public:
     /// The process that is in the channel to output (input) waits for ever, whatever its partner does.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
+    /// The other end has left this one in a message: Carrier::output_must_be_reset.
+    bool output_must_be_reset() const { return carrier_ && carrier_->output_must_be_reset(*this); }
+    bool input_must_be_reset() const { return carrier_ && carrier_->input_must_be_reset(*this); }
     /// Other channels that keep the process in output waiting: Carrier::held_up_by.
     std::vector<const AnyChannel*> held_up_by() const {
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};

@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
+#include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace placedpar {
 
@@ -133,17 +134,16 @@ StuckProcess describe(const Process& process) {
     return stuck;
 }
 
+/// In the order of the processes that wait on them.
 std::vector<StuckChannel> describe_channels(const Processes& stuck, const Processes& living) {
-    std::map<std::string, StuckChannel> by_name;
+    std::vector<StuckChannel> result;
+    std::unordered_set<std::string_view> known;
     for (const Process* process : stuck)
         for (const AnyChannel* channel : channels_of_wait(*process))
-            by_name.try_emplace(channel->name(),
-                                StuckChannel{channel->name(), path_of(channel->last_outputter(), living),
-                                             path_of(channel->last_inputter(), living),
-                                             process->activity() == Activity::outputting ? "outputter" : "inputter"});
-    std::vector<StuckChannel> result;
-    for (auto& [name, channel] : by_name)
-        result.push_back(std::move(channel));
+            if (known.insert(channel->name()).second)
+                result.push_back({channel->name(), path_of(channel->last_outputter(), living),
+                                  path_of(channel->last_inputter(), living),
+                                  process->activity() == Activity::outputting ? "outputter" : "inputter"});
     return result;
 }
 
@@ -176,6 +176,24 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
     return texts;
 }
 
+/// One end has given up a message in the middle, and the other is still in it.
+std::vector<std::string> describe_unreset(const Processes& stuck, const Processes& living) {
+    std::vector<std::string> texts;
+    std::unordered_set<const AnyChannel*> known;
+    for (const Process* process : stuck)
+        for (const AnyChannel* channel : channels_of_wait(*process)) {
+            const bool input = channel->input_must_be_reset();
+            if ((!input && !channel->output_must_be_reset()) || !known.insert(channel).second)
+                continue;
+            const auto &left = channel->last_outputter(), &waits = channel->last_inputter();
+            texts.push_back(fmt::format("{}: until {} gives up its message and resets its end, too: {} has given it up "
+                                        "in the middle",
+                                        channel->name(), path_of(input ? waits : left, living),
+                                        path_of(input ? left : waits, living)));
+        }
+    return texts;
+}
+
 } // namespace
 
 const char* name_of(Activity activity) {
@@ -202,6 +220,7 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     for (const Process* process : CycleSearch(stuck, living).find())
         deadlock.cycle.push_back(process->path());
     deadlock.held_up = describe_held_up(stuck);
+    std::ranges::move(describe_unreset(stuck, living), std::back_inserter(deadlock.held_up));
     for (const Process* process : stuck)
         deadlock.processes.push_back(describe(*process));
     deadlock.channels = describe_channels(stuck, living);

@@ -31,7 +31,7 @@ struct StuckChannel {
 /// same deadlock are equal.
 struct Deadlock {
     std::vector<std::string> cycle; ///< paths, each waiting for the next and the last for the first; may be empty
-    /// Why processes wait whose partners are there: "a, b: until c is output, too".
+    /// Why processes wait whose partners are there: "a, b: until c is output, too"; "a: until in resets its end, too".
     std::vector<std::string> held_up;
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;

@@ -156,6 +156,9 @@ public:
     bool output_is_lost(const AnyChannel&) const override { return sender_ && stalled_; }
     bool input_is_lost(const AnyChannel&) const override { return left_over_ || (stalled_ && bytes_taken() > 0); }
 
+    bool output_must_be_reset(const AnyChannel&) const override { return sender_ && receiver_left_; }
+    bool input_must_be_reset(const AnyChannel&) const override { return left_over_; }
+
     /// Whether the message under way was given up at that end: then its program leaves it.
     bool output_is_given_up() const { return output_given_up_; }
     bool input_is_given_up() const { return input_given_up_; }

@@ -72,6 +72,8 @@ private:
         bool message_waits(const AnyChannel& c) const override { return link.message_waits(c); }
         bool output_is_lost(const AnyChannel& c) const override { return link.output_is_lost(c); }
         bool input_is_lost(const AnyChannel& c) const override { return link.input_is_lost(c); }
+        bool output_must_be_reset(const AnyChannel& c) const override { return link.output_must_be_reset(c); }
+        bool input_must_be_reset(const AnyChannel& c) const override { return link.input_must_be_reset(c); }
         std::string why_not_given_up() const override { return ""; }
         bool give_up_output(AnyChannel& c) override { return link.give_up_output(c); }
         bool give_up_input(AnyChannel& c) override { return link.give_up_input(c); }

@@ -47,6 +47,14 @@ bool SwitchedLane::output_is_lost(const AnyChannel& channel) const { return dire
 
 bool SwitchedLane::input_is_lost(const AnyChannel& channel) const { return direction_.input_is_lost(channel); }
 
+bool SwitchedLane::output_must_be_reset(const AnyChannel& channel) const {
+    return direction_.output_must_be_reset(channel);
+}
+
+bool SwitchedLane::input_must_be_reset(const AnyChannel& channel) const {
+    return direction_.input_must_be_reset(channel);
+}
+
 bool SwitchedLane::give_up_output(AnyChannel& channel) { return direction_.give_up_output(channel); }
 
 bool SwitchedLane::give_up_input(AnyChannel& channel) { return direction_.give_up_input(channel); }

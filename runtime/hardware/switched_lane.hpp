@@ -33,6 +33,8 @@ public:
     bool message_waits(const AnyChannel&) const override;
     bool output_is_lost(const AnyChannel&) const override;
     bool input_is_lost(const AnyChannel&) const override;
+    bool output_must_be_reset(const AnyChannel&) const override;
+    bool input_must_be_reset(const AnyChannel&) const override;
     std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;

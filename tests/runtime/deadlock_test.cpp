@@ -67,12 +67,12 @@ philosopher[2]               outputs                    right[2]                
 fork[2]                      inputs                     left[2]                                      philosophers.cpp:7
 
 channel                                      outputter                    inputter                     who waits
-left[0]                                      philosopher[0]               fork[0]                      inputter
-left[1]                                      philosopher[1]               fork[1]                      inputter
-left[2]                                      philosopher[2]               fork[2]                      inputter
 right[0]                                     philosopher[0]               fork[1]                      outputter
+left[0]                                      philosopher[0]               fork[0]                      inputter
 right[1]                                     philosopher[1]               fork[2]                      outputter
+left[1]                                      philosopher[1]               fork[1]                      inputter
 right[2]                                     philosopher[2]               fork[0]                      outputter
+left[2]                                      philosopher[2]               fork[2]                      inputter
 )");
 }
 
@@ -125,9 +125,9 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     REQUIRE(result.deadlock->channels.size() == 2);
-    CHECK(result.deadlock->channels[0].name == "c");
-    CHECK(result.deadlock->channels[0].inputter == "server");
-    CHECK(result.deadlock->channels[1].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[0].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[1].name == "c");
+    CHECK(result.deadlock->channels[1].inputter == "server");
 }
 
 TEST_CASE("a component is not taken for an earlier one that was where it is now: no cycle is invented") {
@@ -154,9 +154,9 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     // x/0 waits for an outputter of a: for x, whose last component output to it; and x waits for x/0.
     CHECK(result.deadlock->cycle == std::vector<std::string>{"x", "x/0"});
     REQUIRE(result.deadlock->channels.size() == 2);
-    CHECK(result.deadlock->channels[0].name == "a");
-    CHECK(result.deadlock->channels[0].outputter == "x");
-    CHECK(result.deadlock->channels[1].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[0].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[1].name == "a");
+    CHECK(result.deadlock->channels[1].outputter == "x");
 }
 
 TEST_CASE("a partner that is a component and lives is named itself, also in the cycle") {
@@ -168,9 +168,9 @@ TEST_CASE("a partner that is a component and lives is named itself, also in the 
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->cycle == std::vector<std::string>{"server/1", "client"});
-    CHECK(result.deadlock->channels[0].name == "reply");
-    CHECK(result.deadlock->channels[0].outputter == "server/1");
-    CHECK(result.deadlock->channels[1].inputter == "server/1");
+    CHECK(result.deadlock->channels[0].inputter == "server/1");
+    CHECK(result.deadlock->channels[1].name == "reply");
+    CHECK(result.deadlock->channels[1].outputter == "server/1");
 }
 
 TEST_CASE("a ring of ten thousand that all output first is reported, in order") {

@@ -21,6 +21,7 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 using namespace placedpar;
@@ -109,6 +110,7 @@ TEST_CASE("without a time-out a lost byte is a deadlock, in which the two are na
     CHECK(result.ending == Ending::stuck);
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->processes.size() == 2);
+    CHECK(result.deadlock->held_up.empty()); // nobody gave anything up
 }
 
 TEST_CASE("a lost message is a partial deadlock when a time limit ends the run") {
@@ -126,6 +128,51 @@ TEST_CASE("a lost message is a partial deadlock when a time limit ends the run")
     CHECK(result.ending == Ending::time_limit);
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->processes.size() == 2);
+}
+
+namespace {
+
+/// Why a run holds up in which one end gives up a message at a moment, resets, and tries again, and the other never
+/// does; "" where it is not held up.
+std::string held_up_after(bool sender_gives_up, Time at, std::uint32_t head, bool every_byte) {
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    if (every_byte)
+        link.from_a_to_b().simulate_every_byte();
+    Channel<Letter> c("c", link.from_a_to_b());
+    Letter received;
+    simulation.process("sender", [&] {
+        if (sender_gives_up && !output_or_fail(c.out(), {1, 1000, head}, at))
+            reset(c.out());
+        for (;;)
+            c.out().output({2, 1000, head});
+    });
+    simulation.process("receiver", [&] {
+        if (!sender_gives_up && !input_or_fail(c.in(), received, at))
+            reset(c.in());
+        for (int i = 0; i < 3; ++i)
+            c.in().input();
+    });
+    RunResult result = simulation.run();
+    REQUIRE(result.deadlock);
+    CHECK(result.deadlock->held_up.size() <= 1);
+    return result.deadlock->held_up.empty() ? "" : result.deadlock->held_up.front();
+}
+
+} // namespace
+
+TEST_CASE("where only one end of a channel is reset in the middle of a message, the report names the other") {
+    for (bool every_byte : {false, true})
+        for (std::uint32_t head : {0U, 4U})
+            for (Time at : {Time{1us}, Time{2us}, Time{100us}}) {
+                CHECK(held_up_after(true, at, head, every_byte) ==
+                      "c: until receiver gives up its message and resets its end, too: sender has given it up in the "
+                      "middle");
+                CHECK(held_up_after(false, at, head, every_byte) ==
+                      "c: until sender gives up its message and resets its end, too: receiver has given it up in the "
+                      "middle");
+                CHECK(held_up_after(true, Time{1s}, head, every_byte).empty()); // nothing is given up
+            }
 }
 
 TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, until the receiver resets its end") {
