@@ -72,7 +72,8 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     if (normal.isInvertible()) {
         PerLinkMatrix covariance = variance * normal.inverse();
         for (Eigen::Index c = 0; c < compliance.size(); ++c)
-            fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
+            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // false of what is no number
+                fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
     }
     return fit;
 }

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace placedpar::identification {
 
 std::string_view name_of(FlagKind kind) {
-    constexpr std::array<std::string_view, 13> names{
-        "lower_bound", "upper_bound", "no_excitation", "misfit", "still_valve", "unsettled", "inconsistent",
-        "halves",      "uncertain",   "offset",        "vacuum", "frozen",      "falls"};
+    constexpr std::array<std::string_view, 15> names{
+        "lower_bound", "upper_bound", "no_excitation", "misfit", "still_valve", "unsettled",   "inconsistent", "halves",
+        "uncertain",   "offset",      "vacuum",        "frozen", "falls",       "unconfirmed", "impossible"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -33,12 +34,29 @@ Flag upper_bound_flag() {
 }
 
 Flag uncertain_flag(double compliance, double standard_error) {
+    if (!std::isfinite(standard_error))
+        return {FlagKind::uncertain,
+                "uncertain: the record cannot tell this compliance: are the readings, the spool, the "
+                "units and the machine's constants right?"};
     double share = standard_error / compliance;
     std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
     return {FlagKind::uncertain,
             fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are "
                         "the spool, the units and the machine's constants right?",
                         size, 100 * uncertain_share)};
+}
+
+std::optional<Flag> unconfirmed_flag(double compliance, const LeastSquares& reference, std::string_view samples) {
+    constexpr double share = 0.1, errors = 2;
+    const double least = reference.compliance_in3_per_psi;
+    if (!std::isfinite(reference.standard_error))
+        return Flag{FlagKind::unconfirmed, fmt::format("unconfirmed: least squares over {} finds nothing", samples)};
+    if (std::abs(compliance - least) + errors * reference.standard_error <= share * least)
+        return std::nullopt;
+    return Flag{FlagKind::unconfirmed,
+                fmt::format("unconfirmed: least squares over {} finds {:.5f} +- {:.5f} in^3/psi, by which the answer "
+                            "may be off by more than {:.0f} %",
+                            samples, least, reference.standard_error, 100 * share)};
 }
 
 } // namespace placedpar::identification

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,7 +21,9 @@ enum class FlagKind : unsigned char {
     offset,        ///< an offset of the spool was found that may be a leak
     vacuum,        ///< a pressure is below vacuum
     frozen,        ///< the pressure's sensor freezes
-    falls          ///< the piston goes back while oil flows in
+    falls,         ///< the piston goes back while oil flows in
+    unconfirmed,   ///< least squares finds another compliance, or cannot tell it well enough
+    impossible     ///< readings that no machine gives, such as single ones that stand out
 };
 
 /// As results for machines name it: "lower_bound".
@@ -28,6 +32,14 @@ std::string_view name_of(FlagKind);
 struct Flag {
     FlagKind kind;
     std::string text; ///< a sentence for people, with its figures
+};
+
+/// What least squares makes of samples.
+struct LeastSquares {
+    double compliance_in3_per_psi = 0;
+    double standard_error = std::numeric_limits<double>::infinity(); ///< the window does not determine it
+
+    friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };
 
 /// The standard error, as a share of the compliance, above which it is flagged. Ours: at 10 % one answer in three is
@@ -42,5 +54,11 @@ bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 Flag lower_bound_flag();
 Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
+
+/// An answer is confirmed where it and two standard errors lie within 10 % of what least squares finds over as much of
+/// the record as there is. Ours, tuned on simulated machines of all configurations. Nothing where it is; `samples` are
+/// what the least squares were over, in words.
+std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
+                                     std::string_view samples);
 
 } // namespace placedpar::identification

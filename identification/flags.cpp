@@ -1,8 +1,10 @@
 #include "identification/flags.hpp"
 
+#include "hydraulics/circuit/line_fit.hpp"
 #include "hydraulics/data/frozen_run.hpp"
 #include "hydraulics/data/sampling.hpp"
 #include "identification/compliance_fit.hpp"
+#include "identification/spike.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +48,9 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
 }
 
 void flag_uncertainty(LinkIdentified& link) {
+    if (link.of_all_samples)
+        if (auto flag = unconfirmed_flag(link.compliance_in3_per_psi, *link.of_all_samples, "the same samples"))
+            link.flags.push_back(*flag);
     if (link.standard_error > uncertain_share * link.compliance_in3_per_psi)
         link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
@@ -133,6 +138,28 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
         if (!at_bound && !still)
             flag_uncertainty(link);
     }
+}
+
+void flag_spikes(Identified& identified, const Record& record, std::span<const CircuitSample> samples) {
+    constexpr std::size_t reach = line_fit_points / 2;
+    for (LinkIdentified& link : identified.links)
+        for (Sensor sensor : all_sensors) {
+            if (sensor == Sensor::outlet_pressure || !record.has(link.link, sensor))
+                continue;
+            const std::span<const double> readings = record.of(link.link, sensor);
+            const double greatest = greatest_excursion(sensor, record.period_s);
+            const std::size_t last = std::min(samples.back().index + reach, readings.size() - reach - 1);
+            for (std::size_t i = std::max(samples.front().index, 2 * reach) - reach; i <= last; ++i)
+                if (is_spike(readings.subspan(i - reach, line_fit_points), greatest)) {
+                    link.flags.push_back(
+                        {FlagKind::impossible,
+                         fmt::format("impossible: {} reads {:g} at {:.3f} s, and {:g} and {:g} before and "
+                                     "after",
+                                     name_of(sensor), readings[i], record.time_s[i], readings[i - 1],
+                                     readings[i + 1])});
+                    break;
+                }
+        }
 }
 
 void flag_calibration(Identified& identified, const SpoolOffset& found, double resolution_in) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hydraulics/data/record.hpp"
 #include "identification/identification.hpp"
 #include "identification/offset_calibration.hpp"
 
@@ -19,6 +20,11 @@ namespace placedpar::identification {
 void add_flags(Identified& identified, const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                const IdentificationWay& way);
+
+/// Flags the links of which a single reading in the record stands out from those around it (spike.hpp), where the
+/// samples were made from it.
+void flag_spikes(Identified& identified, const hydraulics::Record& record,
+                 std::span<const hydraulics::CircuitSample> samples);
 
 /// A spool offset that was calibrated from the record itself may really be a leak: both upset the same balance of
 /// flows, so that the calibration would hide the leak (examples/14-faults). Flags the boom's compliance where the

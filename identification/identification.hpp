@@ -20,6 +20,7 @@ struct LinkIdentified {
     hydraulics::Link link;
     double compliance_in3_per_psi = 0;
     double standard_error = 0; ///< of least squares on the last window: what the record's noise leaves uncertain
+    std::optional<LeastSquares> of_all_samples = {}; ///< where several links were searched for
     std::optional<double> optimum = {}; ///< the best of all codes on the last window; none above exhaustive_bits
     std::optional<double> codes_from_optimum = {}; ///< the answer's distance from it
     std::vector<Flag> flags = {};                  ///< empty: nothing unusual

@@ -38,6 +38,17 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
         result.links[j].standard_error = fit ? fit->standard_error[j] : std::numeric_limits<double>::infinity();
 }
 
+/// A search for several compliances at once can settle on a wrong string, which a short window does not show.
+void compare_with_all_samples(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
+    std::vector<double> answer;
+    for (const LinkIdentified& link : result.links)
+        answer.push_back(link.compliance_in3_per_psi);
+    auto fit = fit_compliances(result.circuit, samples, flow, answer);
+    for (std::size_t j = 0; j < result.links.size(); ++j)
+        result.links[j].of_all_samples =
+            fit ? LeastSquares{fit->compliance_in3_per_psi[j], fit->standard_error[j]} : LeastSquares{};
+}
+
 void compare_with_optimum(Identified& result, const CircuitProblem& problem, const FlowConstants& flow,
                           std::span<const CircuitSample> window, const IdentificationWay& way) {
     auto optimum = exhaustive_optimum(problem.circuit(), window, flow, problem.inlet_flow(), problem.field().bits,
@@ -61,6 +72,8 @@ Identified identify(const CircuitProblem& problem, const FlowConstants& flow, st
         result.links.push_back({problem.circuit()[j].link, result.estimates.back().compliance_in3_per_psi[j]});
 
     compare_with_least_squares(result, window, flow);
+    if (result.links.size() > 1)
+        compare_with_all_samples(result, samples, flow);
     if (problem.bits() <= exhaustive_bits)
         compare_with_optimum(result, problem, flow, window, way);
     add_flags(result, problem, flow, samples, window, way);

@@ -6,6 +6,7 @@
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 namespace placedpar {
@@ -29,6 +30,8 @@ std::string print_finding(const LinkFinding& link) {
 bool knows_offset(const Deviation& deviation) { return deviation.by[static_cast<Eigen::Index>(Way::offset)] != 0; }
 
 std::string with_error(const Deviation& deviation, Way way, double unit) {
+    if (!std::isfinite(deviation.standard_error(way)))
+        return "-";
     return fmt::format("{:+.4f} +- {:.4f}", unit * deviation.by[static_cast<Eigen::Index>(way)],
                        unit * deviation.standard_error(way));
 }

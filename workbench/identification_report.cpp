@@ -36,13 +36,17 @@ double spool_offset_in(const ComplianceSearch& prepared) {
 }
 
 boost::json::object link_json(const LinkIdentified& link) {
-    return {{"link", name_of(link.link)},
-            {"unit", "in^3/psi"},
-            {"compliance", link.compliance_in3_per_psi},
-            {"standard_error", or_null(link.standard_error)},
-            {"optimum", or_null(link.optimum)},
-            {"codes_from_optimum", or_null(link.codes_from_optimum)},
-            {"flags", flags_json(link.flags)}};
+    boost::json::object json{{"link", name_of(link.link)},
+                             {"unit", "in^3/psi"},
+                             {"compliance", link.compliance_in3_per_psi},
+                             {"standard_error", or_null(link.standard_error)},
+                             {"optimum", or_null(link.optimum)},
+                             {"codes_from_optimum", or_null(link.codes_from_optimum)},
+                             {"flags", flags_json(link.flags)}};
+    if (link.of_all_samples)
+        json["least_squares"] = {{"compliance", or_null(link.of_all_samples->compliance_in3_per_psi)},
+                                 {"standard_error", or_null(link.of_all_samples->standard_error)}};
+    return json;
 }
 
 boost::json::object estimate_json(const TransientEstimate& estimate) {

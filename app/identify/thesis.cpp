@@ -130,6 +130,7 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
     json["sampling"] = sampling_json(asked.sampling);
     identification::ComplianceSearch prepared = prepare(asked.loaded.record, asked.machine, asked.question, asked.way);
     Identified identified = identify(prepared.problem, prepared.flow, prepared.samples, asked.way, options.seed);
+    flag_spikes(identified, asked.loaded.record, prepared.samples);
     if (asked.calibration)
         flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
     std::optional<ProcessSearch> processes;

@@ -40,7 +40,8 @@ std::string what_is_off(const LinkVerdict& link) {
             "at the servo-valve",
             -link.units.offset_in * by(Way::offset), link.units.offset_in * error(Way::offset));
     default:
-        return "the readings are impossible: below vacuum, frozen, of a wrong sign or unit, or of a valve that is shut "
+        return "the readings are impossible: below vacuum, frozen, single ones far off, of a wrong sign or unit, or of "
+               "a valve that is shut "
                "while the piston moves: look at the sensors";
     }
 }

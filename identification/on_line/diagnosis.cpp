@@ -204,6 +204,8 @@ std::size_t Diagnosis::search(LinkSet set, const ExcavatorSample& sample, double
         if (!centre)
             return 0;
         samples.push_back(*centre);
+        if (state_.tracks[index_of(link)].spikes(sampling_.period_s()))
+            note_impossible(set, link);
     }
     watch(set, samples, sample);
     return population(set).take(problem(set), samples, centre_s);

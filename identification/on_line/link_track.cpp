@@ -2,6 +2,7 @@
 
 #include "hydraulics/circuit/boom_orifices.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
+#include "identification/spike.hpp"
 
 #include <utility>
 
@@ -80,6 +81,14 @@ void LinkTrack::finish_sample() {
         sums.areas ? ValveAreas{sums.inlet_in2 / count, sums.bypass_in2 / count} : areas_at(sums.spool_in / count);
     push_bounded(state_.inlet_in2, areas.inlet_in2);
     push_bounded(state_.bypass_in2, areas.bypass_in2);
+}
+
+bool LinkTrack::spikes(double period_s) const {
+    auto spike = [&](const std::vector<double>& readings, Sensor sensor) {
+        return readings.size() == line_fit_points && is_spike(readings, greatest_excursion(sensor, period_s));
+    };
+    return spike(state_.inlet_psi, Sensor::inlet_pressure) || spike(state_.angle_deg, Sensor::angle) ||
+           spike(state_.inlet_in2, Sensor::inlet_area) || spike(state_.bypass_in2, Sensor::bypass_area);
 }
 
 std::optional<LinkSample> LinkTrack::centre(const CentredLineFit& fit, const LinkConstants& constants) const {

@@ -53,6 +53,9 @@ public:
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
                                                  const hydraulics::LinkConstants& constants) const;
 
+    /// Does the middle one stand out from the others? No while there are fewer.
+    bool spikes(double period_s) const;
+
 private:
     void add_valve(const Reading& reading, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);
     double follow_spool_in(double servo_V, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);

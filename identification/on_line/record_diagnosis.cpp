@@ -29,6 +29,17 @@ WholeMovement whole_movement(const Deviation& deviation, double health_in3_per_p
     return {deviation, units, health_in3_per_psi + units.compliance_in3_per_psi * deviation.by[0]};
 }
 
+/// A search for several compliances at once can settle on a wrong string.
+void confirm(LinkFinding& link) {
+    if (!link.compliance_in3_per_psi || !link.whole)
+        return;
+    const LeastSquares reference{link.whole->compliance_in3_per_psi,
+                                 link.whole->units.compliance_in3_per_psi *
+                                     link.whole->deviation.standard_error(Way::compliance)};
+    if (auto flag = unconfirmed_flag(*link.compliance_in3_per_psi, reference, "the whole movement"))
+        link.flags.push_back(*flag);
+}
+
 } // namespace
 
 std::vector<MovementFinding> RecordDiagnosis::take(const Record& piece) {
@@ -72,6 +83,14 @@ MovementFinding RecordDiagnosis::finding(LinkSet set, const Progress& progress, 
     const auto judged = std::ranges::find(outcome.judged, set, &JudgedMovement::set);
     for (std::size_t i = 0; judged != outcome.judged.end() && i < finding.links.size(); ++i)
         finding.links[i].whole = whole_movement(judged->links[i], diagnosis_.health_in3_per_psi(finding.links[i].link));
+    for (LinkFinding& link : finding.links) {
+        if (finding.links.size() > 1)
+            confirm(link);
+        if (diagnosis_.verdict(link.link).verdict.kind == VerdictKind::sensor)
+            link.flags.push_back({FlagKind::impossible,
+                                  "impossible: readings that no machine gives, so that this movement says nothing: "
+                                  "look at the sensor"});
+    }
     return finding;
 }
 

@@ -1,10 +1,14 @@
 #include "boom_records.hpp"
 #include "identification/flags.hpp"
+#include "identification/spike.hpp"
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
@@ -124,4 +128,46 @@ TEST_CASE("a pump that gives less than the model's: inconsistent") {
     stronger.pump_in3_per_s *= 1.5;
     CircuitProblem problem(prepared.problem.circuit(), stronger);
     CHECK(is_flagged(identify(problem, stronger, prepared.samples, thesis_way(), 1), "inconsistent"));
+}
+
+TEST_CASE("an answer is confirmed where it and two standard errors lie within a tenth of least squares") {
+    auto confirmed = [](double compliance, double least, double error) {
+        return !unconfirmed_flag(compliance, {least, error}, "the whole movement");
+    };
+    CHECK(confirmed(0.0086, 0.0086, 0.0004));
+    CHECK(confirmed(0.0080, 0.0086, 0.0001));
+    CHECK(confirmed(0.0092, 0.0086, 0.0001));
+    CHECK(!confirmed(0.0080, 0.0086, 0.0002));
+    CHECK(!confirmed(0.0086, 0.0086, 0.0005));
+    CHECK(!confirmed(0.0043, 0.0086, 0));
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (auto [least, error] :
+         {std::pair{0.0086, infinite}, {0.0086, none}, {none, 0.0}, {none, none}, {0.0, infinite}, {-0.0086, 0.0}})
+        CHECK(!confirmed(0.0086, least, error));
+}
+
+TEST_CASE("no flag prints what is no number") {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (double error : {infinite, none}) {
+        for (const Flag& flag : {uncertain_flag(0.0086, error), *unconfirmed_flag(0.0086, {none, error}, "all")}) {
+            CHECK(flag.text.find("nan") == std::string::npos);
+            CHECK(flag.text.find("inf") == std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("a reading that stands out alone, or with one beside it, is a spike; a step or a ramp is none") {
+    const double greatest = greatest_excursion(Sensor::inlet_pressure, 0.02);
+    auto spike = [&](std::vector<double> five) { return is_spike(five, greatest); };
+    CHECK(spike({500, 500, 600, 500, 500}));
+    CHECK(spike({500, 500, -1e9, -1e9, 500}));
+    CHECK(spike({500, 510, 1e9, 520, 530}));
+    CHECK(!spike({500, 500, 570, 500, 500}));
+    CHECK(!spike({500, 500, 2000, 2000, 2000}));
+    CHECK(!spike({500, 900, 1300, 1700, 2100}));
+    CHECK(!spike({1e9, 500, 500, 500, 500}));
+    CHECK(greatest_excursion(Sensor::inlet_pressure, 0.04) == 4 * greatest);
+    CHECK(greatest_excursion(Sensor::inlet_pressure, 0.001) == greatest);
 }

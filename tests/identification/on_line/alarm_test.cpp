@@ -37,10 +37,10 @@ TEST_CASE("one link off: that link, by how much, and where to look") {
     CHECK(alarms_of({}, verdict_in(VerdictKind::compliance, -1))[0].text ==
           "boom: the compliance is off by -20 % (standard error 2 %): a stiffer hose, or a line that is partly shut; "
           "99 % sure, by 3 movements");
-    CHECK(
-        alarms_of({}, verdict_in(VerdictKind::sensor))[0].text ==
-        "boom: the readings are impossible: below vacuum, frozen, of a wrong sign or unit, or of a valve that is shut "
-        "while the piston moves: look at the sensors");
+    CHECK(alarms_of({}, verdict_in(VerdictKind::sensor))[0].text ==
+          "boom: the readings are impossible: below vacuum, frozen, single ones far off, of a wrong sign or unit, or "
+          "of a valve that is shut "
+          "while the piston moves: look at the sensors");
 }
 
 TEST_CASE("all links of a branch off in the same way: what they share") {

@@ -1,0 +1,39 @@
+#include "identification/spike.hpp"
+
+#include "identification/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placedpar::identification {
+
+using hydraulics::Sensor;
+
+namespace {
+
+double excursion_at_usual_period(Sensor sensor) {
+    switch (sensor) {
+    case Sensor::inlet_pressure:
+    case Sensor::outlet_pressure: return 80; // psi
+    case Sensor::angle: return 0.08;         // deg
+    case Sensor::spool: return 0.008;        // in
+    case Sensor::servo: return 0.1;          // V
+    case Sensor::inlet_area:
+    case Sensor::bypass_area: break;
+    }
+    return 0.03; // in^2: what the spool's excursion opens
+}
+
+} // namespace
+
+double greatest_excursion(Sensor sensor, double period_s) {
+    constexpr double usual_period_s = 0.02;
+    const double apart = std::max(period_s / usual_period_s, 1.0);
+    return excursion_at_usual_period(sensor) * apart * apart;
+}
+
+bool is_spike(std::span<const double> five, double greatest) {
+    return std::abs(five[2] - median({five.begin(), five.end()})) > greatest;
+}
+
+} // namespace placedpar::identification

@@ -1,0 +1,76 @@
+"""Several links at once, and single readings far off: no answer without a flag where it is not to be trusted."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from program import placedpar
+
+CONFIGURATIONS = {"a": "bucket,boom", "b": "boom,stick,swing", "c": "bucket,boom,stick",
+                  "d": "bucket,boom,stick,swing", "e": "bucket,boom,stick,swing"}
+TRUE = {"bucket": 0.005, "boom": 0.0086, "stick": 0.0065, "swing": 0.004}
+
+
+class Links(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def record(self, *arguments):
+        path = self.folder / "record.csv"
+        run = placedpar("record", *arguments, "--out", path)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return path
+
+    def answers(self, record, *arguments):
+        """Of each link: compliance, standard error, flags; and what is printed."""
+        result = self.folder / "result.json"
+        run = placedpar("identify", record, *arguments, "--json", result)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        found = json.loads(result.read_text(encoding="utf-8"))
+        alarms = [alarm["alarm"] for alarm in found.get("alarms", [])]
+        links = found["links"] if "links" in found else [link for each in found["movements"] for link in each["links"]]
+        return [(link, [flag["kind"] for flag in link["flags"]] + alarms) for link in links], run.stdout
+
+    def test_an_answer_that_is_off_by_more_than_a_tenth_is_flagged_in_all_but_one_of_a_hundred(self):
+        """Least squares itself is off by 7 % for the bucket in c and e, so that a few answers just beyond a tenth pass:
+        of those of these seeds one, seed 6 without noise in e."""
+        silent, right, trusted = [], 0, 0
+        for configuration, links in CONFIGURATIONS.items():
+            for noise, seed in (("none", 1), ("none", 6), ("none", 8), ("low", 2)):
+                record = self.record("links", "--link", links, "--configuration", configuration, "--noise", noise,
+                                     "--seed", seed)
+                for way in ("service", "thesis"):
+                    for link, flags in self.answers(record, "--link", links, "--configuration", configuration,
+                                                    "--seed", seed, "--way", way)[0]:
+                        off = abs(link["compliance"] / TRUE[link["link"]] - 1) > 0.1
+                        right, trusted = right + (not off), trusted + (not off and not flags)
+                        if off and not flags:
+                            silent.append((configuration, noise, seed, way, link["link"], link["compliance"]))
+        self.assertEqual([each for each in silent if each[4] != "bucket"], [])
+        self.assertLessEqual(len(silent), 1, silent)
+        self.assertGreater(trusted, 0.4 * right)
+
+    def test_single_readings_far_off_are_flagged_and_every_figure_is_finite(self):
+        spikes = {1: ("1e9", "5000", "1"), 2: ("1e9", "50", "3"), 3: ("1e9", "5", "0.5")}  # pressure, angle, spool
+        lines = self.record("scenario-a", "--seed", 3).read_text(encoding="utf-8").splitlines()
+        first = next(i for i, line in enumerate(lines) if line[:1].isdigit())
+        for column, values in spikes.items():
+            for value in values:
+                for rows in ((20,), (20, 24), (20, 40, 60)):
+                    cells = [line.split(",") for line in lines]
+                    for row in rows:
+                        cells[first + row][column] = value
+                    path = self.folder / "spiked.csv"
+                    path.write_text("".join(",".join(row) + "\n" for row in cells), encoding="utf-8")
+                    for way in ("service", "thesis"):
+                        answers, printed = self.answers(path, "--way", way)
+                        self.assertNotRegex(printed, r"\b(nan|inf)\b", (column, value, rows, way))
+                        for link, flags in answers:
+                            self.assertIn("impossible", flags, (column, value, rows, way))
+
+
+if __name__ == "__main__":
+    unittest.main()
