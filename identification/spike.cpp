@@ -33,7 +33,9 @@ double greatest_excursion(Sensor sensor, double period_s) {
 }
 
 bool is_spike(std::span<const double> five, double greatest) {
-    return std::abs(five[2] - median({five.begin(), five.end()})) > greatest;
+    auto far_from = [&](double expected) { return std::abs(five[2] - expected) > greatest; };
+    return far_from(median({five.begin(), five.end()})) && far_from(2 * five[1] - five[0]) &&
+           far_from(2 * five[3] - five[4]);
 }
 
 } // namespace placedpar::identification

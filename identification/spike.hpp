@@ -11,7 +11,8 @@ namespace placedpar::identification {
 double greatest_excursion(hydraulics::Sensor sensor, double period_s);
 
 /// Does the middle reading stand out from those around it, alone or with one beside it? No machine moves so: it is
-/// the logger's or the line's. REQUIRES: five readings.
+/// the logger's or the line's. One that continues the two before or the two after is none, as where a log is spliced.
+/// REQUIRES: five readings.
 bool is_spike(std::span<const double> five, double greatest_excursion);
 
 } // namespace placedpar::identification

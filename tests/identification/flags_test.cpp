@@ -167,6 +167,8 @@ TEST_CASE("a reading that stands out alone, or with one beside it, is a spike; a
     CHECK(!spike({500, 500, 570, 500, 500}));
     CHECK(!spike({500, 500, 2000, 2000, 2000}));
     CHECK(!spike({500, 900, 1300, 1700, 2100}));
+    CHECK(!spike({500, 900, 1300, 0, 0})); // a log that is spliced
+    CHECK(!spike({0, 0, 1300, 900, 500}));
     CHECK(!spike({1e9, 500, 500, 500, 500}));
     CHECK(greatest_excursion(Sensor::inlet_pressure, 0.04) == 4 * greatest);
     CHECK(greatest_excursion(Sensor::inlet_pressure, 0.001) == greatest);
