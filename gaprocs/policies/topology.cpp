@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 #include <variant>
 
 namespace placedpar {
@@ -53,12 +54,20 @@ void require_given_neighbour(const Neighbours& neighbours, std::size_t island, s
         throw UserError(fmt::format("island {} has island {} as neighbour twice, expected once", island, other));
 }
 
-/// The same where each neighbour is one in both directions.
-Neighbours both_ways(const Neighbours& neighbours) {
-    Neighbours both = neighbours;
+/// Of each island, whose neighbour it is.
+Neighbours reversed(const Neighbours& neighbours) {
+    Neighbours back(neighbours.size());
     for (std::size_t i = 0; i < neighbours.size(); ++i)
         for (std::size_t other : neighbours[i])
-            both[other].push_back(i);
+            back[other].push_back(i);
+    return back;
+}
+
+/// The same where each neighbour is one in both directions.
+Neighbours both_ways(const Neighbours& neighbours) {
+    Neighbours both = reversed(neighbours);
+    for (std::size_t i = 0; i < neighbours.size(); ++i)
+        both[i].insert(both[i].end(), neighbours[i].begin(), neighbours[i].end());
     return both;
 }
 
@@ -167,25 +176,33 @@ std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbour
     for (std::size_t i = 0; i < both.size(); ++i) {
         if (known[i])
             continue;
-        parts.emplace_back();
-        auto distance = distances(both, i);
-        for (std::size_t other = i; other < both.size(); ++other)
-            if (distance[other]) {
-                known[other] = true;
-                parts.back().push_back(other);
-            }
+        std::vector<std::size_t> part{i};
+        known[i] = true;
+        for (std::size_t next = 0; next < part.size(); ++next)
+            for (std::size_t other : both[part[next]])
+                if (!known[other]) {
+                    known[other] = true;
+                    part.push_back(other);
+                }
+        std::ranges::sort(part);
+        parts.push_back(std::move(part));
     }
     return parts;
 }
 
 std::optional<OneWay> one_way(const Neighbours& neighbours) {
-    for (const auto& part : separate_parts(neighbours))
-        for (std::size_t from : part) {
-            auto distance = distances(neighbours, from);
-            for (std::size_t to : part)
-                if (!distance[to])
-                    return OneWay{from, to};
-        }
+    Neighbours back = reversed(neighbours);
+    for (const auto& part : separate_parts(neighbours)) {
+        if (part.size() == 1)
+            continue;
+        auto reached = distances(neighbours, part.front()), reaching = distances(back, part.front());
+        bool reaches_all = std::ranges::all_of(part, [&](std::size_t to) { return reached[to].has_value(); });
+        auto from = std::ranges::find_if(part, [&](std::size_t each) { return !reaches_all || !reaching[each]; });
+        if (from == part.end())
+            continue; // from each to the first, and from there to all
+        auto distance = distances(neighbours, *from);
+        return OneWay{*from, *std::ranges::find_if(part, [&](std::size_t to) { return !distance[to]; })};
+    }
     return std::nullopt;
 }
 

@@ -1,12 +1,16 @@
 #include "gaprocs/processes/archipelago.hpp"
 
+#include "gaprocs/processes/parameters.hpp"
 #include "netlist/network/names.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <mutex>
+#include <utility>
 #include <variant>
 
 namespace placedpar {
@@ -17,43 +21,29 @@ const std::string& text_of(const ProcessInstance& process, const char* parameter
     return std::get<std::string>(process.parameters.at(parameter));
 }
 
-/// As the topology orders them, where it has the same; else as they are connected.
-std::vector<std::size_t> ordered(const std::vector<std::size_t>& connected, const Topology& topology,
-                                 std::size_t island, std::size_t islands) {
-    if (topology.is_given())
-        return connected;
-    try {
-        auto named = topology.neighbours(islands)[island];
-        if (std::ranges::is_permutation(named, connected))
-            return named;
-    } catch (const UserError&) { // it does not fit; the check of the netlist says so
-    }
-    return connected;
-}
-
 } // namespace
 
 Archipelago::Archipelago(const Network& network) {
     for (std::size_t i = 0; i < network.processes.size(); ++i)
         if (network.processes[i].kind == "ga.island") {
             numbers_[i] = islands_.size();
-            islands_.push_back({i, {}, {}, {}, {}});
+            islands_.push_back({i, {}, {}, {}, {}, 0});
         }
+    for (PlacedIsland& each : islands_)
+        add_neighbours(network, each);
     for (std::size_t i = 0; i < islands_.size(); ++i)
-        add_neighbours(network, i);
+        order_neighbours(text_of(network.processes[islands_[i].process], "topology"), i);
+    std::ranges::transform(islands_, std::back_inserter(neighbours_), &PlacedIsland::neighbours);
+    add_parts(network);
 }
 
 std::size_t Archipelago::number_of(std::size_t process) const { return numbers_.at(process); }
 
 /// Process::ports lists the ends of an array in the order of their subscripts.
-void Archipelago::add_neighbours(const Network& network, std::size_t island) {
-    PlacedIsland& self = islands_[island];
-    const ProcessInstance& process = network.processes[self.process];
-    for (const PortBinding& binding : process.ports)
+void Archipelago::add_neighbours(const Network& network, PlacedIsland& self) {
+    for (const PortBinding& binding : network.processes[self.process].ports)
         if (base_name(binding.port) == "to_neighbours" || base_name(binding.port) == "from_neighbours")
             add_neighbour(network, self, binding);
-    Topology topology = Topology::named(text_of(process, "topology"));
-    self.neighbours = ordered(self.neighbours, topology, island, islands_.size());
 }
 
 void Archipelago::add_neighbour(const Network& network, PlacedIsland& self, const PortBinding& binding) {
@@ -73,17 +63,45 @@ void Archipelago::add_neighbour(const Network& network, PlacedIsland& self, cons
         self.neighbours.push_back(number->second);
 }
 
-Neighbours Archipelago::neighbours() const {
-    Neighbours all;
-    std::ranges::transform(islands_, std::back_inserter(all), &PlacedIsland::neighbours);
-    return all;
+/// As the topology orders them, where it has the same; else as they are connected.
+void Archipelago::order_neighbours(const std::string& text, std::size_t island) {
+    auto [known, is_new] = topologies_.try_emplace(text);
+    NamedTopology& named = known->second;
+    Topology topology = Topology::named(text);
+    if (is_new && !topology.is_given())
+        try {
+            named.neighbours = topology.neighbours(islands_.size());
+        } catch (const UserError& does_not_fit) { // the check of the netlist says so
+            named.does_not_fit = does_not_fit.what();
+        }
+    std::vector<std::size_t>& connected = islands_[island].neighbours;
+    if (!named.neighbours.empty() && std::ranges::is_permutation(named.neighbours[island], connected))
+        connected = named.neighbours[island];
 }
 
-std::vector<std::size_t> Archipelago::part_of(std::size_t island) const {
-    for (auto& part : separate_parts(neighbours()))
-        if (std::ranges::find(part, island) != part.end())
-            return part;
-    return {};
+void Archipelago::add_parts(const Network& network) {
+    parts_ = separate_parts(neighbours_);
+    samples_needed_.resize(parts_.size());
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        for (std::size_t island : parts_[part]) {
+            islands_[island].part = part;
+            samples_needed_[part] =
+                std::max(samples_needed_[part], samples_needed(network.processes[islands_[island].process]));
+        }
+}
+
+/// An entry is found only while an island of the run holds it, and so while the network is alive: no other is there
+/// then.
+std::shared_ptr<const Archipelago> archipelago_of(const Network& network) {
+    static std::mutex one_at_a_time;
+    static std::map<std::pair<const Network*, std::uint64_t>, std::weak_ptr<const Archipelago>> all;
+    std::scoped_lock lock(one_at_a_time);
+    std::erase_if(all, [](const auto& each) { return each.second.expired(); });
+    auto& known = all[{&network, network.hash}];
+    auto found = known.lock();
+    if (!found)
+        known = found = std::make_shared<const Archipelago>(network);
+    return found;
 }
 
 Schedule schedule_of(const ProcessInstance& process) {

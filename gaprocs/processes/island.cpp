@@ -11,6 +11,8 @@
 #include "gaprocs/processes/search_process.hpp"
 #include "netlist/kinds/description.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace placedpar {
@@ -58,9 +60,10 @@ PortDescription to_analyst() {
 ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {
     searching.check = [&problems, check_search = std::move(searching.check)](const Network& network,
                                                                              std::size_t process) {
-        auto complaints = check_search(network, process), of_island = check_island(network, process, problems);
-        complaints.insert(complaints.end(), of_island.begin(), of_island.end());
-        return complaints;
+        auto first = std::ranges::find(network.processes, "ga.island", &ProcessInstance::kind);
+        if (first - network.processes.begin() != static_cast<std::ptrdiff_t>(process))
+            return std::vector<Complaint>(); // the first island's check is of all, which are looked at together
+        return check_islands(network, problems, [&](std::size_t island) { return check_search(network, island); });
     };
     searching.is_determinate = [](const Network& network,
                                   std::size_t process) { // else by mail, which lies where others put it

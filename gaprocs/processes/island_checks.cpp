@@ -15,6 +15,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,12 +26,16 @@ namespace placedpar {
 
 namespace {
 
+/// Of each schedule, how many immigrate at once to each island at the most.
+using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
+
 /// Collects what is to be said about one island.
 class IslandCheck {
 public:
-    IslandCheck(const Network& network, std::size_t process, const ProblemRegistry& problems)
-        : problems_(problems), network_(network), process_(network.processes[process]), index_(process),
-          archipelago_(network), number_(archipelago_.number_of(process)) {}
+    IslandCheck(const Network& network, const Archipelago& archipelago, std::size_t number,
+                const ProblemRegistry& problems, SendersBySchedule& senders)
+        : problems_(problems), network_(network), archipelago_(archipelago), number_(number), index_(self().process),
+          process_(network.processes[index_]), senders_(senders) {}
 
     std::vector<Complaint> run() {
         check_connections();
@@ -72,19 +78,16 @@ private:
     }
 
     void check_topology() {
-        auto topology = Topology::named(text(process_, "topology"));
-        if (topology.is_given())
+        const std::string& topology = text(process_, "topology");
+        if (Topology::named(topology).is_given())
             return require_some_neighbour();
-        try {
-            auto expected = topology.neighbours(archipelago_.islands().size())[number_];
-            if (!std::ranges::is_permutation(expected, self().neighbours))
-                refuse("topology", fmt::format("\"{}\" is connected to {}, but to {} in the topology \"{}\" of {} "
-                                               "islands",
-                                               process_.name, names(self().neighbours), names(expected),
-                                               topology.text(), archipelago_.islands().size()));
-        } catch (const UserError& does_not_fit) {
-            refuse("topology", does_not_fit.what());
-        }
+        const NamedTopology& expected = archipelago_.topology(topology);
+        if (!expected.does_not_fit.empty())
+            refuse("topology", expected.does_not_fit);
+        else if (!std::ranges::is_permutation(expected.neighbours[number_], self().neighbours))
+            refuse("topology", fmt::format("\"{}\" is connected to {}, but to {} in the topology \"{}\" of {} islands",
+                                           process_.name, names(self().neighbours), names(expected.neighbours[number_]),
+                                           Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
     /// Islands of which none is connected are searches of their own; one among others that are is a slip.
@@ -171,10 +174,14 @@ private:
     }
 
     std::size_t most_immigrants_at_once() const {
-        std::size_t senders = most_senders_at_once(schedule_of(process_), archipelago_.neighbours())[number_], most = 0;
+        Schedule schedule = schedule_of(process_);
+        auto [known, is_new] = senders_.try_emplace(schedule.text());
+        if (is_new)
+            known->second = most_senders_at_once(schedule, archipelago_.neighbours());
+        std::size_t most = 0;
         for (const auto& [from, port] : self().ports_from)
             most = std::max(most, Emigration::named(text(instance(from), "emigration")).count());
-        return senders * most;
+        return known->second[number_] * most;
     }
 
     void warn(std::size_t island, std::string about, std::string message, std::string hint = "") {
@@ -184,7 +191,7 @@ private:
 
     /// At the first island of the second part; the first one says it.
     void warn_of_parts() {
-        auto parts = separate_parts(archipelago_.neighbours());
+        const auto& parts = archipelago_.parts();
         if (number_ != 0)
             return;
         if (parts.size() == 1)
@@ -219,7 +226,7 @@ private:
     /// Islands in step do so all at once, and the first of them says it.
     void warn_of_no_exchange() {
         Schedule schedule = schedule_of(process_);
-        auto part = archipelago_.part_of(number_);
+        const auto& part = archipelago_.part_of(number_);
         auto run = run_of(network_, archipelago_, number_, problems_);
         if (!run || part.size() == 1 || run->generations() >= schedule.every() ||
             (schedule.in_step() && part.front() != number_))
@@ -231,17 +238,25 @@ private:
 
     const ProblemRegistry& problems_;
     const Network& network_;
+    const Archipelago& archipelago_;
+    std::size_t number_, index_;
     const ProcessInstance& process_;
-    std::size_t index_;
-    Archipelago archipelago_;
-    std::size_t number_;
+    SendersBySchedule& senders_;
     std::vector<Complaint> complaints_;
 };
 
 } // namespace
 
-std::vector<Complaint> check_island(const Network& network, std::size_t process, const ProblemRegistry& problems) {
-    return IslandCheck(network, process, problems).run();
+std::vector<Complaint> check_islands(const Network& network, const ProblemRegistry& problems,
+                                     const std::function<std::vector<Complaint>(std::size_t process)>& check_search) {
+    const Archipelago archipelago(network);
+    SendersBySchedule senders;
+    std::vector<Complaint> all;
+    for (std::size_t i = 0; i < archipelago.islands().size(); ++i) {
+        std::ranges::move(check_search(archipelago.islands()[i].process), std::back_inserter(all));
+        std::ranges::move(IslandCheck(network, archipelago, i, problems, senders).run(), std::back_inserter(all));
+    }
+    return all;
 }
 
 } // namespace placedpar

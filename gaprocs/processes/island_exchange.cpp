@@ -25,12 +25,12 @@ bool contains(std::span<const std::size_t> numbers, std::size_t number) {
 
 IslandExchange::IslandExchange(const ProcessEnvironment& environment, const SearchProblem& problem,
                                const SearchSettings& settings, const Workload& workload)
-    : problem_(problem), bias_(settings.window.bias), workload_(workload),
-      emigration_(Emigration::named(environment.text("emigration"))),
+    : archipelago_(archipelago_of(environment.network())), problem_(problem), bias_(settings.window.bias),
+      workload_(workload), emigration_(Emigration::named(environment.text("emigration"))),
       acceptance_(Acceptance::named(environment.text("acceptance"))) {
     const Network& network = environment.network();
     const ProcessInstance& process = network.processes[environment.index()];
-    Archipelago archipelago(network);
+    const Archipelago& archipelago = *archipelago_;
     schedule_ = schedule_of(process);
     self_ = archipelago.number_of(environment.index());
     const PlacedIsland& self = archipelago.islands()[self_];

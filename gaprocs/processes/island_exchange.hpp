@@ -32,7 +32,7 @@ class ProcessEnvironment;
 /// always receive, so that nothing waits for long. Each island ends by telling its neighbours so.
 class IslandExchange {
 public:
-    /// REQUIRES: the process is an island of the environment's network, which has passed check_island().
+    /// REQUIRES: the process is an island of the environment's network, which has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
     /// How many samples must be there for the first generation: where islands are in step, for that of each of them.
@@ -78,6 +78,7 @@ private:
     void send_letters(Outgoing&);
     void receive_letters(Incoming&);
 
+    std::shared_ptr<const Archipelago> archipelago_; ///< held for the islands that begin after this one
     const SearchProblem& problem_;
     double bias_;
     Workload workload_;

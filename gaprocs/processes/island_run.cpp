@@ -20,11 +20,7 @@ std::size_t size_named(const ProcessInstance& process, const char* parameter) {
 
 std::size_t samples_awaited(const Network& network, const Archipelago& archipelago, std::size_t island) {
     const ProcessInstance& self = network.processes[archipelago.islands()[island].process];
-    std::size_t most = samples_needed(self);
-    if (schedule_of(self).in_step())
-        for (std::size_t other : archipelago.part_of(island))
-            most = std::max(most, samples_needed(network.processes[archipelago.islands()[other].process]));
-    return most;
+    return schedule_of(self).in_step() ? archipelago.samples_needed_around(island) : samples_needed(self);
 }
 
 std::optional<std::size_t> samples_sent_to(const Network& network, std::size_t process,

@@ -35,14 +35,15 @@ public:
 
     /// Over at least one wire, and through none of the nodes of `around`. Nothing if there is none.
     std::optional<std::vector<RouteHop>> best(std::size_t from, std::size_t to,
-                                              const std::set<std::size_t>& around = {}) const;
-    bool leads_through(std::size_t node) const;
+                                              const std::set<std::size_t>& around = {});
+    bool leads_through(std::size_t node) const { return leads_through_[node]; }
     /// Whether the attribute keeps some channel from leading through the node.
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    struct Distances; ///< of nodes from the end of a route
-    Distances distances_to(std::size_t to, std::size_t from, const std::set<std::size_t>& around) const;
+    /// Sets distances_ of the nodes that a best route may lead through.
+    void search(std::size_t to, std::size_t from, const std::set<std::size_t>& around);
+    void forget_distances();
     /// The hop, on a route that passes through the node where it begins, or ends.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
@@ -53,6 +54,10 @@ private:
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<RouteHop>> leaving_; ///< each node, the lowest link first
     std::vector<bool> beyond_quota_;             ///< a hop that leaves a node: 2 * connection + whether from a to b
+    std::vector<bool> leads_through_;            ///< each node
+    std::vector<std::int64_t> routecost_;        ///< of each node that leads channels through
+    std::vector<std::optional<RouteCost>> distances_; ///< of each node from the end of the route that is searched
+    std::vector<std::size_t> reached_;                ///< nodes of which there is one
 };
 
 } // namespace placedpar

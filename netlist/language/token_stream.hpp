@@ -12,7 +12,7 @@
 namespace placedpar {
 
 /// No netlist needs more; a chain of files each of which includes the next one twice would.
-inline constexpr std::size_t most_tokens = 4'000'000;
+inline constexpr std::size_t most_tokens = 8'000'000;
 inline constexpr std::size_t most_includes = 1000;
 inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 

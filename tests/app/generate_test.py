@@ -37,9 +37,9 @@ class Generate(unittest.TestCase):
             self.assertEqual(end_of(run), end_of(placedpar("run", FIGURE_E2)))
 
     def test_a_size_at_the_stated_limit_is_generated_and_one_above_is_refused(self):
-        at_most = (("tree", "1024", "1025"), ("mesh", "32x32", "32x33"), ("cube-connected-cycles", "896", "2048"),
-                   ("star", "5", "6"), ("chordal-ring", "1024", "1026"), ("figure-e2", "32x32", "33x32"), ("hypercube", "16", "32"),
-                   ("torus", "32x32", "32x33"))
+        at_most = (("tree", "4096", "4097"), ("mesh", "64x64", "64x65"), ("cube-connected-cycles", "2048", "4608"),
+                   ("star", "5", "6"), ("chordal-ring", "4096", "4098"), ("figure-e2", "64x64", "65x64"), ("hypercube", "16", "32"),
+                   ("torus", "64x64", "64x65"))
         with tempfile.TemporaryDirectory() as folder:
             for topology, most, above in at_most:
                 self.generated(folder, f"{topology} --size {most} --host node")
@@ -48,9 +48,9 @@ class Generate(unittest.TestCase):
 
     def test_channels_that_pass_too_many_processors_are_refused_in_words(self):
         for host in ("node", "workstation"):
-            run = placedpar("generate", "ring", "--size", "1024", "--host", host)
+            run = placedpar("generate", "ring", "--size", "2048", "--host", host)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("ring of size 1024: its channels pass through so many processors", run.stderr)
+            self.assertIn("ring of size 2048: its channels pass through so many processors", run.stderr)
 
     def test_a_refusal_ends_with_1_and_writes_nothing(self):
         with tempfile.TemporaryDirectory() as folder:

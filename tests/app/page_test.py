@@ -5,6 +5,7 @@ import html.parser
 import json
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import tempfile
@@ -277,6 +278,16 @@ class Pages(unittest.TestCase):
         self.assertEqual(len(data_of(page)["searches"]), 16)
         count = "['.band', '.curve', '.chosen-curve[d]', '#curves a', '#jumps a'].map(each => document.querySelectorAll(each).length)"
         self.assertEqual(self.said_of("process=island[3]", count), [6, 3, 3, 0, 2])
+
+    def test_the_time_for_a_page_grows_with_the_machine(self):
+        """Four times the islands take four to six times as long; were each to look at all others, it would be 16 times."""
+        def seconds(size):
+            netlist = self.folder / f"torus-{size}.cfs"
+            netlist.write_text(placedpar("generate", "torus", "--size", f"{size}x{size}", "--host", "node").stdout, encoding="utf-8")
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            self.page(netlist, "--until", "1ms")
+            return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        self.assertLess(min(seconds(32) for _ in range(2)), 9 * min(seconds(16) for _ in range(3)))
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_a_large_network_is_a_map_of_loads(self):

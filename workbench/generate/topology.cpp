@@ -127,7 +127,7 @@ Topology cube_connected_cycles(const Wish& wish) {
     while (dimensions << dimensions < nodes)
         ++dimensions;
     if (dimensions << dimensions != nodes)
-        refuse_size(wish, "d dimensions have d * 2^d processors: 24, 64, 160, 384 or 896");
+        refuse_size(wish, "d dimensions have d * 2^d processors: 24, 64, 160, 384, 896 or 2048");
     return {.about = fmt::format("Cube-connected cycles of {} dimensions", dimensions),
             .vals = {val("dimensions", dimensions), "val corners 1 << dimensions;", "val nodes corners * dimensions;"},
             .array = "[corners][dimensions]",

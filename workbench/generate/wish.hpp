@@ -22,6 +22,6 @@ struct Wish {
 inline constexpr std::size_t links_of_a_node = 4;
 
 /// What the host, and what reads the netlist, can do with.
-inline constexpr std::size_t most_processors = 1024;
+inline constexpr std::size_t most_processors = 4096;
 
 } // namespace placedpar::generate

@@ -116,6 +116,7 @@ const numbersSaid = ["at", "from", "to"];
 // What the address asks for, and the page has not.
 function sayWhatIsUnknown(said) {
   const faults = [];
+  if (views.includes(said.get("view")) && !pictures.some(each => each.view === said.get("view"))) faults.push(`This page has no drawing for the view "${said.get("view")}".`);
   if (said.has("view") && !views.includes(said.get("view"))) faults.push(`There is no view "${said.get("view")}": say view=machine or view=software.`);
   if (said.has("process") && !trackNamed.has(outermostName(said.get("process")))) faults.push(`No process of this page is called "${said.get("process")}".`);
   for (const name of numbersSaid) if (said.has(name) && !(said.get(name) !== "" && Number(said.get(name)) >= 0 && Number(said.get(name)) <= 1)) faults.push(`"${said.get(name)}" is not a part of the run: say ${name}=NUMBER from 0 to 1.`);
@@ -158,6 +159,7 @@ function followAddress() {
 function begin() {
   pictures.forEach(makePicture);
   if (!pictures.length) document.getElementById("machine").innerHTML = "<p>The network is too large to be drawn here.</p>";
+  d3.selectAll("#views button").attr("hidden", function () { return pictures.some(each => each.view === this.dataset.view) ? null : ""; });
   showView(report.deadlock && pictures.length > 1 ? "software" : "machine");
   addKey();
   addLaneChoices();

@@ -107,14 +107,26 @@ function showOutcome() {
 const chart = { width: 460, height: 220, bottom: 34, top: 22, right: 26 }, mostCurves = 12;
 const strokes = ["none", "6 3", "2 2", "9 3 2 3"], bands = [[0.05, 0.95, 0.18], [0.25, 0.75, 0.3]];
 
+// For each generation the values of all searches, a column after the other and sorted. A search that has ended is as its last row.
+function sortedValues() {
+  const generations = d3.set(d3.merge(data.searches.map(search => search.generations.map(row => row[0])))).values().map(Number).sort(d3.ascending);
+  const next = data.searches.map(() => 0);
+  return generations.map(generation => {
+    const rows = data.searches.map(({ generations }, i) => {
+      while (next[i] < generations.length && generations[next[i]][0] <= generation) ++next[i];
+      return generations[next[i] - 1];
+    }).filter(Boolean);
+    return [generation, ...[1, 2, 3, 4].map(column => rows.map(row => row[column]).filter(value => value !== null).sort(d3.ascending))];
+  });
+}
+
 // What a share of the searches is below, over the generations: rows as those of a search.
+const quantileCurves = new Map();
 function quantileCurve(part) {
-  const byGeneration = d3.nest().key(row => row[0]).entries(d3.merge(data.searches.map(search => search.generations)));
-  const quantile = (rows, column) => {
-    const values = rows.map(row => row[column]).filter(value => value !== null).sort(d3.ascending);
-    return values.length ? d3.quantile(values, part) : null;
-  };
-  return byGeneration.map(({ key, values }) => [Number(key), ...[1, 2, 3, 4].map(column => quantile(values, column))]).sort((a, b) => a[0] - b[0]);
+  if (!quantileCurves.has("values")) quantileCurves.set("values", sortedValues());
+  if (!quantileCurves.has(part)) quantileCurves.set(part, quantileCurves.get("values").map(([generation, ...columns]) =>
+    [generation, ...columns.map(values => values.length ? d3.quantile(values, part) : null)]));
+  return quantileCurves.get(part);
 }
 
 const areBanded = () => data.searches.length > mostCurves;

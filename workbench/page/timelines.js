@@ -30,6 +30,8 @@ function isShown(track) {
 const isUnfolded = number => shown.components || view.unfolded.has(number);
 const isFoldable = track => track.outermost === track.number && (componentsOf[track.number] || []).length > 1;
 const foldedIn = track => isFoldable(track) && !isUnfolded(track.number) ? componentsOf[track.number].filter(each => each !== track) : [];
+const lanesOf = track => [track, ...foldedIn(track)];
+const rowShare = (track, what, from, to) => Math.min(1, d3.sum(lanesOf(track), lane => shareOf(lane[what], from, to)));
 const isSought = track => (view.sought === "" ? true : `${track.name} ${run.nodes[track.node]}`.toLowerCase().includes(view.sought.toLowerCase()));
 
 function fold(track) {
@@ -117,14 +119,14 @@ function drawSlice(track, slice, from, to) {
 // In the row of its process only what a component computes is drawn.
 const foldedAway = track => track.kind === "process" && track.outermost !== track.number && !isUnfolded(track.outermost);
 
-// Of each column of pixels, how much of it is running and, on top of that, ready.
+// Of each column of pixels, how much of it is running and, on top of that, ready; of components that are folded, together.
 function drawShares(track, from, to) {
   const y = topOf(view.rowOf.get(track.number)), high = rowHeight - 4;
   const x0 = Math.max(view.scale(from), view.label), x1 = Math.min(view.scale(to), view.width);
   if (isOfProcess(track)) { pen.fillStyle = colours.waiting; pen.fillRect(x0, y + 13, x1 - x0, 1); }
   for (let x = x0; x < x1; ++x) {
     const begin = view.scale.invert(x), end = view.scale.invert(Math.min(x + 1, x1));
-    const running = shareOf(track.running, begin, end) * high, ready = shareOf(track.ready, begin, end) * high;
+    const running = rowShare(track, "running", begin, end) * high, ready = Math.min(rowShare(track, "ready", begin, end) * high, high - running);
     pen.fillStyle = track.kind === "link" ? colours.link : colours.running;
     pen.fillRect(x, y + 2 + high - running, 1, running);
     pen.fillStyle = hatch;
@@ -134,11 +136,11 @@ function drawShares(track, from, to) {
 
 // Slice by slice where they are known and not too many, else as shares.
 function drawPiece(track, from, to, known) {
-  const first = sliceFrom(track, from), pixels = view.scale(to) - view.scale(from);
-  let last = first;
-  while (last < track.slices.length && track.slices[last].begin < to && last - first <= 3 * pixels) ++last;
-  if (!known || last - first > pixels / 1.5 + 3) return drawShares(track, from, to);
-  for (let i = first; i < last; ++i) drawSlice(track, track.slices[i], from, to);
+  const most = (view.scale(to) - view.scale(from)) / 1.5 + 3, slices = [];
+  for (const lane of known ? lanesOf(track) : [])
+    for (let i = sliceFrom(lane, from); i < lane.slices.length && lane.slices[i].begin < to && slices.length <= most; ++i) slices.push([lane, lane.slices[i]]);
+  if (!known || slices.length > most) return drawShares(track, from, to);
+  for (const [lane, slice] of slices) drawSlice(lane, slice, from, to);
 }
 
 function labelOf(track) {
@@ -245,7 +247,7 @@ function drawTimelines(moment, chosen) {
   pen.rect(view.label - 2, headHeight, view.width, view.height);
   pen.clip();
   const pieces = piecesOf(...view.scale.domain());
-  for (const { track } of view.rows.slice(first, last)) if (track) for (const each of [track, ...foldedIn(track)]) pieces.forEach(([from, to, known]) => drawPiece(each, from, to, known));
+  for (const { track } of view.rows.slice(first, last)) if (track) pieces.forEach(([from, to, known]) => drawPiece(track, from, to, known));
   drawMessages(chosen);
   drawPath();
   pen.restore();
@@ -266,6 +268,6 @@ function textAt({ track, moment }) {
   if (part) return `critical path, ${part.name}; from ${timeText(part.begin, precision)} to ${timeText(part.end, precision)}: ${timeText(part.end - part.begin, part.end - part.begin)}`;
   if (slice && slice.open) return `${track.name}: ${describe(slice)} since ${beginText(slice, precision)} ${endText(slice, precision)}`;
   if (slice) return `${track.name}: ${describe(slice)}; from ${timeText(slice.begin, precision)} to ${timeText(slice.end, precision)}: ${timeText(slice.end - slice.begin, slice.end - slice.begin)}`;
-  const from = moment - run.bin / 2, share = sums => (100 * shareOf(sums, from, from + run.bin)).toFixed(0) + " %";
-  return `${track.name} at ${timeText(moment, precision)}` + (isKnownAt(moment) ? "" : `, summarised: running ${share(track.running)}, ready ${share(track.ready)} of ${timeText(run.bin, run.bin)}`);
+  const from = moment - run.bin / 2, share = what => (100 * rowShare(track, what, from, from + run.bin)).toFixed(0) + " %";
+  return `${track.name} at ${timeText(moment, precision)}` + (isKnownAt(moment) ? "" : `, summarised: running ${share("running")}, ready ${share("ready")} of ${timeText(run.bin, run.bin)}`);
 }

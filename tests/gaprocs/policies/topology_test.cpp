@@ -133,6 +133,14 @@ TEST_CASE("an island whose individuals never come to another of its part") {
     REQUIRE(lost);
     CHECK(lost->from == 1);
     CHECK(lost->never_to == 0);
+    lost = one_way({{1, 2}, {0}, {}}); // from the first to all, from the last nowhere
+    REQUIRE(lost);
+    CHECK(lost->from == 2);
+    CHECK(lost->never_to == 0);
+    lost = one_way({{1}, {0}, {3}, {2, 4}, {}}); // in the second part
+    REQUIRE(lost);
+    CHECK(lost->from == 4);
+    CHECK(lost->never_to == 2);
     CHECK_FALSE(one_way({{1}, {0}, {}})); // the third is a part of its own
     for (const char* topology : {"ring", "torus(2)", "hypercube", "star", "complete"})
         CHECK_FALSE(one_way(neighbours_in(topology, 8)));

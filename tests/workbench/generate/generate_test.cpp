@@ -253,9 +253,9 @@ TEST_CASE("sizes that a topology does not have are refused, with the reason") {
             INFO(topology << " " << size);
             CHECK(says(sized(topology, size), "of size " + std::string(size) + ": "));
         }
-    CHECK(says(sized("ring", "2"), "from 3 to 1024"));
-    CHECK(says(sized("ring", "1025"), "at most 1024"));
-    CHECK(says(sized("mesh", "1024x1024"), "at most 1024"));
+    CHECK(says(sized("ring", "2"), "from 3 to 4096"));
+    CHECK(says(sized("ring", "4097"), "at most 4096"));
+    CHECK(says(sized("mesh", "1024x1024"), "at most 4096"));
     CHECK(says(sized("mesh", "16"), "expected two numbers"));
     CHECK(says(sized("hypercube", "12"), "a power of two: 8 or 16"));
     CHECK(says(sized("cube-connected-cycles", "25"), "24, 64, 160"));
