@@ -254,6 +254,10 @@ class Pages(unittest.TestCase):
                 found = self.said_of(address, text)
                 self.assertIn(said, found)
                 self.assertEqual(bool(said), bool(found))
+        path = self.folder / "run.html"
+        path.write_text(re.sub(r'(id="software" hidden>).*?</svg>', r"\1", path.read_text(encoding="utf-8"), flags=re.S), encoding="utf-8")
+        self.assertIn('no drawing for the view "software"', self.said_of("view=software", text))
+        self.assertEqual(self.said_of("view=software", "[...document.querySelectorAll('#views button')].map(each => each.hidden)"), [False, True])
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_rows_are_found_and_folded(self):
@@ -278,6 +282,52 @@ class Pages(unittest.TestCase):
         self.assertEqual(len(data_of(page)["searches"]), 16)
         count = "['.band', '.curve', '.chosen-curve[d]', '#curves a', '#jumps a'].map(each => document.querySelectorAll(each).length)"
         self.assertEqual(self.said_of("process=island[3]", count), [6, 3, 3, 0, 2])
+        # Of three searches the second has ended after the first generation, the third reports every second one.
+        made = "(data.searches = [[[1, 0, 1, 1, 1], [2, 0, 7, 7, 1], [3, 0, 9, 9, 1]], [[1, 0, 5, 5, 1]], [[1, 0, 2, 2, 1], [3, 0, 4, 4, 1]]]" \
+               ".map(generations => ({ generations })), quantileCurves.clear(), [0, 0.5, 1].map(part => quantileCurve(part).map(row => row[2])))"
+        self.assertEqual(self.said_of("", made), [[1, 2, 4], [2, 5, 5], [5, 7, 9]])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_folded_components_are_drawn_together(self):
+        self.page(FIGURE_E2)
+        seen = "(() => { const drawn = []; window.drawShares = track => drawn.push(track.number === track.outermost || !isOfProcess(track)); showMoment(); " \
+               "const sums = tracks.filter(isFoldable).map(track => ['running', 'ready'].map(what => [rowShare(track, what, run.begin, run.end), " \
+               "d3.sum(componentsOf[track.number], each => shareOf(each[what], run.begin, run.end)), shareOf(track[what], run.begin, run.end)])); " \
+               "return [drawn, d3.merge(sums)]; })()"
+        drawn, shares = self.said_of("", seen)
+        self.assertTrue(drawn and all(drawn))
+        for row, together, alone in shares:
+            self.assertAlmostEqual(row, min(1, together))
+        self.assertTrue([row for row, together, alone in shares if row > alone + 0.01])
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_the_page_of_a_small_window_and_in_the_dark(self):
+        """No part is wider than 420 pixels, and all texts stand out from what is behind them."""
+        self.page(FIGURE_E2)
+        inner = (self.folder / "run.html").read_text(encoding="utf-8").replace("</body>", """<script>
+            const light = colour => { const [r, g, b] = colour.match(/[\\d.]+/g).map(Number); return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255; };
+            const behind = element => { const colour = getComputedStyle(element).backgroundColor; return /, 0\\)/.test(colour) ? behind(element.parentElement) : colour; };
+            const turned = element => element && (getComputedStyle(element).filter !== "none" || turned(element.parentElement));
+            const texts = [...document.querySelectorAll("h1, h2, p, a, td, th, button, output, label, text")];
+            parent.document.documentElement.dataset.seen = JSON.stringify([innerWidth, document.documentElement.scrollWidth,
+              light(behind(document.body)), d3.min(texts.filter(each => each.tagName !== "text"), each => Math.abs(light(getComputedStyle(each).color) - light(behind(each)))),
+              d3.max(texts.filter(each => each.tagName === "text"), each => light(getComputedStyle(each).fill)),
+              ["#canvas", ".picture > svg", ".charts > svg"].map(each => Boolean(turned(document.querySelector(each))))]);</script></body>""")
+        (self.folder / "run.html").write_text("<html style='color-scheme: light dark'><body data-loaded='yes'><iframe style='width: 420px; height: 900px' srcdoc='"
+                                              f"{html.escape(inner)}'></iframe></body></html>", encoding="utf-8")
+        for dark in (False, True):
+            path = self.folder / "run.html"
+            browser = subprocess.run(
+                [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder / 'profile'}",
+                 f"--blink-settings=preferredColorScheme={0 if dark else 1}", "--virtual-time-budget=3000", "--dump-dom", path.as_uri()],
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, timeout=100, check=False)
+            width, needed, paper, contrast, drawn, turned = json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', browser.stdout).group(1)))
+            self.assertEqual(width, 420)
+            self.assertLessEqual(needed, width)
+            self.assertEqual(paper < 0.2, dark)
+            self.assertGreater(contrast, 0.3)
+            self.assertLess(drawn, 0.6)  # on white
+            self.assertEqual(turned, [dark] * 3)
 
     def test_the_time_for_a_page_grows_with_the_machine(self):
         """Four times the islands take four to six times as long; were each to look at all others, it would be 16 times."""
