@@ -119,6 +119,45 @@ LARGE = [f"{topology} --size {size} --host node" for topology, sizes in {
     "pipeline": ["220"], "ring": ["64", "300"], "tree": ["255"], "mesh": ["15x20"], "torus": ["8x8", "20x15"], "hypercube": ["16"],
     "cube-connected-cycles": ["384"], "star": ["5"], "chordal-ring": ["64", "250"], "figure-e2": ["60x4"]}.items() for size in sizes]
 
+TREE_OF = "rep i = 0 for {1} {{ connect {0}[i].link[1] to {0}[2 * i + 1].link[0]; connect {0}[i].link[2] to {0}[2 * i + 2].link[0]; }}\n"
+RING_OF = "rep i = 0 for {1} connect {0}[i].link[1] to {0}[(i + 1) % {1}].link[0];\n"
+SEVERAL_BLOCKS = {
+    "two trees and a ring": "T800 a[255], b[63], c[24], d;\n" + TREE_OF.format("a", 127) + TREE_OF.format("b", 31) + RING_OF.format("c", 24) + """
+        connect a[0].link[0] to b[0].link[0];
+        connect a[254].link[1] to c[3].link[2];
+        connect a[100].link[3] to c[9].link[2];
+        connect c[11].link[2] to b[62].link[1];
+        connect b[40].link[3] to a[130].link[3];
+        connect d.link[0] to a[200].link[3];
+        connect d.link[1] to host;
+        """,
+    "two rings": "T800 a[300], c[24];\n" + RING_OF.format("a", 300) + RING_OF.format("c", 24) + """
+        rep i = 0 for 12 connect c[2 * i].link[2] to a[25 * i].link[2];
+        connect a[7].link[3] to host;
+        """,
+    "a torus, a tree and a ring": "T800 a[16][16], b[15], c[9];\n" + TREE_OF.format("b", 7) + RING_OF.format("c", 9) + """
+        rep i = 0 for 16 rep j = 0 for 16 {
+            connect a[i][j].link[1] to a[i][(j + 1) % 16].link[3];
+            if i * j connect a[i][j].link[2] to a[(i + 1) % 16][j].link[0];
+        }
+        connect b[0].link[0] to a[0][0].link[0];
+        connect c[4].link[2] to a[0][5].link[2];
+        connect c[7].link[2] to b[14].link[1];
+        connect b[8].link[1] to host;
+        """,
+    "a torus, cubes and singles": "T800 a[15][15], b[8], c[24], d, e, f;\n" + """
+        rep i = 0 for 15 rep j = 0 for 14 connect a[i][j].link[1] to a[i][j + 1].link[3];
+        rep i = 0 for 8 rep k = 0 for 3 if (i >> k) % 2 == 0 connect b[i].link[k] to b[i + (1 << k)].link[k];
+        rep i = 0 for 8 rep k = 0 for 3 {
+            connect c[3 * i + k].link[0] to c[3 * i + (k + 1) % 3].link[1];
+            if (i >> k) % 2 == 0 connect c[3 * i + k].link[2] to c[3 * (i + (1 << k)) + k].link[2];
+        }
+        rep k = 0 for 8 connect b[k].link[3] to a[k][k].link[0];
+        rep k = 0 for 8 connect c[3 * k].link[3] to a[k][2 * k % 15].link[2];
+        connect d.link[0] to a[9][0].link[0]; connect d.link[1] to e.link[0]; connect e.link[1] to f.link[0];
+        connect f.link[1] to a[3][14].link[0]; connect f.link[2] to d.link[2]; connect d.link[3] to host;
+        """}
+
 
 class Box:
     def __init__(self, left, top, right, bottom, what=""):
@@ -304,6 +343,11 @@ class Pictures(unittest.TestCase):
                     self.assertEqual(shown.returncode, 0, shown.stderr)
                     self.check_large(Drawing(shown.stdout))
 
+    def test_wires_between_blocks_of_large_machines_lead_through_no_box(self):
+        for name, text in SEVERAL_BLOCKS.items():
+            with self.subTest(name=name):
+                self.check_large(self.drawing_of(text))
+
     def check_large(self, drawing):
         tiles = {}
         tiles_of = lambda box: itertools.product(  # noqa: E731
@@ -350,6 +394,14 @@ class Pictures(unittest.TestCase):
         for name, box in drawing.boxes.items():
             if "[" not in name:
                 self.assertLess(box.right, x - wide)
+
+    def test_the_hub_of_a_large_ring_stands_at_its_edge(self):
+        for topology in ("ring", "chordal-ring"):
+            self.path.write_text(placedpar("generate", topology, "--size", "250", "--host", "node").stdout, encoding="utf-8")
+            drawing = Drawing(placedpar("show", self.path, "--format", "svg", "--software").stdout)
+            self.assertLess(drawing.boxes["host"].right, min(box.left for name, box in drawing.boxes.items() if "[" in name))
+            widths = {box.right - box.left for box in drawing.boxes.values()}
+            self.assertLess(max(widths), 2 * min(widths))
 
     def test_a_torus_stands_in_a_grid(self):
         for n in (4, 8):

@@ -208,9 +208,7 @@ private:
 
     void add_in_order(const Nodes& nodes) {
         taken_.insert(nodes.begin(), nodes.end());
-        auto shapes = shapes_in_order(Pattern(n_, wiring_, nodes), nodes.size());
-        bool round = nodes.size() > largest_circle && is_circle(shapes.front());
-        blocks_.push_back({nodes, std::move(shapes), round});
+        blocks_.push_back({nodes, shapes_in_order(Pattern(n_, wiring_, nodes), nodes.size())});
     }
 
     bool is_single_processor(std::size_t node) const { return is_single(node) && n_.nodes[node].kind->make_executive; }

@@ -12,7 +12,6 @@ namespace placedpar::picture {
 struct Block {
     std::vector<std::size_t> nodes;
     std::vector<Shape> shapes; ///< at least one, the best first
-    bool round = false;        ///< the best is a circle
 };
 
 /// Every node is in one block. Subscripts and wires give a block its shapes: two dimensions make a grid, one a line, a

@@ -6,9 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -19,17 +21,11 @@ namespace {
 constexpr double lane_start = 10, lane_gap = 6; ///< of wires beside each other between two rows or columns
 constexpr double apart = 3;                     ///< of blocks, in cells
 
-/// The ring that a large network has as its largest block, in cells.
-struct LargeRing {
-    Point centre;
-    double radius = 0;
-};
-
+/// Blocks are numbered from the left: 0 has the single nodes.
 struct LargeLayout {
     std::vector<Point> places;
-    std::vector<bool> on_ring;
-    std::optional<LargeRing> ring;
-    std::optional<std::size_t> hub; ///< in the centre of the ring
+    std::vector<std::size_t> block_of;            ///< of each node
+    std::vector<std::optional<double>> radii{{}}; ///< of each block that is a ring, in cells
 };
 
 Box large_extent(const std::vector<Point>& points) {
@@ -39,18 +35,27 @@ Box large_extent(const std::vector<Point>& points) {
     return around(boxes);
 }
 
+/// Whether rows are a cell apart, so that wires find a way between them.
+bool is_in_rows(const Shape& shape) {
+    std::set<double> rows;
+    for (Point each : shape)
+        rows.insert(each.y);
+    return std::ranges::adjacent_find(rows, [](double one, double next) { return next < one + 1; }) == rows.end();
+}
+
 /// Puts the largest block down, single nodes to the left of it, the other blocks to the right.
 class LargeArrangement {
 public:
-    LargeArrangement(const Network& network, const Wiring& wiring)
-        : wiring_(wiring), blocks_(blocks_of(network, wiring)) {
+    LargeArrangement(const Network& network, const Wiring& wiring) : blocks_(blocks_of(network, wiring)) {
         layout_.places.resize(network.nodes.size());
-        layout_.on_ring.resize(network.nodes.size());
+        layout_.block_of.resize(network.nodes.size());
         std::ranges::stable_sort(blocks_, std::greater<>(), [](const Block& block) { return block.nodes.size(); });
     }
 
     LargeLayout arrange() {
-        put_largest();
+        put(blocks_.front(), {});
+        if (layout_.radii.back())
+            middle_ = std::round(height_ / 2);
         for (const Block& block : std::span(blocks_).subspan(1))
             block.nodes.size() == 1 ? put_single(block.nodes.front()) : put(block, {right_ + apart, 0});
         return std::move(layout_);
@@ -59,40 +64,26 @@ public:
 private:
     /// With its upper left corner there.
     void put(const Block& block, Point corner) {
-        const Shape& shape = block.shapes.front();
+        std::size_t count = block.nodes.size();
+        bool round = count > 2 && is_circle(block.shapes.front());
+        const Shape shape = round || is_in_rows(block.shapes.front()) ? block.shapes.front() : rectangle(count);
         Box extent = large_extent(shape);
-        for (std::size_t i = 0; i < shape.size(); ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             layout_.places[block.nodes[i]] = shape[i] + corner - Point{extent.left(), extent.top()};
+            layout_.block_of[block.nodes[i]] = layout_.radii.size();
+        }
+        layout_.radii.push_back(round ? std::optional(extent.width / 2) : std::nullopt);
         right_ = corner.x + extent.width;
         height_ = std::max(height_, extent.height);
     }
 
-    void put_largest() {
-        const Block& block = blocks_.front();
-        put(block, {});
-        if (!block.round)
-            return;
-        layout_.ring = LargeRing{{right_ / 2, height_ / 2}, right_ / 2};
-        for (auto node : block.nodes)
-            layout_.on_ring[node] = true;
-        middle_ = std::round(height_ / 2);
-    }
-
     void put_single(std::size_t node) {
-        auto wires =
-            std::ranges::count_if(wiring_.neighbours(node), [&](auto other) { return layout_.on_ring[other]; });
-        if (layout_.ring && !layout_.hub && 2 * static_cast<std::size_t>(wires) > blocks_.front().nodes.size()) {
-            layout_.hub = node;
-            layout_.places[node] = layout_.ring->centre;
-            return;
-        }
         auto rows = static_cast<std::size_t>(height_ - middle_) + 1;
         layout_.places[node] = {-apart - static_cast<double>(singles_ / rows),
                                 middle_ + static_cast<double>(singles_ % rows)};
         ++singles_;
     }
 
-    const Wiring& wiring_;
     std::vector<Block> blocks_;
     LargeLayout layout_;
     double right_ = 0, height_ = 0;
@@ -100,31 +91,38 @@ private:
     std::size_t singles_ = 0;
 };
 
-/// Leads wires through the lanes between rows and columns, and through the inside of a ring.
+/// Leads wires through the lanes between rows and columns of their blocks, and through the inside of a ring; from block
+/// to block beside these, and below all that are between.
 class LargeRouter {
 public:
-    LargeRouter(const LargeLayout& layout, const std::vector<DrawnNode>& nodes) : layout_(layout), nodes_(nodes) {
+    LargeRouter(const LargeLayout& layout, const std::vector<DrawnNode>& nodes)
+        : layout_(layout), nodes_(nodes), blocks_(layout.radii.size()) {
+        std::vector<std::vector<Box>> boxes(blocks_.size());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Box& box = nodes[i].box;
             Point at = layout.places[i];
-            rows_[at.y].add(at.x, box.top(), box.bottom());
-            columns_[at.x].add(at.y, box.left(), box.right());
-            if (layout.on_ring[i])
-                ring_boxes_.push_back(box);
+            LargeBlock& block = blocks_[layout.block_of[i]];
+            block.rows[at.y].add(at.x, box.top(), box.bottom());
+            block.columns[at.x].add(at.y, box.left(), box.right());
+            boxes[layout.block_of[i]].push_back(box);
+            bottom_ = std::max(bottom_, box.bottom());
         }
-        number(rows_);
-        number(columns_);
-        if (layout.ring)
-            ring_ = around(ring_boxes_);
+        for (std::size_t i = 0; i < blocks_.size(); ++i)
+            finish(i, boxes[i]);
     }
 
     Path route(std::size_t a, std::size_t b) {
-        if (is_inside(a) && is_inside(b))
+        std::size_t from = layout_.block_of[a], to = layout_.block_of[b];
+        if (from > to)
+            return reversed(route(b, a));
+        if (from != to)
+            return joined(leave(a, true), leave(b, false), from + 1 == to);
+        if (blocks_[from].radius)
             return within_ring(a, b);
-        if (layout_.on_ring[a] || layout_.on_ring[b])
-            return layout_.on_ring[a] ? from_ring(a, b) : reversed(from_ring(b, a));
         if (auto path = between_neighbours(a, b))
             return *path;
+        if (!blocks_[from].in_columns)
+            return joined(leave(a, true), leave(b, true), true);
         return layout_.places[a].x <= layout_.places[b].x ? through_lanes(a, b) : reversed(through_lanes(b, a));
     }
 
@@ -142,6 +140,13 @@ private:
     };
     using Lines = std::map<double, Line>;
 
+    struct LargeBlock {
+        Lines rows, columns;
+        bool in_columns = true; ///< with room for wires between them
+        Box extent;
+        std::optional<double> radius; ///< of a ring, in cells
+    };
+
     static void number(Lines& lines) {
         std::size_t count = 0;
         for (auto& [at, line] : lines) {
@@ -152,15 +157,27 @@ private:
         }
     }
 
+    void finish(std::size_t index, const std::vector<Box>& boxes) {
+        LargeBlock& block = blocks_[index];
+        block.radius = layout_.radii[index];
+        number(block.rows);
+        number(block.columns);
+        for (auto next = block.columns.begin(); next != block.columns.end(); ++next)
+            if (next != block.columns.begin() && std::prev(next)->second.last > next->second.first - lane(0, 128))
+                block.in_columns = false;
+        if (!boxes.empty())
+            block.extent = around(boxes);
+    }
+
     static Path reversed(Path path) {
         std::ranges::reverse(path);
         return path;
     }
 
     const Box& box(std::size_t node) const { return nodes_[node].box; }
-    const Line& row(std::size_t node) const { return rows_.at(layout_.places[node].y); }
-    const Line& column(std::size_t node) const { return columns_.at(layout_.places[node].x); }
-    bool is_inside(std::size_t node) const { return layout_.on_ring[node] || node == layout_.hub; }
+    const LargeBlock& block(std::size_t node) const { return blocks_[layout_.block_of[node]]; }
+    const Line& row(std::size_t node) const { return block(node).rows.at(layout_.places[node].y); }
+    const Line& column(std::size_t node) const { return block(node).columns.at(layout_.places[node].x); }
 
     static bool follow(const Line& line, double one, double other) {
         auto a = line.positions.at(one), b = line.positions.at(other);
@@ -212,57 +229,61 @@ private:
         return path;
     }
 
-    /// On the line from the centre of the ring through the node, so many cells outside of it.
+    /// From the node to beside its block: straight if nothing stands between, else below its row.
+    Path leave(std::size_t node, bool rightward) const {
+        if (block(node).radius)
+            return out_of_ring(node, rightward);
+        const Box &extent = block(node).extent, &self = box(node);
+        double beside = lane_start + lane_gap * static_cast<double>(row(node).number % 8);
+        double x = rightward ? extent.right() + beside : extent.left() - beside;
+        std::size_t place = row(node).positions.at(layout_.places[node].x);
+        if (place == (rightward ? row(node).positions.size() - 1 : 0))
+            return {{rightward ? self.right() : self.left(), self.centre.y}, {x, self.centre.y}};
+        double y = below(node, lane_start + lane_gap * static_cast<double>(column(node).number % 8));
+        return {{self.centre.x, self.bottom()}, {self.centre.x, y}, {x, y}};
+    }
+
+    /// Between blocks, where nothing stands; below all where they are not neighbours.
+    Path joined(Path from, Path to, bool beside) const {
+        double y = beside ? to.back().y : bottom_ + lane(0, 128) + lane_start;
+        from.push_back({from.back().x, y});
+        from.push_back({to.back().x, y});
+        from.insert(from.end(), to.rbegin(), to.rend());
+        from.erase(std::unique(from.begin(), from.end()), from.end());
+        return from;
+    }
+
+    /// On the line from the centre of its ring through the node, so many cells outside of it.
     Point beside_ring(std::size_t node, double cells) const {
-        return ring_.centre + (1 + cells / layout_.ring->radius) * (box(node).centre - ring_.centre);
+        Point centre = block(node).extent.centre;
+        return centre + (1 + cells / *block(node).radius) * (box(node).centre - centre);
     }
 
     Path within_ring(std::size_t a, std::size_t b) const {
-        auto end = [&](std::size_t node) { return node == layout_.hub ? ring_.centre : beside_ring(node, -0.6); };
-        Point from = end(a), to = end(b);
-        Path path;
-        if (a != layout_.hub)
-            path = {way_out(box(a), box(a).centre, from), from};
-        else
-            path = {way_out(box(a), from, to)};
-        if (b != layout_.hub)
-            path.insert(path.end(), {to, way_out(box(b), box(b).centre, to)});
-        else
-            path.push_back(way_out(box(b), to, from));
-        return path;
+        Point from = beside_ring(a, -0.6), to = beside_ring(b, -0.6);
+        return {way_out(box(a), box(a).centre, from), from, to, way_out(box(b), box(b).centre, to)};
     }
 
-    /// Around the ring to the side at which the other stands, then through the lanes.
-    Path from_ring(std::size_t a, std::size_t b) const {
-        Point outside = beside_ring(a, 0.7), to = box(b).centre, c = ring_.centre;
-        bool leftward = to.x < c.x;
-        Path path{way_out(box(a), box(a).centre, outside), outside};
-        double across = ring_.width / 2, high = ring_.height / 2, reach = 1 + 0.75 / layout_.ring->radius;
+    /// Around the ring to the side.
+    Path out_of_ring(std::size_t node, bool rightward) const {
+        const Box& ring = block(node).extent;
+        Point outside = beside_ring(node, 0.7), c = ring.centre;
+        Path path{way_out(box(node), box(node).centre, outside), outside};
+        double across = ring.width / 2, high = ring.height / 2, reach = 1 + 0.75 / *block(node).radius;
         double angle = std::atan2((outside.y - c.y) / high, (outside.x - c.x) / across),
-               goal = leftward ? std::numbers::pi : 0;
-        if (leftward && angle < 0)
-            goal = -goal;
-        int steps = static_cast<int>(std::ceil(std::abs(goal - angle) * layout_.ring->radius));
+               goal = rightward ? 0 : std::copysign(std::numbers::pi, angle);
+        int steps = static_cast<int>(std::ceil(std::abs(goal - angle) * *block(node).radius));
         for (int i = 1; i <= steps; ++i) {
             double turn = angle + (goal - angle) * i / steps;
             path.push_back(c + Point{reach * across * std::cos(turn), reach * high * std::sin(turn)});
         }
-        double x = path.back().x;
-        if (leftward && std::abs(to.y - c.y) < 1 && column(b).number + 1 == first_ring_column())
-            path.push_back({box(b).right(), path.back().y});
-        else
-            path.insert(path.end(), {{x, below(b, lane_start)}, {to.x, below(b, lane_start)}, {to.x, box(b).bottom()}});
-        path.erase(std::unique(path.begin(), path.end()), path.end());
         return path;
     }
 
-    std::size_t first_ring_column() const { return columns_.lower_bound(0)->second.number; }
-
     const LargeLayout& layout_;
     const std::vector<DrawnNode>& nodes_;
-    Lines rows_, columns_;
-    std::vector<Box> ring_boxes_;
-    Box ring_;
+    std::vector<LargeBlock> blocks_;
+    double bottom_ = 0; ///< of all boxes
 };
 
 } // namespace
