@@ -81,6 +81,13 @@ const char* colour_named(int number) { return colours[static_cast<std::size_t>(n
 
 const char* colour_of(const Panel& panel, std::size_t place) { return colours[colour_number(panel, place)]; }
 
+bool has_all_symbols(const Panel& panel, std::size_t place) {
+    const Series& series = panel.series[place];
+    bool curve = series.stroke == Stroke::line || series.stroke == Stroke::dashes;
+    return series.stroke == Stroke::points || (curve && series.points.size() < 2 * symbols_of_curve &&
+                                               !needs_no_symbols(panel, colour_number(panel, place)));
+}
+
 std::string style_of(const Panel& panel, std::size_t place) {
     switch (panel.series[place].stroke) {
     case Stroke::line:

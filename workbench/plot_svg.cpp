@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 
 namespace placedpar {
@@ -55,11 +56,44 @@ int legend_width(const Plot& plot) {
 
 std::string title_of(const std::string& name) { return name.empty() ? "notitle" : "title " + quoted(name); }
 
-std::string axis_commands(const char* letter, const Axis& axis) {
+std::string range_commands(const char* letter, const Axis& axis) {
     auto end = [](std::optional<double> value) { return value ? fmt::format("{}", *value) : std::string("*"); };
-    return fmt::format("set {0}label {1} {5}\n{4} logscale {0}\nset {0}range [{2}:{3}]\n", letter, quoted(axis.label),
-                       end(axis.from), end(axis.to), axis.logarithmic ? "set" : "unset",
-                       *letter == 'x' ? "offset 0,0.4" : "");
+    return fmt::format("{3} logscale {0}\nset {0}range [{1}:{2}]\n", letter, end(axis.from), end(axis.to),
+                       axis.logarithmic ? "set" : "unset");
+}
+
+/// A label that is longer than its axis is in smaller letters.
+std::string label_commands(const char* letter, const Axis& axis, int length) {
+    double size = std::min(15., 15. * length / (legend_letter * static_cast<double>(letters(axis.label)) + 1));
+    return fmt::format("set {}label {} {}{}\n", letter, quoted(axis.label), *letter == 'x' ? "offset 0,0.4" : "",
+                       size < 15 ? fmt::format(" font ',{:.1f}'", size) : "");
+}
+
+/// Sets the variables Xfrom0 and Xto0, or those of another axis or panel, to the ends that gnuplot has just given to
+/// it, but for room beside points with symbols that would lie on the frame: then Xroomy0 is true. What an axis cuts off
+/// needs no room.
+std::string room_commands(char letter, std::size_t number, const Axis& axis, const Panel& panel,
+                          double Point::*coordinate) {
+    double least = std::numeric_limits<double>::max(), most = -least;
+    bool cut_below = false, cut_above = false;
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        for (const Point& point : panel.series[i].points) {
+            cut_below = cut_below || (axis.from && point.*coordinate < *axis.from);
+            cut_above = cut_above || (axis.to && point.*coordinate > *axis.to);
+            if (has_all_symbols(panel, i)) {
+                least = std::min(least, point.*coordinate);
+                most = std::max(most, point.*coordinate);
+            }
+        }
+    auto roomy = [&](const char* end, const char* other) {
+        return axis.logarithmic ? fmt::format("{0}*({0}/{1})**.05", end, other)
+                                : fmt::format("{0}+({0}-{1})*.05", end, other);
+    };
+    return fmt::format("a = GPVAL_{0}_MIN; b = GPVAL_{0}_MAX\n"
+                       "{0}from{1} = {2:d} && {3} <= a + 1e-6 * (b - a) ? {4} : a\n"
+                       "{0}to{1} = {5:d} && {6} >= b - 1e-6 * (b - a) ? {7} : b\n"
+                       "{0}roomy{1} = {0}from{1} != a || {0}to{1} != b\n",
+                       letter, number, !cut_below, least, roomy("a", "b"), !cut_above, most, roomy("b", "a"));
 }
 
 std::string data_blocks(const Panel& panel, std::size_t number) {
@@ -121,11 +155,7 @@ std::string cut_commands(const Panel& panel, std::size_t place) {
     return out;
 }
 
-std::string panel_commands(const Panel& panel, std::size_t number) {
-    std::string out = "set title " + quoted(panel.title) + " offset 0,-0.4\nunset arrow\nunset label\n";
-    out += axis_commands("x", panel.x) + axis_commands("y", panel.y) + data_blocks(panel, number);
-    for (std::size_t i = 0; i < panel.series.size(); ++i)
-        out += cut_commands(panel, i);
+std::string plot_command(const Panel& panel, std::size_t number) {
     std::vector<std::string> curves;
     for (std::size_t i = 0; i < panel.bands.size(); ++i)
         curves.push_back(fmt::format("$panel{}band{} using 1:2:3 {} {}", number, i, title_of(panel.bands[i].name),
@@ -136,7 +166,27 @@ std::string panel_commands(const Panel& panel, std::size_t number) {
     for (std::size_t i = 0; i < panel.marks.size(); ++i)
         curves.push_back(
             fmt::format("{} {} {}", panel.marks[i].y, title_of(panel.marks[i].name), style_of(panel.marks[i], i)));
-    return fmt::format("{}plot {}\n", out, fmt::join(curves, ", \\\n     "));
+    return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
+}
+
+/// Draws it nowhere, for its ranges.
+std::string trial_commands(const Panel& panel, std::size_t number) {
+    return data_blocks(panel, number) + range_commands("x", panel.x) + range_commands("y", panel.y) +
+           plot_command(panel, number) + room_commands('X', number, panel.x, panel, &Point::x) +
+           room_commands('Y', number, panel.y, panel, &Point::y);
+}
+
+std::string panel_commands(const Panel& panel, std::size_t number) {
+    std::string out = "set title " + quoted(panel.title) + " offset 0,-0.4\nunset arrow\nunset label\n";
+    out += label_commands("x", panel.x, plot_width - left_margin) +
+           label_commands("y", panel.y, panel_height - top_margin - bottom_margin);
+    out += range_commands("x", panel.x) + range_commands("y", panel.y);
+    out += fmt::format("if (Xroomy{0}) set xrange [Xfrom{0}:Xto{0}]\n"
+                       "if (Yroomy{0}) set yrange [Yfrom{0}:Yto{0}]\n",
+                       number);
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        out += cut_commands(panel, i);
+    return out + plot_command(panel, number);
 }
 
 void check(const Plot& plot) {
@@ -156,11 +206,13 @@ void check(const Plot& plot) {
 
 std::string script_of(const Plot& plot) {
     int height = title_height + panel_height * static_cast<int>(plot.panels.size());
-    std::string out =
-        fmt::format("set encoding utf8\n"
-                    "set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
+    std::string out = "set encoding utf8\nset samples 2\nset terminal unknown\n";
+    for (std::size_t i = 0; i < plot.panels.size(); ++i)
+        out += trial_commands(plot.panels[i], i);
+    out +=
+        fmt::format("set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
                     "set border linecolor rgb '#404040'\nset grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.7\n"
-                    "set samples 2\nset tics nomirror\nset multiplot title {} font ',18'\n",
+                    "set tics nomirror\nset multiplot title {} font ',18'\n",
                     plot_width, height, quoted(plot.title));
     int legend = legend_width(plot);
     for (std::size_t i = 0; i < plot.panels.size(); ++i)

@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -35,6 +37,18 @@ std::set<std::string> dashes_in(const std::string& svg) {
         found.insert(svg.substr(from, svg.find('\'', from) - from));
     }
     return found;
+}
+
+/// Of the symbols in a plot of one panel without a legend: how many pixels the nearest is from its frame.
+double nearest_to_frame(const std::string& svg) {
+    const double left = 104, right = 930, top = 84, bottom = 368;
+    double nearest = std::numeric_limits<double>::max();
+    const std::regex symbol(R"(xlink:href='#gpPt\d+' transform='translate\(([\d.]+),([\d.]+)\))");
+    for (std::sregex_iterator each(svg.begin(), svg.end(), symbol), end; each != end; ++each) {
+        const double x = std::stod((*each)[1]), y = std::stod((*each)[2]);
+        nearest = std::min({nearest, x - left, right - x, y - top, bottom - y});
+    }
+    return nearest;
 }
 
 } // namespace
@@ -114,6 +128,30 @@ TEST_CASE("what cannot be drawn is refused") {
     for (int i = 0; i < 100000; ++i) // more than a pipe holds
         plot.panels[0].series[0].points.push_back({1.0 * i, 1});
     CHECK_THROWS_WITH_AS(draw_svg(plot), doctest::Contains("empty x range"), std::runtime_error);
+}
+
+TEST_CASE("no point lies on the frame, wherever the axes end") {
+    for (Axis axis : {Axis{}, Axis{.from = 20, .to = 100}, Axis{.from = 20}, Axis{.logarithmic = true},
+                      Axis{.from = 20, .to = 100, .logarithmic = true}}) {
+        Panel panel{"", axis, axis, {{"", {{20, 20}, {40, 30}, {100, 100}}, Stroke::points}}};
+        CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
+        for (const char* ends : {"first", "last"}) { // short curves have a symbol at each point
+            panel.series = {{"", {{20, 20}, {100, 50}}}, {"", {{20, 100}, {50, ends[0] == 'f' ? 20. : 100.}}}};
+            CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
+        }
+    }
+    Panel beyond{"", {}, {.from = 0, .to = 10}, {{"", {{2, 3}, {3, 10}, {4, 12}}, Stroke::points}}};
+    CHECK(nearest_to_frame(draw_svg({"", {beyond}})) < 1); // what is cut off has no room
+}
+
+TEST_CASE("a label that is longer than its axis is in smaller letters") {
+    Plot plot = small_plot();
+    CHECK(count(draw_svg(plot), "font-size=\"15.00\"  text-anchor=\"middle\"") > 0);
+    plot.panels[0].y.label = "relative island[0].generations_per_second";
+    const std::string svg = draw_svg(plot);
+    const std::size_t text = svg.find(plot.panels[0].y.label), group = svg.rfind("<g ", text);
+    CHECK(has(svg.substr(group, text - group), "font-size=\"11.5"));
+    CHECK(has(svg.substr(group, text - group), "rotate(270)"));
 }
 
 TEST_CASE("an axis from 0 begins there below a logarithmic one too") {

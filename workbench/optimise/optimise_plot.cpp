@@ -38,8 +38,8 @@ Series all_machines(const SearchCourse& course) {
     return series;
 }
 
-Series front_series(const SearchCourse& course) {
-    Series series{.name = "front, " + course.way};
+Series front_series(const Optimum& optimum, const SearchCourse& course) {
+    Series series{.name = std::ranges::count_if(optimum.courses, found_any) > 1 ? "front, " + course.way : "front"};
     for (std::size_t place : best_of(course))
         series.points.push_back(point_of(course.merits[place]));
     return series;
@@ -50,7 +50,7 @@ Panel panel_of_front(const Optimum& optimum) {
     panel.series.push_back(all_machines(optimum.courses.front()));
     for (const SearchCourse& course : optimum.courses)
         if (found_any(course))
-            panel.series.push_back(front_series(course));
+            panel.series.push_back(front_series(optimum, course));
     if (optimum.start.merit.feasible)
         panel.series.push_back(
             {.name = "as it is", .points = {point_of(optimum.start.merit)}, .stroke = Stroke::points});
