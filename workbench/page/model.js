@@ -61,6 +61,17 @@ function shareOf(sums, from, to) {
   return to > from ? Math.min(1, (sumUntil(sums, to) - sumUntil(sums, from)) * run.bin / (to - from)) : 0;
 }
 
+// What the components of a process do, together; of a component or what is no process, its own. Added once: there may be thousands.
+function sumsTogether(track, what) {
+  const lanes = componentsOf[track.number] || [track], name = what + " together";
+  if (lanes.length === 1) return track[what];
+  if (!track[name]) {
+    track[name] = new Float64Array(d3.max(lanes, lane => lane[what].length));
+    for (const lane of lanes) for (let i = 0; i < track[name].length; ++i) track[name][i] += lane[what][Math.min(i, lane[what].length - 1)];
+  }
+  return track[name];
+}
+
 const bySliceEnd = d3.bisector(slice => slice.end).right;
 const byPathEnd = d3.bisector(part => part.end).right;
 const byLeft = d3.bisector(message => message.left).left;

@@ -97,11 +97,8 @@ function makePicture(picture) {
   element.hidden = hidden;
 }
 
-// Of a process with the components of its PARs.
-function runningShare(track, from, to) {
-  const lanes = isOfProcess(track) ? componentsOf[track.outermost] || [track] : [track];
-  return Math.min(1, d3.sum(lanes, lane => shareOf(lane.running, from, to)));
-}
+// The share of a process is that of all components of its PARs, too.
+const runningShare = (track, from, to) => shareOf(sumsTogether(track, "running"), from, to);
 
 function showMeter(meter, moment, from, to, far) {
   const share = runningShare(meter.track, from, to);

@@ -31,7 +31,7 @@ const isUnfolded = number => shown.components || view.unfolded.has(number);
 const isFoldable = track => track.outermost === track.number && (componentsOf[track.number] || []).length > 1;
 const foldedIn = track => isFoldable(track) && !isUnfolded(track.number) ? componentsOf[track.number].filter(each => each !== track) : [];
 const lanesOf = track => [track, ...foldedIn(track)];
-const rowShare = (track, what, from, to) => Math.min(1, d3.sum(lanesOf(track), lane => shareOf(lane[what], from, to)));
+const rowShare = (track, what, from, to) => shareOf(isUnfolded(track.number) ? track[what] : sumsTogether(track, what), from, to);
 const isSought = track => (view.sought === "" ? true : `${track.name} ${run.nodes[track.node]}`.toLowerCase().includes(view.sought.toLowerCase()));
 
 function fold(track) {
