@@ -64,6 +64,7 @@ void add_limits(CLI::App& command, ServiceLimits& limits) {
     add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6}, "machines that one address introduces");
     add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
         "of a machine's control, by one address in a minute");
+    add("--known-after", limits.known_s, "S", {0, 1e9}, "of samples, 1000 at least, that make a machine known");
     add("--newcomer-timeout", limits.newcomer_s, "S", timeouts, "a machine without sample and connection is forgotten");
     add("--history", limits.history, "N", {1, 1e6}, "estimates, and alarms, of a machine kept in the state file");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "length of a message");

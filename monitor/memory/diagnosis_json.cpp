@@ -375,14 +375,23 @@ json::string open_json(const OpenSample& open) {
     return json::string(exact_text(std::array{static_cast<double>(open.readings), open.first_s, open.after_s}));
 }
 
+/// Earlier versions took any period.
+Sampling sampling_of(const ExcavatorParameters& parameters) {
+    try {
+        return Sampling::of(parameters.period_s);
+    } catch (const UnfitRecord& unfit) {
+        throw OutdatedState(unfit.what());
+    }
+}
+
 /// Reads the sample that is being averaged. A state from a version that did not average can go on only where each
 /// reading is a sample.
 void read_open_sample(Diagnosis::State& state, const json::object& object, const Sampling& sampling) {
     const json::value* open = object.if_contains("open");
     if (!open && sampling.readings > 1)
-        throw std::runtime_error(fmt::format("its readings, {}, were judged one by one by an earlier placedpar "
-                                             "monitor, which this one averages",
-                                             print_sampling(sampling)));
+        throw OutdatedState(fmt::format("its readings, {}, were judged one by one by an earlier placedpar monitor, "
+                                        "which this one averages",
+                                        print_sampling(sampling)));
     if (!open)
         return;
     const std::vector<double> n = numbers_from(text(*open));
@@ -434,7 +443,7 @@ Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& s
     state.time_s = optional_from(value.at("time_s"));
     state.time_may_restart = value.at("time_may_restart").as_bool();
     state.samples = value.at("samples").to_number<std::uint64_t>();
-    const Sampling sampling = Sampling::of(state.parameters.period_s);
+    const Sampling sampling = sampling_of(state.parameters);
     read_open_sample(state, value.as_object(), sampling);
     for (std::size_t i = 0; i < all_links.size(); ++i) {
         state.tracks[i] = track_from(value.at("tracks").as_array().at(i));

@@ -59,7 +59,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     require_path_of_file(path_);
     if (!fs::exists(path_))
         create_state_file(path_, settings_);
-    lock_.emplace(path_, fmt::format("--state {}", path_.string()), "placedpar monitor");
+    lock_ = std::make_unique<store::FileLock>(path_, fmt::format("--state {}", path_.string()), "placedpar monitor");
     path_ = fs::canonical(path_); // SQLite's own files are beside it, not beside a link
     std::error_code another_owner;
     for (const char* each : {"", "-wal", "-shm", "-mark"}) // what an earlier version made, too
@@ -171,28 +171,25 @@ void StateFile::require_in_place() {
     throw store::DatabaseError("it, or a file beside it, has been removed or replaced", false);
 }
 
-/// Opens it again as it is to be. When it was removed, a copy of what is still open takes its place; one that another
-/// has put there is left alone.
+/// Opens it again as it is to be. When it was removed, a copy of what is still open takes its place, locked before it
+/// has its name, and only then is the former closed: if it is removed once more meanwhile, the next attempt has all
+/// that is needed. What another has put there is left alone.
 void StateFile::renew() {
     bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
         throw store::DatabaseError("something else is in its place: move that away", false);
-    fs::path copy;
     if (statements_) {
         course_.running = false;
         transact({});
         database_->put_log_into_file(true);
-        if (gone)
-            copy = copy_state_file(*database_, path_);
     }
+    if (gone)
+        put_copy_in_place();
     disconnect();
     mark_.reset();
-    if (gone) {
+    if (gone)
         for (const char* each : {"-wal", "-shm"})
             fs::remove(path_.string() + each);
-        copy.empty() ? create_state_file(path_, settings_) : publish(copy, path_);
-        lock_.emplace(path_, path_.string(), "placedpar monitor");
-    }
     if (!fs::exists(path_.string() + "-wal"))
         fs::remove(path_.string() + "-mark");
     ledger_ = {};
@@ -200,6 +197,17 @@ void StateFile::renew() {
     open(known);
     if (!known.trouble.empty())
         throw store::DatabaseError(known.trouble, false);
+}
+
+/// What is no longer open, since opening the last copy failed, is in the file that is locked.
+void StateFile::put_copy_in_place() {
+    fs::path copy =
+        statements_ ? copy_state_file(*database_, path_) : write_state_file(lock_->beginning(lock_->size()), path_);
+    auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");
+    publish(copy, path_);
+    if (!lock->is_at(path_))
+        throw store::DatabaseError("something else is in its place: move that away", false);
+    lock_ = std::move(lock);
 }
 
 void StateFile::require_mark() {

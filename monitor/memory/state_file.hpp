@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,6 +70,7 @@ private:
     void open(StateContent& content);
     void connect(bool alone);
     void renew();
+    void put_copy_in_place();
     void disconnect();
     void require_in_place();
     std::vector<std::uint64_t> companions() const;
@@ -96,7 +98,7 @@ private:
     std::filesystem::path given_, path_; ///< which may be a link, and what it leads to
     std::string settings_;
     std::uint64_t most_history_;
-    std::optional<store::FileLock> lock_;
+    std::unique_ptr<store::FileLock> lock_;
     std::optional<store::Database> database_;
     std::optional<History> history_;
     std::unique_ptr<Statements> statements_;

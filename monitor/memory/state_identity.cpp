@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 
 namespace placedpar::monitor {
@@ -92,6 +93,14 @@ fs::path copy_state_file(store::Database& from, const fs::path& path) {
         fs::remove(made, ignored);
         throw;
     }
+    return made;
+}
+
+fs::path write_state_file(const std::string& bytes, const fs::path& path) {
+    fs::path made = begin_file(path);
+    std::ofstream out(made, std::ios::binary);
+    if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush())
+        throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), std::strerror(errno)));
     return made;
 }
 

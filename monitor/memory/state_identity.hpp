@@ -22,6 +22,8 @@ void create_state_file(const std::filesystem::path& path, const std::string& set
 /// Makes a whole copy of an open state file, which has its path with a suffix until it is published; gives its path.
 /// This and publish() throw UserError or DatabaseError.
 std::filesystem::path copy_state_file(store::Database& from, const std::filesystem::path& path);
+/// Likewise, from all the bytes of one.
+std::filesystem::path write_state_file(const std::string& bytes, const std::filesystem::path& path);
 /// Gives the file its name, on the disk, unless another has come to have it meanwhile.
 void publish(const std::filesystem::path& made, const std::filesystem::path& path);
 

@@ -40,16 +40,6 @@ std::map<std::string, std::uint64_t> taken_already(const StateContent& content) 
     return taken;
 }
 
-void restore_state(Diagnoses& diagnoses, const KeptState& kept, const fs::path& path) {
-    try {
-        diagnoses.add(state_from(json::parse(kept.state), diagnoses.settings()));
-    } catch (const std::exception& error) {
-        throw UserError(fmt::format("{}: this state file cannot be used: the state of \"{}\": {}; use another --state "
-                                    "file",
-                                    path.string(), kept.machine, error.what()));
-    }
-}
-
 void replay(Diagnoses& diagnoses, const KeptMessage& message, const fs::path& path) {
     try {
         diagnoses.replay(message.machine, message.text);
@@ -75,19 +65,35 @@ StateStore::StateStore(const fs::path& path, Diagnoses& diagnoses, std::uint64_t
         fall_back(content.trouble);
     last_message_ = trimmed_ = content.last_message;
     for (const KeptState& state : content.machines)
-        restore_state(diagnoses_, state, path_);
+        restore_state(state);
     take_again(content);
     noted_alarms_ = file_->history().noted_alarms();
+    std::erase_if(noted_alarms_, [&](const KeptAlarm& alarm) { return outdated_.contains(alarm.machine); });
+    if (said_.ends_with("; "))
+        said_.resize(said_.size() - 2);
 }
 
 StateStore::~StateStore() = default;
+
+void StateStore::restore_state(const KeptState& kept) {
+    try {
+        diagnoses_.add(state_from(json::parse(kept.state), diagnoses_.settings()));
+    } catch (const OutdatedState& old) {
+        outdated_.insert(kept.machine);
+        said_ += fmt::format("{}: \"{}\" begins anew: {}; ", path_.string(), kept.machine, old.what());
+    } catch (const std::exception& error) {
+        throw UserError(fmt::format("{}: this state file cannot be used: the state of \"{}\": {}; use another --state "
+                                    "file",
+                                    path_.string(), kept.machine, error.what()));
+    }
+}
 
 void StateStore::take_again(const StateContent& content) {
     auto taken = taken_already(content);
     std::size_t count = 0;
     Parcel parcel;
     for (const KeptMessage& message : content.messages)
-        if (message.number > taken[message.machine]) {
+        if (message.number > taken[message.machine] && !outdated_.contains(message.machine)) {
             replay(diagnoses_, message, path_);
             backlog_.add(message.machine, message.number, 0, 0);
             ++count;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,6 +73,7 @@ public:
     void finish();
 
 private:
+    void restore_state(const KeptState& kept);
     void take_again(const StateContent& content);
     void commit_now(const Parcel& parcel);
     void fall_back(const std::string& why);
@@ -86,6 +88,7 @@ private:
     Backlog backlog_;
     std::string said_, trouble_;
     std::vector<KeptAlarm> noted_alarms_;
+    std::set<std::string> outdated_; ///< machines that begin anew, since their states are of an earlier version
     std::uint64_t last_message_ = 0, trimmed_ = 0;
     std::uint64_t last_ticket_ = 0, anew_ticket_ = 0;
     bool keeping_ = true; ///< what comes is put; false after a loss, until write_anew()

@@ -28,11 +28,13 @@ public:
     virtual void hold(std::ptrdiff_t bytes) = 0;
 
     Caller caller;
-    std::uint64_t number = 0;                        ///< later ones have greater numbers
     bool trusted = false;                            ///< it knows the token, or there is none
     std::optional<Hello> hello;                      ///< the one it said
     std::chrono::steady_clock::time_point last_load; ///< when it was sent the load
     bool leaving = false;                            ///< it is about to be closed: takes no more lines
+    std::chrono::steady_clock::time_point heard;     ///< when its last line came
+    bool has_samples = false;                        ///< some of it were accepted
+    bool keeps_place = false;                        ///< for a machine that is known: no newcomer takes its place
     bool told_kept = true;                           ///< the last it was told of whether what is known is kept
 };
 

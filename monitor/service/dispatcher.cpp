@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -26,29 +27,30 @@ bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line
 
 Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                        std::function<void(const std::string&)> say)
-    : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits),
+    : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits), places_(limits),
       keeper_(store, outbox_, std::move(say)) {
     if (store)
         alarms_.restore(store->noted_alarms());
+    std::multimap<std::uint64_t, std::string, std::greater<>> by_samples;
     for (const auto& [name, diagnosis] : diagnoses_.all())
-        if (!is_known(name))
-            newcomers_.add(name, Newcomers::Clock::now());
-}
-
-bool Dispatcher::is_known(const std::string& machine) const {
-    return diagnoses_.knows(machine) && diagnoses_.named(machine).samples() >= limits_.known_samples;
+        by_samples.emplace(diagnosis.samples(), name);
+    for (const auto& [samples, name] : by_samples)
+        places_.restored(name, samples, MachinePlaces::Clock::now());
 }
 
 void Dispatcher::enter(Client& client) {
     auto may_come = [](std::size_t may_stay) { return may_stay + std::max<std::size_t>(1, may_stay / 4); };
     auto of_peer = [&](const Client& each) { return each.caller.peer == client.caller.peer; };
-    constexpr const char* why = "others want to come in, and this connection has said no hello yet";
-    if (roster_.count(of_peer) >= may_come(limits_.clients_per_peer)) {
-        if (Client* other = roster_.least([&](const Client& each) { return of_peer(each) && !each.hello; }))
-            evict(*other, why);
-    } else if (roster_.size() >= may_come(limits_.clients))
-        if (Client* other = roster_.least([](const Client& each) { return !each.hello; }))
-            evict(*other, why);
+    auto require = [&](std::size_t most, const std::function<bool(const Client&)>& counted) {
+        if (roster_.those(counted).size() < may_come(most))
+            return;
+        auto silent = roster_.those([&](const Client& each) { return counted(each) && !each.hello; });
+        if (Client* other = giving_way(silent, client.caller.peer, true))
+            evict(*other, "others want to come in, and this connection has said no hello yet");
+    };
+    require(limits_.clients_per_peer, of_peer);
+    require(limits_.clients, [](const Client&) { return true; });
+    client.heard = LoadMeter::Clock::now();
     client.trusted = !token_.wanted();
     roster_.enter(client);
 }
@@ -58,26 +60,43 @@ void Dispatcher::evict(Client& client, const std::string& why, const std::string
     outbox_.finish(client);
 }
 
+Client* Dispatcher::giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred) {
+    std::vector<Place> places;
+    for (const Client* each : those)
+        places.push_back({each->caller.peer, each->keeps_place, false, each->has_samples, each->heard});
+    auto found = gives_way(places, peer, preferred);
+    return found ? those[*found] : nullptr;
+}
+
+bool Dispatcher::may_keep_place(const std::string& peer) const {
+    auto kept = roster_.those([](const Client& each) { return each.hello && each.keeps_place; });
+    auto own = std::ranges::count_if(kept, [&](const Client* each) { return each->caller.peer == peer; });
+    return kept.size() < most_kept(limits_.clients) &&
+           static_cast<std::size_t>(own) < most_kept(limits_.clients_per_peer);
+}
+
 void Dispatcher::require_place(Client& client, const Hello& hello) {
+    const std::string& peer = client.caller.peer;
     bool control = hello.role == Role::control;
+    const Client* held = control ? roster_.control_of(hello.machine) : nullptr;
+    if (held && held->caller.peer == peer) { // it takes the place of one of its own
+        client.keeps_place = held->keeps_place;
+        return;
+    }
+    client.keeps_place = control && places_.known(hello.machine) && may_keep_place(peer);
     auto require = [&](std::size_t most, const char* option, const std::function<bool(const Client&)>& counted) {
-        if (client.leaving || roster_.count([&](const Client& each) { return each.hello && counted(each); }) < most)
+        auto others = roster_.those([&](const Client& each) { return each.hello && counted(each); });
+        if (client.leaving || others.size() < most)
             return;
-        auto lesser = [&](const Client& each) {
-            return each.hello && counted(each) && (each.hello->role != Role::control || !is_known(each.hello->machine));
-        };
-        Client* other = control && is_known(hello.machine) ? roster_.least(lesser) : nullptr;
-        if (other)
-            evict(*other, "a machine that is known needs the place");
+        if (Client* other = giving_way(others, peer, client.keeps_place))
+            evict(*other, client.keeps_place ? "a machine that is known needs the place"
+                                             : "a peer with fewer connections needs the place");
         else
             evict(client, fmt::format("there are {} clients already", most),
                   fmt::format("to come again later; {} allows more", option));
     };
-    const Client* held = control ? roster_.control_of(hello.machine) : nullptr;
-    if (held && held->caller.peer == client.caller.peer) // it takes the place of one of its own
-        return;
     require(limits_.clients_per_peer, "--max-clients-per-peer",
-            [&](const Client& each) { return each.caller.peer == client.caller.peer; });
+            [&](const Client& each) { return each.caller.peer == peer; });
     if (!held)
         require(limits_.clients, "--max-clients", [](const Client&) { return true; });
 }
@@ -89,14 +108,14 @@ void Dispatcher::leave(Client& client) {
         return;
     const std::string& machine = client.hello->machine;
     say_(fmt::format("{}: {} has gone", machine, client.caller.name));
-    if (diagnoses_.knows(machine) && !is_known(machine))
-        newcomers_.add(machine, Newcomers::Clock::now());
+    if (diagnoses_.knows(machine))
+        places_.heard(machine, diagnoses_.named(machine).samples(), MachinePlaces::Clock::now());
 }
 
 void Dispatcher::take(Client& client, std::string_view line) {
     if (client.leaving)
         return;
-    auto begin = LoadMeter::Clock::now();
+    auto begin = client.heard = LoadMeter::Clock::now();
     try {
         if (is_http(line))
             return turn_away_browser(client);
@@ -154,14 +173,14 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
         return;
     const std::string& peer = client.caller.peer;
     if (!diagnoses_.knows(hello.machine)) {
-        if (!peers_.may_introduce(peer))
-            make_room(&peer);
-        if (!peers_.may_introduce(peer))
+        if (places_.introduced_by(peer) >= limits_.machines_per_peer)
+            make_room(peer, true);
+        if (places_.introduced_by(peer) >= limits_.machines_per_peer)
             throw BadMessage("machine",
                              fmt::format("{} has introduced {} machines already", peer, limits_.machines_per_peer),
                              "one of those; --max-machines-per-peer allows more");
         if (diagnoses_.full())
-            make_room();
+            make_room(peer, false);
     } else if (roster_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
         throw BadMessage("machine",
                          fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
@@ -171,31 +190,27 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
 void Dispatcher::forget(const std::string& machine) {
     diagnoses_.forget(machine);
     alarms_.forget(machine);
-    newcomers_.remove(machine);
-    peers_.forgotten(machine);
+    places_.forgotten(machine);
     keeper_.forget(machine);
 }
 
 void Dispatcher::forget_newcomers() {
-    auto idle = [&](const std::string& machine) {
-        return is_idle(machine) && diagnoses_.named(machine).samples() == 0;
-    };
     auto patience =
-        std::chrono::duration_cast<Newcomers::Clock::duration>(std::chrono::duration<double>(limits_.newcomer_s));
-    while (auto machine = newcomers_.oldest(idle, Newcomers::Clock::now() - patience))
-        forget(*machine);
+        std::chrono::duration_cast<MachinePlaces::Clock::duration>(std::chrono::duration<double>(limits_.newcomer_s));
+    for (const std::string& machine : places_.unused_since(MachinePlaces::Clock::now() - patience))
+        if (is_idle(machine))
+            forget(machine);
 }
 
-void Dispatcher::make_room(const std::string* only_of) {
-    auto peer = [&](const std::string& machine) { return peers_.of(machine); };
-    auto idle = [&](const std::string& machine) { return is_idle(machine) && (!only_of || peer(machine) == *only_of); };
-    auto samples = [&](const std::string& machine) { return diagnoses_.named(machine).samples(); };
-    auto machine = newcomers_.least(idle, peer, samples);
+void Dispatcher::make_room(const std::string& peer, bool only_own) {
+    auto machine = places_.gives_way(peer, only_own, [&](const std::string& each) { return is_idle(each); });
     if (!machine)
         return;
-    if (samples(*machine) > 0)
-        say_(
-            fmt::format("{}: forgotten after {} samples, to make room for a new machine", *machine, samples(*machine)));
+    for (Client* client : roster_.of(*machine))
+        if (!client->leaving)
+            evict(*client, "a machine of a peer with fewer machines needs its place");
+    if (std::uint64_t samples = diagnoses_.named(*machine).samples(); samples > 0)
+        say_(fmt::format("{}: forgotten after {} samples, to make room for a new machine", *machine, samples));
     forget(*machine);
 }
 
@@ -217,9 +232,8 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
         forgotten.cleared = diagnoses_.named(hello.machine).alarms();
     Diagnosis& diagnosis = diagnoses_.greet(hello);
     if (!known)
-        peers_.introduced(client.caller.peer, hello.machine);
-    if (!is_known(hello.machine))
-        newcomers_.add(hello.machine, Newcomers::Clock::now());
+        places_.introduced(hello.machine, client.caller.peer, MachinePlaces::Clock::now());
+    places_.heard(hello.machine, diagnosis.samples(), MachinePlaces::Clock::now());
     client.hello = hello;
     client.greeted();
     Client* other = roster_.join(client);
@@ -263,8 +277,9 @@ void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::stri
     Diagnosis& diagnosis = controlled_by(client);
     Settled settled(diagnosis);
     SampleOutcome outcome = diagnosis.take(sample);
-    if (is_known(diagnosis.name()))
-        newcomers_.remove(diagnosis.name());
+    client.has_samples = true;
+    if (places_.heard(diagnosis.name(), diagnosis.samples(), client.heard))
+        client.keeps_place = may_keep_place(client.caller.peer);
     meter_.count_sample(outcome.generations);
     std::vector<Entry> history;
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));

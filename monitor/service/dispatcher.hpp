@@ -4,8 +4,8 @@
 #include "monitor/service/keeper.hpp"
 #include "monitor/service/load_meter.hpp"
 #include "monitor/service/metrics.hpp"
-#include "monitor/service/newcomers.hpp"
 #include "monitor/service/peers.hpp"
+#include "monitor/service/places.hpp"
 #include "monitor/service/roster.hpp"
 #include "monitor/service/token.hpp"
 
@@ -67,17 +67,19 @@ private:
     void require_trusted(const Client& client, const Message& message) const;
     /// Throws BadMessage when the hello would take more than its peer may have. Makes room for a new machine.
     void require_allowance(const Client& client, const Hello& hello);
-    /// Has the client closed when as many have said hello as may. For the control of a machine that is known a place is
-    /// made.
+    /// Has the client closed when as many have said hello as may and none gives way to it.
     void require_place(Client& client, const Hello& hello);
-    bool is_known(const std::string& machine) const;
+    /// May the place of one more connection of this peer be kept?
+    bool may_keep_place(const std::string& peer) const;
+    /// The one of these that gives way to another client of the peer; null: none does.
+    static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "to come again");
     bool is_idle(const std::string& machine) const { return roster_.staying(machine) == 0; }
     void forget(const std::string& machine);
     /// Those that nobody has been connected to for long.
     void forget_newcomers();
-    /// Forgets a newcomer without a connection, if there is one; `only_of`: one that this peer has introduced.
-    void make_room(const std::string* only_of = nullptr);
+    /// Forgets the machine that gives way to a new one of this peer, if one does, and closes its connections.
+    void make_room(const std::string& peer, bool only_own);
     void change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change, const std::string& what);
     identification::Diagnosis& diagnosis_of(Client& client) const;
     identification::Diagnosis& controlled_by(Client& client) const;
@@ -98,7 +100,7 @@ private:
     Token token_;
     std::function<void(const std::string&)> say_;
     Peers peers_;
-    Newcomers newcomers_;
+    MachinePlaces places_;
     Roster roster_;
     Outbox outbox_;
     AlarmBoard alarms_;

@@ -10,6 +10,7 @@ struct ServiceLimits {
     std::size_t clients = 256; ///< that have said hello; a quarter as many more may be about to
     std::size_t machines = 1000;
     std::uint64_t known_samples = 1000; ///< that make a machine known: a name and a few samples cost nothing
+    double known_s = 600;               ///< from the first of its samples to the one that makes it known
     std::size_t clients_per_peer = 128, machines_per_peer = 500; ///< of those; a peer: see Caller
     std::size_t takeovers_per_peer = 60;                         ///< of a machine's control, in a minute
     double newcomer_s = 600;            ///< a machine without a sample and a connection is forgotten

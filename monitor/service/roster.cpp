@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace placedpar::monitor {
 
-void Roster::enter(Client& client) {
-    client.number = ++entered_;
-    clients_.insert(&client);
-}
+void Roster::enter(Client& client) { clients_.insert(&client); }
 
 void Roster::leave(Client& client) {
     clients_.erase(&client);
@@ -53,18 +49,11 @@ std::size_t Roster::staying(const std::string& machine) const {
 
 std::size_t Roster::size() const { return static_cast<std::size_t>(std::ranges::count_if(clients_, stays)); }
 
-std::size_t Roster::count(const std::function<bool(const Client&)>& which) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(clients_, [&](const Client* client) { return stays(client) && which(*client); }));
-}
-
-Client* Roster::least(const std::function<bool(const Client&)>& which) const {
-    std::map<std::string, std::vector<Client*>> of_peers;
-    for (Client* client : clients_)
-        if (stays(client) && which(*client))
-            of_peers[client->caller.peer].push_back(client);
-    auto most = std::ranges::max_element(of_peers, {}, [](const auto& each) { return each.second.size(); });
-    return most == of_peers.end() ? nullptr : *std::ranges::min_element(most->second, {}, &Client::number);
+std::vector<Client*> Roster::those(const std::function<bool(const Client&)>& which) const {
+    std::vector<Client*> found;
+    std::ranges::copy_if(clients_, std::back_inserter(found),
+                         [&](const Client* client) { return stays(client) && which(*client); });
+    return found;
 }
 
 std::size_t Roster::queued_bytes() const {

@@ -3,11 +3,11 @@
 #include "monitor/service/client.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace placedpar::monitor {
 
@@ -26,17 +26,13 @@ public:
     std::size_t staying(const std::string& machine) const;
     /// Null when there is none.
     Client* control_of(const std::string& machine) const;
-    /// Without those that are about to be closed, as are these two.
+    /// Without those that are about to be closed, as are these.
     std::size_t size() const;
-    std::size_t count(const std::function<bool(const Client&)>& which) const;
-    /// The one to be closed for another, of those that `which` is true of: of the peer with most of them the oldest.
-    /// Null when there is none.
-    Client* least(const std::function<bool(const Client&)>& which) const;
+    std::vector<Client*> those(const std::function<bool(const Client&)>& which) const;
     std::size_t queued_bytes() const;
 
 private:
     std::set<Client*> clients_;
-    std::uint64_t entered_ = 0;
     std::map<std::string, std::set<Client*>> of_machine_;
     std::map<std::string, Client*> control_;
 };

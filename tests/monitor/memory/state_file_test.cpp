@@ -5,7 +5,11 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <sys/inotify.h>
+#include <unistd.h>
+
 #include <string>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -271,6 +275,34 @@ TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are clea
     CHECK(file.history().alarms("a", 10).at(0).cleared_at == 5);
     std::vector<Parcel> next{{{KeptMessage{8, "b", "x"}}}};
     file.commit(next);
+}
+
+TEST_CASE("a file that is removed again while it is made anew loses nothing of its history") {
+    for (int round = 0; round < 10; ++round) {
+        Scratch scratch;
+        StateContent content;
+        StateFile file(scratch / "state", "settings", most_history, content);
+        std::vector<Parcel> parcels{parcel_of(1)};
+        file.commit(parcels);
+        std::filesystem::remove(scratch / "state");
+        CHECK_THROWS_AS(file.commit(parcels), store::DatabaseError);
+        Parcel anew{{OpenAlarms{{}, 5}, KeptState{"b", 7, "s"}}, 7};
+        {
+            const int watch = ::inotify_init();
+            ::inotify_add_watch(watch, (scratch / "").c_str(), IN_MOVED_TO);
+            std::jthread remover([&] {
+                char event[1024];
+                if (::read(watch, event, sizeof event) > 0)
+                    std::filesystem::remove(scratch / "state");
+            });
+            CHECK_THROWS(file.commit(std::span(&anew, 1)));
+            remover.join();
+            ::close(watch);
+        }
+        file.commit(std::span(&anew, 1));
+        CHECK(file.history().estimates("a", 10).size() == 1);
+        CHECK(std::filesystem::exists(scratch / "state"));
+    }
 }
 
 TEST_CASE("no state file: what it is instead, and what to do") {

@@ -1,4 +1,5 @@
 #include "monitor/memory/diagnosis_json.hpp"
+#include "monitor/memory/exact_text.hpp"
 #include "monitor/memory/state_store.hpp"
 #include "scratch.hpp"
 #include "text/user_error.hpp"
@@ -153,6 +154,65 @@ TEST_CASE("a state of before readings were averaged goes on, or is refused with 
     CHECK_THROWS_WITH(state_from(before(0.5), {}),
                       "the readings are 0.5 s apart, expected at most 0.1 s: a transient of some tenths of a second "
                       "does not show in fewer");
+}
+
+TEST_CASE("a state with wrong counts is refused") {
+    const Diagnosis::State state = Diagnosis("m", excavator_parameters(Parameters::excavator()), {}, 1).state();
+    auto refused = [&](const char* because, auto change) {
+        boost::json::value value = state_json(state);
+        change(value.as_object());
+        CHECK_THROWS_WITH(state_from(value, {}), doctest::Contains(because));
+    };
+    auto numbers = [](std::vector<double> n) { return boost::json::string(exact_text(n)); };
+    for (double count : {-1.0, 0.5, 2e6})
+        for (int field : {0, 1}) {
+            if (field == 0 && count > 1)
+                continue; // a whole sample, below
+            refused("a count of", [&](boost::json::object& object) {
+                if (field == 0)
+                    object["open"] = numbers({count, 0, 0});
+                else
+                    object["tracks"].as_array()[0].as_object()["sums"] = numbers({0, 0, 0, 0, 0, count, 0});
+            });
+        }
+    refused("a sample that is whole", [&](auto& object) { object["open"] = numbers({1, 0, 0}); });
+    refused("a sample that is whole", [&](auto& object) { object["open"] = numbers({std::nan(""), 0, 0}); });
+    refused("or no sample", [&](auto& object) { object["open"] = numbers({0, 0}); });
+    refused("sums of 6 numbers", [&](auto& object) {
+        object["tracks"].as_array()[0].as_object()["sums"] = numbers({0, 0, 0, 0, 0, 0});
+    });
+}
+
+TEST_CASE("a machine whose state is of before readings were averaged begins anew, the others go on") {
+    Scratch scratch;
+    { Running running(scratch / "state"); }
+    auto state_of = [](const char* name, double period_s) {
+        Diagnosis::State state = Diagnosis(name, excavator_parameters(Parameters::excavator()), {}, 1).state();
+        state.parameters.period_s = period_s;
+        boost::json::object object = state_json(state);
+        object.erase("open");
+        return KeptState{name, 1, boost::json::serialize(object)};
+    };
+    {
+        std::string settings = store::Database(scratch / "state").text("SELECT settings FROM ledger");
+        StateContent content;
+        StateFile file(scratch / "state", settings, 100, content);
+        Parcel parcel{{state_of("old", 0.001), state_of("too slow", 0.5), state_of("other", 0.02)}, 1};
+        for (const char* machine : {"old", "other"})
+            parcel.entries.push_back(
+                KeptAlarm{machine, "leak", "BO", "a leak", 1, 1, std::nullopt, std::nullopt, std::nullopt});
+        parcel.entries.push_back(KeptMessage{2, "old", configuration});
+        parcel.entries.push_back(KeptMessage{3, "other", configuration});
+        file.commit(std::span(&parcel, 1));
+    }
+    Diagnoses diagnoses = none();
+    StateStore store(scratch / "state", diagnoses, 100);
+    CHECK(diagnoses.all().size() == 1);
+    CHECK(diagnoses.named("other").configuration() == Configuration::a);
+    CHECK(store.noted_alarms().size() == 1);
+    CHECK(store.said().find("\"old\" begins anew: its readings, 1 kHz averaged to 50 Hz") != std::string::npos);
+    CHECK(store.said().find("\"too slow\" begins anew: the readings are 0.5 s apart") != std::string::npos);
+    CHECK(store.said().find("1 machine restored, 1 message taken again") != std::string::npos);
 }
 
 TEST_CASE("a long backlog goes into states, the oldest machine's first") {

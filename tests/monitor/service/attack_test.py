@@ -49,7 +49,8 @@ class Flood(ServiceTest):
 
     def test_a_thousand_machines_with_a_sample_lock_nobody_out(self):
         state = self.folder / "state"
-        service = self.service("--max-machines", 40, "--max-machines-per-peer", 30, "--state", state)
+        service = self.service("--max-machines", 40, "--max-machines-per-peer", 30, "--known-after", 0,
+                               "--state", state)
         self.sampled(service, "known", KNOWN)
         for i in range(45):
             self.sampled(service, f"name-{i}", 1, source=f"127.0.0.{i + 1}")
@@ -81,13 +82,43 @@ class Flood(ServiceTest):
         self.assertEqual(client.ask(**CONFIGURATION)["type"], "configured")
 
     def test_a_known_machine_has_a_place_among_strangers(self):
-        service = self.service("--max-clients", 4)
+        service = self.service("--max-clients", 4, "--known-after", 0)
         self.sampled(service, "known", KNOWN)
         strangers = [self.client(service, f"stranger-{i}") for i in range(4)]
         self.assertEqual({client.welcome["type"] for client in strangers}, {"welcome"})
         self.assertIn("4 clients already", self.client(service, "one-more").welcome["wrong"])
         self.assertEqual(self.client(service, "known").welcome["samples"], KNOWN)
         self.assertIn("a machine that is known", strangers[0].receive()["wrong"])
+
+    def test_known_machines_of_a_flooder_lock_nobody_out(self):
+        path = str(self.folder / "socket")
+        service = self.service("--max-machines", 40, "--max-machines-per-peer", 30, "--known-after", 0,
+                               "--unix", path, "--port", 0)
+        self.sampled(service, "site", KNOWN, path=path)
+        for i in range(32):
+            self.sampled(service, f"flood-{i}", KNOWN)
+        for i in range(15):
+            self.sampled(service, f"new-{i}", 1, path=path)
+        self.sampled(service, "new-of-the-flooders-peer", 1)
+        self.assertEqual(self.client(service, "site", path=path).welcome["samples"], KNOWN)
+
+    def test_a_machine_is_known_only_after_a_while(self):
+        service = self.service("--max-machines", 8)  # a flood of samples in no time makes none
+        for i in range(9):
+            self.sampled(service, f"name-{i}", KNOWN)
+        self.assertEqual(self.client(service, "new").welcome["type"], "welcome")
+
+    def test_a_peer_that_has_all_connections_makes_room_for_another(self):
+        path = str(self.folder / "socket")
+        service = self.service("--max-clients", 6, "--max-clients-per-peer", 6, "--unix", path, "--port", 0)
+        flood = [self.client(service, f"name-{i}") for i in range(6)]
+        self.assertEqual(flood[0].ask(**CONFIGURATION)["type"], "configured")
+        self.assertEqual(flood[0].ask(**boom(0))["samples"], 1)
+        said = [self.client(service, f"user-{i}", path=path).welcome["type"] for i in range(4)]
+        self.assertEqual(said, 3 * ["welcome"] + ["error"])  # until both have as many
+        self.assertIn("a peer with fewer connections", flood[1].receive()["wrong"])
+        self.assertEqual(flood[0].ask(type="ping")["type"], "pong")  # it has sent samples
+        self.assertIn("6 clients already", self.client(service, "again").welcome["wrong"])
 
     def test_idle_browsers_shut_nobody_out(self):
         service = self.service("--http", 0)

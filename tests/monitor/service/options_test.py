@@ -11,7 +11,7 @@ class Options(ServiceTest):
     def test_every_option_takes_what_its_help_says_and_no_more(self):
         shown = subprocess.run([PROGRAM, "monitor", "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
         options = re.findall(r"(--[\w-]+) (\S+?)=(\S+)\s+(?![\s-])[^\n]*, (\S+) to (\S+)\n", shown)
-        self.assertEqual(len(options), 23)
+        self.assertEqual(len(options), 24)
         for option, unit, default, least, greatest in options:
             whole = unit in ("N", "BYTES")
             self.assertLessEqual(float(least), float(default))

@@ -1,0 +1,140 @@
+#include "monitor/service/places.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace placedpar::monitor;
+using Clock = MachinePlaces::Clock;
+
+namespace {
+
+Clock::time_point at(int s) { return Clock::time_point(std::chrono::seconds(s)); }
+
+constexpr std::size_t limit = 256;
+
+/// Connections of one peer come until all places are taken, or no more are let in; gives how many it has.
+std::size_t crowd_in(std::vector<Place>& places, const std::string& peer, std::size_t attempts, bool known = false) {
+    for (std::size_t i = 0; i < attempts; ++i) {
+        if (places.size() >= limit) {
+            auto victim = gives_way(places, peer, false);
+            if (!victim)
+                break;
+            places.erase(places.begin() + static_cast<std::ptrdiff_t>(*victim));
+        }
+        places.push_back({peer, known, false, 0, at(static_cast<int>(i))});
+    }
+    return static_cast<std::size_t>(std::ranges::count(places, peer, &Place::peer));
+}
+
+bool always(const std::string&) { return true; }
+bool never(const std::string&) { return false; }
+
+} // namespace
+
+TEST_CASE("two peers that have all places make room for a third, until all have alike") {
+    std::vector<Place> places;
+    CHECK(crowd_in(places, "flooder", 128) == 128);
+    CHECK(crowd_in(places, "other flooder", 128) == 128);
+    CHECK(crowd_in(places, "third", 1) == 1);
+    CHECK(crowd_in(places, "third", 1000) == 85);
+    CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) == 171); // none is won back
+    CHECK(std::ranges::count(places, std::string("third"), &Place::peer) == 85);
+    CHECK(places.size() == limit);
+}
+
+TEST_CASE("no peer takes what is kept, though all else is taken") {
+    std::vector<Place> places;
+    crowd_in(places, "site", 100, true);
+    crowd_in(places, "flooder", 1000);
+    CHECK(crowd_in(places, "site", 1000) == 100 + 78); // its strangers have as many as the flooder's
+    CHECK(crowd_in(places, "flooder", 1000) == 78);
+    CHECK(std::ranges::count(places, true, &Place::kept) == 100);
+}
+
+TEST_CASE("of one peer the idle goes first, then what has fewest samples, then what was silent longest") {
+    std::vector<Place> places{{"p", false, false, 0, at(3)}, {"p", false, false, 0, at(2)},
+                              {"p", false, false, 9, at(1)}, {"p", false, true, 9, at(9)},
+                              {"q", false, true, 0, at(0)},  {"p", true, true, 0, at(0)}};
+    CHECK(gives_way(places, "new", false) == 3);
+    places.erase(places.begin() + 3);
+    CHECK(gives_way(places, "new", false) == 1);
+    places.erase(places.begin() + 1);
+    CHECK(gives_way(places, "new", false) == 0);
+    CHECK(gives_way(places, "q", false) == 2);  // as many would be left, not more: its own idle one
+    CHECK_FALSE(gives_way(places, "p", false)); // it has most itself, all in use
+    CHECK(gives_way(places, "p", true) == 0);   // for a machine that is known
+    CHECK_FALSE(gives_way(std::span(places).last(1), "new", true));
+}
+
+TEST_CASE("a machine is known by its samples and by the time in which they came") {
+    ServiceLimits limits;
+    MachinePlaces machines(limits);
+    machines.introduced("m", "p", at(0));
+    CHECK_FALSE(machines.heard("m", 100000, at(1)));
+    CHECK_FALSE(machines.heard("m", 100000, at(700))); // no sample has come
+    CHECK(machines.heard("m", 100001, at(701)));
+    CHECK(machines.known("m"));
+    CHECK_FALSE(machines.heard("m", 0, at(702))); // it begins anew
+    CHECK_FALSE(machines.known("m"));
+    machines.introduced("slow", "p", at(0));
+    CHECK_FALSE(machines.heard("slow", 1, at(0)));
+    CHECK_FALSE(machines.heard("slow", limits.known_samples - 1, at(10000)));
+    CHECK(machines.heard("slow", limits.known_samples, at(10001)));
+}
+
+TEST_CASE("however many machines of one peer are known, others' machines find a place and become known") {
+    ServiceLimits limits;
+    MachinePlaces machines(limits);
+    std::size_t count = 0;
+    auto introduce = [&](const std::string& name, const std::string& peer, std::uint64_t samples, auto idle) {
+        if (machines.introduced_by(peer) >= limits.machines_per_peer || count >= limits.machines) {
+            auto other = machines.gives_way(peer, machines.introduced_by(peer) >= limits.machines_per_peer, idle);
+            if (!other)
+                return false;
+            CHECK_FALSE(machines.known(*other));
+            machines.forgotten(*other);
+            --count;
+        }
+        ++count;
+        machines.introduced(name, peer, at(0));
+        machines.heard(name, 1, at(0));
+        machines.heard(name, samples, at(1000));
+        return true;
+    };
+    auto known = [&](const char* prefix) {
+        std::size_t found = 0;
+        for (int i = 0; i < 2000; ++i)
+            found += machines.known(fmt::format("{} {}", prefix, i));
+        return found;
+    };
+    for (int i = 0; i < 400; ++i)
+        CHECK(introduce(fmt::format("site {}", i), "site", 5000, always));
+    for (int i = 0; i < 2000; ++i) // all of them served for long, and none of them given up
+        introduce(fmt::format("flood {}", i), "flooder", 5000, never);
+    CHECK(known("site") == 400);
+    CHECK(known("flood") == most_kept(limits.machines_per_peer));
+    for (int i = 0; i < 200; ++i) // of its own peer, too
+        CHECK(introduce(fmt::format("own {}", i), "flooder", 1, always));
+    for (int i = 0; i < 101; ++i)
+        CHECK(introduce(fmt::format("new {}", i), "newcomer", 5000, never));
+    CHECK_FALSE(introduce("new 101", "newcomer", 5000, never)); // it has as many that are not known as the flooder
+    CHECK(known("new") == 875 - 437 - 400);
+    CHECK(known("site") == 400);
+}
+
+TEST_CASE("what was restored is known by its samples, as far as places may be kept") {
+    ServiceLimits limits;
+    limits.machines = 8;
+    MachinePlaces machines(limits);
+    for (int i = 0; i < 8; ++i)
+        machines.restored(fmt::format("m{}", i), 9000 - static_cast<std::uint64_t>(i), at(0));
+    for (int i = 0; i < 8; ++i)
+        CHECK(machines.known(fmt::format("m{}", i)) == (i < 7));
+    CHECK_FALSE(machines.gives_way("p", false, always)); // one each
+    machines.restored("m8", 5, at(0));
+    CHECK(machines.gives_way("p", false, always) == "m8");
+}
