@@ -29,9 +29,9 @@ void require(sqlite3* database, int code) {
 
 void Database::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
-Database::Database(const std::filesystem::path& path) {
+Database::Database(const std::filesystem::path& path, bool make) {
     sqlite3* handle = nullptr;
-    int code = sqlite3_open_v2(path.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    int code = sqlite3_open_v2(path.c_str(), &handle, SQLITE_OPEN_READWRITE | (make ? SQLITE_OPEN_CREATE : 0), nullptr);
     handle_.reset(handle);
     require(handle, code);
     require(handle, sqlite3_extended_result_codes(handle, 0));

@@ -28,8 +28,8 @@ private:
 /// time.
 class Database {
 public:
-    /// Makes the file when there is none.
-    explicit Database(const std::filesystem::path& path);
+    /// `make`: the file, when there is none.
+    explicit Database(const std::filesystem::path& path, bool make = true);
 
     /// Is the write-ahead log to be put into the file when this closes? It is, unless told otherwise.
     void put_log_into_file(bool at_end);

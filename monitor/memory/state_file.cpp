@@ -107,7 +107,7 @@ void StateFile::disconnect() {
 /// `alone`: without the file in which SQLite tells other programs where what is in the log. For that a full disk has no
 /// room.
 void StateFile::connect(bool alone) {
-    database_.emplace(path_);
+    database_.emplace(path_, false);     // it may have been removed
     database_->put_log_into_file(false); // what is refused is left as it is
     if (alone)
         database_->run("PRAGMA locking_mode = EXCLUSIVE"); // first: others read the log already
