@@ -1,9 +1,12 @@
 #include "boom_records.hpp"
+#include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/plant/measurement.hpp"
 #include "identification/flags.hpp"
 #include "identification/spike.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -155,6 +158,21 @@ TEST_CASE("no flag prints what is no number") {
             CHECK(flag.text.find("nan") == std::string::npos);
             CHECK(flag.text.find("inf") == std::string::npos);
         }
+    }
+}
+
+TEST_CASE("the noise of the worst sensors makes no spike, of areas that are found from the spool, too") {
+    constexpr double deviations = 7.5;
+    auto beyond_noise = [&](Sensor sensor, double noise) {
+        CHECK(greatest_excursion(sensor, 0.02) >= deviations * noise);
+    };
+    beyond_noise(Sensor::inlet_pressure, high_noise.pressure_psi);
+    beyond_noise(Sensor::angle, high_noise.angle_deg);
+    beyond_noise(Sensor::spool, high_noise.spool_in);
+    for (double spool_in = 0.15; spool_in < 0.45; spool_in += 0.01) {
+        const OrificeAreas here = boom_orifices(spool_in), there = boom_orifices(spool_in + high_noise.spool_in);
+        beyond_noise(Sensor::inlet_area, std::abs(there.inlet_in2 - here.inlet_in2));
+        beyond_noise(Sensor::bypass_area, std::abs(there.bypass_in2 - here.bypass_in2));
     }
 }
 
